@@ -1,17 +1,20 @@
 """claim: claim jobs from the server, run them on the machine, and report their end.
 
-The gateway only makes outgoing connections.  It decides the following by itself:
+A job makes one or more copies of a program, each on a new sheet of board.  The gateway only makes
+outgoing connections.  It decides the following by itself:
 
 - It claims jobs only while the controller is connected and idle: a machine that is switched off
   gets no job.
 - If the operator must confirm a job, the gateway sends nothing to the machine before the server has
   answered a heartbeat with ``start``.  Meanwhile the controller must stay idle; otherwise the job
   is returned to the queue, and the operator must confirm again.
-- If the server cannot be reached, the machine continues until the lease expires, then holds.  It
-  does not continue by itself: either the operator resumes the job, or the server answers that the
-  job was reassigned (409), and the machine is then stopped and brought into its safe state.
-- The answer ``resume`` is only accepted if the heartbeat that it answers reported that the machine
-  is held, so that a late answer cannot start the next copy.
+- If the server cannot be reached, the machine continues until the lease expires.  Then the gateway
+  stops it with a hold.  The machine does not continue by itself: either the operator resumes the
+  job, or the server answers that the job was reassigned (409), and the machine is then brought into
+  its safe state.
+- The answer ``resume`` also starts the next copy.  It is accepted only if the heartbeat that it
+  answers reported a held machine.  Otherwise a late answer, meant for an earlier hold, could start
+  the next copy before its sheet is on the table.
 - The end of a job is recorded in the journal and reported until the server has answered.  After a
   restart, a job whose end is not recorded is reported as ``done`` only if the journal records that
   every copy was executed to its last line.
@@ -55,7 +58,11 @@ def _not_idle(controller: Controller, state: State) -> Message:
 
 
 def _cause_of(error: KnifetipError | OSError) -> Message:
-    """Return the message that is reported as the cause if an error ended a job."""
+    """Return the message that is reported to the server as the cause of the end of a job.
+
+    ``error`` is the exception that ended the job.  The result is the message of this exception, or
+    a message that quotes it if it is an ``OSError``.
+    """
     if isinstance(error, KnifetipError):
         return error.message
     return Message("gateway.system-error", reason=error)
@@ -120,9 +127,11 @@ class _GatewayLoop:
         await self._server.finish(end)
 
     async def _recover(self) -> None:
-        """Connect to the controller and stop the machine if the journal contains an unfinished job.
+        """Connect to the controller and stop the machine, if the journal has an unfinished job.
 
-        The machine may still execute that job, because the gateway was killed while the job ran.
+        Does nothing if there is no unfinished job.  The machine may still execute that job, because
+        the gateway was killed while the job ran.  If the controller cannot be reached, a warning is
+        logged, and the next connection stops the machine.
         """
         if self._journal.unfinished() is None:
             return
@@ -281,7 +290,7 @@ class _GatewayLoop:
         ----------
         run
             State of the job, with the request of the server.  The request is deleted from ``run``
-            as soon as the controller has carried it out.
+            as soon as a status report shows that the controller has carried it out.
         progress
             Progress of the machine, with the state of the controller.
         controller
@@ -301,7 +310,7 @@ class _GatewayLoop:
                 run.requested = ""
 
     async def _wait_for_sheet(self, run: JobRun) -> None:
-        """Wait until the operator has confirmed the sheet for the next copy of a job.
+        """Wait until the operator has laid the sheet for the next copy and resumed the job.
 
         Meanwhile the heartbeats report the job as held.
 
@@ -346,7 +355,7 @@ async def run_gateway(
     client: httpx.AsyncClient | None = None,
     jobs: int | None = None,
 ) -> None:
-    """Run the gateway of a machine until cancelled.
+    """Run the gateway of a machine until it is cancelled, or until ``jobs`` jobs have ended.
 
     Cancellation stops the machine, raises the tool and reports the end of the job to the server.
 
@@ -355,9 +364,11 @@ async def run_gateway(
     settings
         Settings of the gateway: its server, its machine, its name and its time limits.
     connect
-        Function that returns an open controller in its safe state, for example ``lambda safe,
-        stop_motion: dial("127.0.0.1:2323", safe, stop_motion=stop_motion)`` with the ``dial`` of
-        the machine's language.  It is called again after every failure.
+        Function that connects to the controller, and returns it with the machine in its safe state.
+        It is called at the start and after every failure, with two arguments: the safe state, and
+        whether to stop a machine that still moves.  Example: ``lambda safe, stop_motion:
+        dial("127.0.0.1:2323", safe, stop_motion=stop_motion)`` with the ``dial`` of
+        ``gateway.grbl.driver``.
     client
         HTTP client to use, which is not closed; None to create one.
     jobs

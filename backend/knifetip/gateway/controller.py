@@ -1,6 +1,7 @@
 """controller: interface of a controller that receives program lines and sends status reports.
 
-A controller language whose programs can be streamed has a ``Driver``.
+``Controller`` is a connected controller; ``Driver`` is a function that connects to one.  There is a
+``Driver`` for each controller language whose programs can be sent line by line, such as grbl's.
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ class State(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Status:
-    """A status report of a controller, with the numbers of program lines sent and answered."""
+    """A status report of a controller, with the numbers of lines sent and answered up to then."""
 
     state: State
     position: Pose  #: in work coordinates, as in the program
@@ -216,11 +217,11 @@ class Driver(Protocol):
         address
             HOST:PORT of the controller.
         safe
-            Safe state of the machine; with None the machine is not lifted and no output is
-            switched.
+            Safe state of the machine; if None, the tool is not raised, and no output is switched
+            off.
         stop_motion
             Whether to stop a machine that moves; True if the machine may still execute a program of
-            this gateway.
+            this gateway.  If False, a machine that moves is left as it is, and an error is raised.
 
         Raises
         ------

@@ -141,8 +141,9 @@ class Corridor:
     def _nearest(self, position: Pose) -> tuple[float, int]:
         """Return the distance (mm) of a position from the nearest stored move, and a line number.
 
-        The number is that of the program line with the move.  If a move is within ``OFF`` mm of the
-        position, the first such move is used, even if another move is nearer.
+        The number is that of the program line with the move, or 0 for the position at the start of
+        the program, which counts as a move.  If a move is within ``OFF`` mm of the position, the
+        first such move is used, even if another move is nearer.  At least one move is stored.
         """
         least, line = math.inf, 0
         count = len(self._moves)

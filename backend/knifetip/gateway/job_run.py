@@ -13,7 +13,10 @@ from knifetip.messages import Message, with_text
 
 @dataclass(frozen=True, slots=True)
 class Lease:
-    """A claimed job: its program, its number of copies, and the duration of the gateway's lease."""
+    """The server's answer to a claim: a job with its program, its number of copies and its lease.
+
+    The lease is the time for which the gateway owns the job without a new heartbeat.
+    """
 
     job: str
     epoch: int
@@ -90,9 +93,10 @@ class JobRun:
         Parameters
         ----------
         command
-            ``cancel``, ``start``, ``hold``, ``resume``, ``wait`` or ``continue``.
+            ``start`` (the operator has confirmed the job), ``cancel``, ``hold`` or ``resume``.
+            ``wait`` (the job is not confirmed yet) and ``continue`` change nothing.
         held
-            Whether the heartbeat reported that the machine is held; otherwise ``resume`` is
+            Whether the heartbeat reported that the machine is held; if False, ``resume`` is
             ignored.
         """
         if command == "cancel":

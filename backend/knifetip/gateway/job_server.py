@@ -146,7 +146,8 @@ class JobServer:
         end
             The job, and how it ended.
         tries
-            Greatest number of requests; None for no limit.
+            Greatest number of requests; None for no limit.  If none of them is answered, the method
+            returns; the end is reported again when the gateway is next started.
         """
         job, epoch, outcome, cause = end.job, end.epoch, end.outcome, end.cause
         self._journal.outcome(job, outcome, cause)

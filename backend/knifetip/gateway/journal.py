@@ -22,7 +22,10 @@ LONG = 8_000_000
 
 @dataclass(slots=True)
 class Unfinished:
-    """A job in the journal whose end the server has not acknowledged."""
+    """A job in the journal whose end is not recorded as acknowledged by the server.
+
+    It may still run, or it has ended and the server has not answered the report of its end.
+    """
 
     job: str
     epoch: int
@@ -49,7 +52,8 @@ class Journal:
         Parameters
         ----------
         job, epoch
-            Id of the job, and epoch of its claim.
+            Id of the job, and the epoch of the claim: a number that the server increases whenever
+            the job gets a new owner.
         sha256
             Checksum of the program.
         lines, copies
@@ -132,9 +136,11 @@ class Journal:
         Parameters
         ----------
         job, epoch
-            Id of the job, and epoch of its claim.
+            Id of the job, and the epoch of the claim: a number that the server increases whenever
+            the job gets a new owner.
         outcome, cause
-            As recorded by the method ``outcome``.
+            ``done``, ``interrupted``, ``cancelled`` or ``returned``, and the cause of the end; None
+            if there is none.
         """
         self._append(
             {
@@ -148,7 +154,10 @@ class Journal:
         )
 
     def unfinished(self) -> Unfinished | None:
-        """Return the last job of the journal if its end is not recorded, else None."""
+        """Return the last job of the journal if the server has not acknowledged its end.
+
+        Returns None if the server has acknowledged it, or if the journal contains no job.
+        """
         if self._path is None or not self._path.exists():
             return None
         unfinished: Unfinished | None = None

@@ -27,9 +27,9 @@ NOTHING = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """Limits of the axes x, y, z and c: velocity (1/s), acceleration (1/s²) and travel.
+    """Limits of the axes x, y, z and c: velocity, acceleration, and lowest and highest position.
 
-    Lengths are in mm, angles in degrees.
+    x, y and z are in mm, mm/s and mm/s²; c is in degrees, degrees/s and degrees/s².
     """
 
     velocity: Pose
@@ -160,11 +160,12 @@ class Move:
         return (low[0], low[1], low[2], low[3]), (high[0], high[1], high[2], high[3])
 
     def pace(self, limits: Limits) -> tuple[float, float]:
-        """Return the greatest velocity (1/s) and acceleration (1/s²) along the move.
+        """Return the greatest velocity (per s) and acceleration (per s²) along the move.
 
-        Both are measured along the length of the move, in mm and degrees.  No axis exceeds its
-        limits, and the velocity is at most the programmed one.  On an arc, the velocity is also
-        limited by the centripetal acceleration, which must not exceed the limits of X and Y.
+        Both are measured along the length of the move, which is computed over all four axes, mm and
+        degrees alike.  No axis exceeds its limits, and the velocity is at most the programmed one.
+        On an arc, the velocity is also limited by the centripetal acceleration, which must not
+        exceed the limits of X and Y.
         """
         velocity = self.length / (self.minutes * 60.0) if self.minutes else self.rate / 60.0
         acceleration = math.inf

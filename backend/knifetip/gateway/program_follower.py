@@ -1,7 +1,8 @@
 """program_follower: find the program line that the machine is executing, from its status reports.
 
-N words are not added, because the program must run exactly as it was verified.  Three facts are
-combined, each of which is reliable by itself:
+Line numbers (N words) would make this simple, but they are not added to a program, because the
+program must run exactly as it was verified.  Instead three facts are combined, each of which is
+reliable by itself:
 
 - the controller answers a line that waits for all motion (G4, M3, M5, M30) only when all lines
   before it are executed;
@@ -9,9 +10,9 @@ combined, each of which is reliable by itself:
   these blocks are executed;
 - the first answered move that passes through the reported position is the one being executed.
 
-If a program has N words and the controller reports the field ``Ln``, this field is the number of
-the line.  The search only moves forward over the lines between executed and answered, so memory
-does not grow with the program.
+If a program does have N words and the controller reports the field ``Ln``, this field is the number
+of the line.  Only the lines from the first one that is not executed to the last answered one are
+stored, so memory does not grow with the program.
 """
 
 from __future__ import annotations
@@ -182,7 +183,7 @@ class ProgramFollower:
         Parameters
         ----------
         max_moves
-            Greatest number of answered moves that the controller may not have completed.
+            Greatest number of answered moves that can still be queued or running in the controller.
         """
         while self._moves > max_moves:
             self._drop(1)

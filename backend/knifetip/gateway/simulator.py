@@ -110,7 +110,8 @@ async def serve(
     window
         Size of the receive buffer (bytes).
     sample
-        Simulated seconds between two samples of the trace; 0 for no trace.
+        Simulated seconds between two records of the position of the axes (``Table.trace``); 0 to
+        record no positions.
     """
     server = Server(Table(machine, speed=speed, faults=faults, window=window, sample=sample))
     await server.start(host, port)

@@ -162,12 +162,15 @@ async def _stop(
 
     Parameters
     ----------
+    controller
+        Controller of the machine.
     error
         Error that interrupted the program; the returned error has its type.
     follower
         Follower with the number of executed lines, which the returned error contains.
     base
-        Status before the first line was sent.
+        Status before the first line was sent; ``base.sent`` is subtracted from the number of
+        lines that the controller has received since it was opened.
     lines
         Number of lines of the program.
     """

@@ -48,7 +48,11 @@ def discard_answer(line: str) -> None:
 
 @dataclass(frozen=True, slots=True)
 class Faults:
-    """Faults that the simulated table injects; lines are counted from 1 outside check mode."""
+    """Faults that the simulated table injects.
+
+    Lines are numbered from 1 in the order in which they are received; lines in check mode are not
+    counted.
+    """
 
     drop_ok: frozenset[int] = frozenset()  #: lines that are executed but not answered
     errors: Mapping[int, int] = field(
@@ -482,12 +486,14 @@ class Table:
             await asyncio.sleep(TICK if self.busy else 0.0)
 
     def _advance_pending(self, deadline: float, loop: asyncio.AbstractEventLoop) -> None:
-        """Simulate the pending time, but at most until the real time reaches ``deadline``.
+        """Simulate the time that has passed since the last call, at most until ``deadline``.
+
+        The time that is not simulated before ``deadline`` is left for the next call.
 
         Parameters
         ----------
         deadline
-            Time on the clock of ``loop`` (s).
+            Real time at which to return (s, clock of ``loop``).
         loop
             The running event loop.
         """

@@ -102,7 +102,11 @@ def alarm_meaning(code: int) -> Message:
 
 @dataclass(frozen=True, slots=True)
 class Report:
-    """The fields of a status report of grbl; None or 0 for optional fields that were not sent."""
+    """The fields of a status report of grbl.
+
+    Optional fields that were not sent are None (positions and free space) or 0 (feed and number of
+    the executed line).
+    """
 
     state: State
     still: bool

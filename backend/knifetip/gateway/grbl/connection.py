@@ -47,8 +47,11 @@ class GrblConnection:
         Open transport.
     reconnect
         Function that opens a new transport after the connection was lost; None to give up.
-    silence, poll
-        Time limits of the ``Watchdog`` (s).
+    silence
+        Seconds after which the controller counts as silent if no status report arrives, or if a
+        line has no answer although the machine is idle.
+    poll
+        Longest time between two status requests while the machine moves (s).
     """
 
     def __init__(
@@ -269,10 +272,10 @@ class GrblConnection:
     # -- faults and waiting -----------------------------------------------------------------------
 
     def fail(self, error: ControllerError) -> ControllerError:
-        """Record an error as the fault of the connection, unless it has one, and return the fault.
+        """Record an error as the fault of the connection, and return the fault.
 
-        Wakes the tasks that wait for an answer; they raise the fault.  The returned fault is
-        ``error``, or the error that was recorded before.
+        If the connection already has a fault, that fault is kept and returned instead of ``error``.
+        The tasks that wait for an answer are woken, and raise the fault.
         """
         if self.fault is None:
             self.fault = error

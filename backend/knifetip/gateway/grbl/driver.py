@@ -1,14 +1,15 @@
 """driver: streams programs to controllers with the protocol of grbl 1.1, such as grblHAL.
 
 The controller parses the program in check mode before anything moves.  Every failure raises one of
-five errors and never waits without end: ``ControllerRejected``, ``ControllerAlarm``,
-``ControllerReset`` (an unexpected banner), ``ControllerSilent`` (no answer, or a lost ``ok``) and
-``ControllerError`` (a lost connection, or a surplus ``ok``).  After each of them ``Grbl.stop``
-brings the machine into its safe state (``recovery``).
+five errors, so that a failure never makes a call wait for ever: ``ControllerRejected``,
+``ControllerAlarm``, ``ControllerReset`` (an unexpected banner), ``ControllerSilent`` (no answer, or
+a lost ``ok``) and ``ControllerError`` (a lost connection, or a surplus ``ok``).  After each of them
+``Grbl.stop`` brings the machine into its safe state (``recovery``).
 
-A doubled ``ok`` makes the count of free bytes in the receive buffer wrong.  It is detected by an
-answer without an unanswered line, by a report of more bytes in the buffer than are unanswered, or
-at the latest by ``Grbl.settle``.
+A doubled ``ok`` makes the count of free bytes in the receive buffer wrong.  It is detected in one
+of three ways: an answer arrives although no line is unanswered, a status report shows more bytes in
+the buffer than the unanswered lines have, or, at the latest, ``Grbl.settle`` finds a surplus
+answer.
 """
 
 from __future__ import annotations
@@ -36,22 +37,23 @@ _AXES = re.compile(r"\[AXS:\d+:([A-Z]+)")
 
 
 class Grbl:
-    """A controller connected through a transport (see ``Controller``).
+    """A controller with grbl's protocol; the methods are those of ``Controller``.
 
     Parameters
     ----------
     transport
         Open transport.
     safe
-        Safe state for ``open`` and ``stop``; with None they only hold and reset the machine.
+        Safe state into which ``open`` and ``stop`` bring the machine.  If None, they only hold the
+        machine and reset the controller.
     reconnect
-        Opens a new transport after the connection was lost; None to give up.
+        Function that opens a new transport after the connection was lost; None to give up.
     silence
         Seconds after which the controller counts as silent if no status report arrives, or if a
         line has no answer although the machine is idle.
     poll
-        Longest time between two status requests while the machine moves (s); an idle machine is
-        requested once in a fifth of ``silence``.
+        Longest time between two status requests while the machine moves (s).  While the machine is
+        idle and no line is unanswered, it is a fifth of ``silence``, but at least ``poll``.
     """
 
     def __init__(
@@ -108,23 +110,27 @@ class Grbl:
     # -- opening and closing ----------------------------------------------------------------------
 
     async def open(self, *, unlock: bool = False, stop_motion: bool = False) -> None:
-        """Take control of the controller: at rest, unlocked, buffers empty, machine in safe state.
+        """Take control of the controller, and bring the machine into its safe state.
 
         The controller is reset, which is harmless at rest; then Z is raised and all outputs are
-        switched off, because a reset does not change them.  A locked machine is not moved.
+        switched off, because a reset does not change them.  Afterwards the machine is at rest and
+        the buffers of the controller are empty.  If an alarm locks the controller and ``unlock`` is
+        False, nothing moves, and an error is raised.
 
         Parameters
         ----------
         unlock
-            Clear an alarm without homing (``$X``): the operator has confirmed the position.
+            Whether to clear an alarm without homing (``$X``); True only if the operator has
+            confirmed the position of the machine.
         stop_motion
-            Stop a machine that moves or is held, because it executes a program of this gateway.
-            Otherwise such a machine is left as it is.
+            Whether to stop a machine that moves or is held, because it executes a program of this
+            gateway.  If False, such a machine is left as it is, and an error is raised.
 
         Raises
         ------
         ControllerError
-            The controller is busy, in alarm, does not answer, or refuses to switch an output off.
+            The controller is busy, in alarm, does not answer, or refuses to raise Z or to switch an
+            output off.
         """
         connection = self._connection
         connection.start()
@@ -160,10 +166,11 @@ class Grbl:
                 self._connection.rotary = answers.rotary_axis(axes[1])
 
     async def _require_laser_mode(self) -> None:
-        """Raise ``ControllerError`` unless the controller is in laser mode.
+        """Raise ``ControllerError`` unless the controller of a laser machine is in laser mode.
 
-        Only in laser mode does grbl switch the spindle output, and so the beam, off for every rapid
-        move and at every hold, whether the gateway or the button of the controller caused the hold.
+        Only in laser mode does grbl switch the spindle output, and with it the laser beam, off for
+        every rapid move and at every hold, no matter whether the gateway or a button of the
+        controller caused the hold.
         """
         if "$32=1" not in await self._connection.command(b"$$"):
             raise self._connection.fail(
@@ -278,7 +285,8 @@ class Grbl:
         Raises
         ------
         ControllerError
-            The controller has failed, or does not answer, which becomes its fault.
+            The controller has failed before, or does not answer now; the missing answer is recorded
+            as its fault.
         """
         try:
             return await self._connection.report()
@@ -306,7 +314,8 @@ class Grbl:
         Raises
         ------
         ControllerError
-            See ``recovery.make_safe``.
+            An alarm locks the machine, the controller refuses to raise Z or to switch an output
+            off, or the controller cannot be reached.
         """
         connection = self._connection
         connection.recovering = True
@@ -333,16 +342,24 @@ async def dial(
     poll: float = 0.1,
     unlock: bool = False,
 ) -> Grbl:
-    """Connect to a grbl controller and take control of it.
+    """Connect to a grbl controller, take control of it and bring its machine into the safe state.
 
     Parameters
     ----------
     address
-        HOST:PORT.
-    safe, silence, poll
-        See ``Grbl``.
-    unlock, stop_motion
-        See ``Grbl.open``.
+        HOST:PORT of the controller.
+    safe
+        Safe state of the machine; if None, the tool is not raised and no output is switched off.
+    stop_motion
+        Whether to stop a machine that moves or is held, because it executes a program of this
+        gateway.  If False, such a machine is left as it is, and an error is raised.
+    silence
+        Seconds after which the controller counts as silent.
+    poll
+        Longest time between two status requests while the machine moves (s).
+    unlock
+        Whether to clear an alarm without homing (``$X``); True only if the operator has confirmed
+        the position of the machine.
 
     Raises
     ------

@@ -70,9 +70,9 @@ class ReceiveBuffer:
         return self._lines[0] if self._lines else None
 
     def due(self) -> Message | None:
-        """Return a message with the number of the first unanswered program line, or None.
+        """Return a message with the number and the text of the oldest unanswered program line.
 
-        Returns None if no program line is unanswered.
+        Returns None if no program line is unanswered; commands of the driver do not count.
         """
         line = next((line for line in self._lines if line.number), None)
         if line is None:
@@ -80,7 +80,7 @@ class ReceiveBuffer:
         return Message("controller.due", line=line.number, text=line.excerpt)
 
     def reserve(self, line: PendingLine) -> None:
-        """From now on, keep at least as many bytes free as a line occupies.
+        """From now on, keep enough bytes of the buffer free for a second copy of a line.
 
         With this reserve, the buffer does not overflow if the controller answers such a line twice.
         """

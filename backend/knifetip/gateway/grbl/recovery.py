@@ -83,7 +83,7 @@ async def make_safe(machine: Recoverable, safe: SafeState | None, silence: float
     ControllerAlarm
         An alarm locks the machine; a person must clear it.
     ControllerRejected
-        The controller refuses the lift or an output; all other steps were done.
+        The controller refuses to raise Z or to switch an output off; all other steps were done.
     ControllerError
         The controller could not be reached.
     """
@@ -109,9 +109,9 @@ async def make_safe(machine: Recoverable, safe: SafeState | None, silence: float
 
 
 async def secure(machine: Recoverable, safe: SafeState | None, silence: float) -> Status:
-    """Lift Z, stop the spindle and switch off every output of a machine at rest; return a status.
+    """Raise Z, stop the spindle and switch off every output of a machine at rest; return a status.
 
-    Z is lifted first, so that a tool in the board leaves the board along its axis.
+    Z is raised first, so that a tool in the board leaves the board along its axis.
 
     Parameters
     ----------
@@ -125,12 +125,14 @@ async def secure(machine: Recoverable, safe: SafeState | None, silence: float) -
     Returns
     -------
     Status
-        Status after the lift, if there was one; the outputs are switched off after it.
+        Status after Z was raised, or the present status if Z is high enough or ``safe`` is None.
+        The outputs are switched off after this status was reported.
 
     Raises
     ------
     ControllerRejected
-        The controller refuses the lift or an output; all other outputs were switched off.
+        The controller refuses to raise Z, to stop the spindle or to switch an output off; the steps
+        that it does not refuse were done.
     ControllerError
         The machine is not idle, or the controller did not answer.
     """
@@ -171,12 +173,14 @@ async def _hold(machine: Recoverable, silence: float) -> None:
 
 
 async def _unlock(machine: Recoverable) -> None:
-    """Clear the present alarm if its code is in ``UNLOCKABLE``.
+    """Clear the present alarm if it is a soft limit or a reset during motion (``UNLOCKABLE``).
+
+    All other alarms have a cause at the machine that a person must inspect first.
 
     Raises
     ------
     ControllerAlarm
-        The code is not in ``UNLOCKABLE``, or the controller refuses to clear the alarm.
+        It is another alarm, or the controller refuses to clear it.
     """
     locked = _locked_error(machine)
     if machine.last_alarm not in UNLOCKABLE:

@@ -35,7 +35,10 @@ class Watched(Protocol):
         ...
 
     def fail(self, error: ControllerError) -> ControllerError:
-        """Record an error as the fault of the connection, unless it has one; return the fault."""
+        """Record an error as the fault of the connection, and return the fault.
+
+        If the connection already has a fault, that fault is kept and returned instead of ``error``.
+        """
         ...
 
     def silent(self) -> ControllerSilent:
@@ -89,7 +92,10 @@ class Watchdog:
         self._last_report = _now()
 
     def request_soon(self) -> None:
-        """Send the next status request at most ``_SOON`` seconds after the last one."""
+        """Make the running watchdog send a status request ``_SOON`` seconds after the last one.
+
+        If that time has passed already, the request is sent at once.
+        """
         self._soon = True
         self._wake.set()
 
@@ -113,8 +119,9 @@ class Watchdog:
         Parameters
         ----------
         expected
-            Latest time at which this check should have been made (s, clock of the event loop); a
-            check that is much later only restarts the time limits.
+            Latest time at which this check should have been made (s, clock of the event loop).  If
+            the check is later by more than half of ``silence``, this process was busy and did not
+            read the answers; the time limits are then restarted, and silence is not recorded.
         """
         connection, now = self._connection, _now()
         status = connection.status
