@@ -8,7 +8,7 @@ are errors.
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, Final, TypeVar, get_args
 
 from pydantic import BaseModel, ConfigDict, GetCoreSchemaHandler, ValidationError
@@ -135,12 +135,29 @@ LISTED: Final = _Listed()
 def field_message(model: type[BaseModel], fault: ErrorDetails) -> Message:
     """Return the message that describes an error that pydantic reports for a field of ``model``."""
     path = " → ".join(_path(fault))[:200] or "body"
+    return fault_message(fault, path, lambda: sorted(set(_names(model))))
+
+
+def fault_message(
+    fault: ErrorDetails, path: str, names: Callable[[], Sequence[str]] = tuple
+) -> Message:
+    """Return the message that describes an error that pydantic reports for a field.
+
+    Parameters
+    ----------
+    fault
+        The error.
+    path
+        Path of the field, as the message contains it.
+    names
+        Function that returns the names of all fields, of which one may be meant by an unknown name.
+    """
     kind, context = fault["type"], fault.get("ctx", {})
     if kind in CODES:
         given = {"value": _shown(fault), **context, "path": path}
         return Message(kind, **{name: given[name] for name in CODES[kind]})
     if kind == "extra_forbidden":
-        near = difflib.get_close_matches(str(fault["loc"][-1]), sorted(set(_names(model))), 1)
+        near = difflib.get_close_matches(str(fault["loc"][-1]), names(), 1)
         return (
             Message("field.misspelt", path=path, near=near[0])
             if near
@@ -166,6 +183,9 @@ _CODES: Final[Mapping[str, tuple[str, Mapping[str, str]]]] = {
     "finite_number": ("field.not-a-number", _VALUE),
     "int_type": ("field.not-whole", _VALUE),
     "int_from_float": ("field.not-whole", _VALUE),
+    "int_parsing": ("field.not-whole", _VALUE),
+    "float_parsing": ("field.not-a-number", _VALUE),
+    "bool_parsing": ("field.not-boolean", _VALUE),
     "bool_type": ("field.not-boolean", _VALUE),
     "string_type": ("field.not-text", _VALUE),
     "list_type": ("field.not-a-list", _VALUE),
@@ -181,6 +201,7 @@ _CODES: Final[Mapping[str, tuple[str, Mapping[str, str]]]] = {
     "json_invalid": ("field.not-json", {"reason": "error"}),
     "too_short": ("field.too-few", {"count": "actual_length", "least": "min_length"}),
     "too_long": ("field.too-many", {"most": "max_length"}),
+    "string_too_short": ("field.too-short", {"least": "min_length"}),
     "string_too_long": ("field.too-long", {"most": "max_length"}),
 }
 

@@ -28,6 +28,7 @@ from knifetip.api.schemas.common import Health, Problem, ServiceOut
 from knifetip.api.schemas.messages import describe_codes
 from knifetip.api.service import Service, ServiceDep, Settings
 from knifetip.api.site import Site
+from knifetip.fields import fault_message
 from knifetip.jobs.compile_service import CompileService
 from knifetip.jobs.process_pool import ProcessPool, TaskCancelled, TaskFailed
 from knifetip.jobs.store import Store
@@ -189,9 +190,7 @@ async def _request_problem(_request: Request, error: Exception) -> Response:
     assert isinstance(error, RequestValidationError)
     found = error.errors()
     places = [".".join(str(step) for step in fault["loc"])[:200] for fault in found[:20]]
-    faults = [
-        f"{place}: {fault['msg']}"[:400] for place, fault in zip(places, found[:5], strict=False)
-    ]
+    faults = [fault_message(fault, place) for fault, place in zip(found[:5], places, strict=False)]
     return problem(
         422,
         Message("request.invalid", faults=faults),

@@ -6,6 +6,8 @@ from typing import Annotated, Literal
 
 from fastapi import Header, Path, Query
 
+from knifetip.fields import LISTED
+
 IdempotencyKey = Annotated[
     str | None,
     Header(
@@ -33,6 +35,7 @@ BoardName = Annotated[str, Path(description="Name of the board in the library")]
 ProfileName = Annotated[str, Path(description="Name of the classification profile")]
 DataFormat = Annotated[
     Literal["json", "columns"],
+    LISTED,
     Query(
         description="Format of the response: `json`, or `columns` for arrays in one block of "
         "bytes: KTIP, the length of the header (uint32, little-endian), the header (JSON with "

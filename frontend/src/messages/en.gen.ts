@@ -807,6 +807,10 @@ export const TEXTS = {
     "text": "{path} is {value}, but must be at most {limit:g}",
     "hint": ""
   },
+  "field.bad-arguments": {
+    "text": "{path} has arguments that do not fit the message code {name!r}",
+    "hint": ""
+  },
   "field.below": {
     "text": "{path} is {value}, but must be at least {limit:g}",
     "hint": ""
@@ -921,6 +925,10 @@ export const TEXTS = {
   },
   "field.too-many-passes": {
     "text": "{path} is {value:g} mm, which needs more than {most} passes",
+    "hint": ""
+  },
+  "field.too-short": {
+    "text": "{path} has fewer than {least:# character|# characters}",
     "hint": ""
   },
   "field.unknown": {
@@ -2565,7 +2573,7 @@ export const TEXTS = {
   },
   "request.invalid": {
     "text": "The request is invalid: {faults:; }.",
-    "hint": "Correct these fields of the request. /api/openapi.json describes all fields."
+    "hint": "{faults:hint} Correct these fields of the request. /api/openapi.json describes all fields."
   },
   "request.key-needed": {
     "text": "This request needs the access key of the server.",

@@ -294,6 +294,44 @@ def test_an_invalid_field_is_reported_with_its_path(client: httpx.Client) -> Non
     data = problem(client.post("/api/jobs", json=order), 422)
     assert data["source"] == ["body.overrides.0.type"]
     assert "body.overrides.0.type" in data["detail"]
+    (fault,) = data["arguments"]["faults"]
+    assert fault["code"] == "field.not-one-of"
+    assert "'half-cut'" in fault["arguments"]["known"]
+
+
+@pytest.mark.parametrize(
+    ("changed", "code"),
+    [
+        ({"drawing": None}, "field.not-text"),
+        ({"drawing": ""}, "field.too-short"),
+        ({"drawing": "a" * 201}, "field.too-long"),
+        ({"copies": "many"}, "field.not-whole"),
+        ({"copies": 0}, "field.below"),
+        ({"priority": 101}, "field.above"),
+        ({"overrides": {}}, "field.not-a-list"),
+        ({"overrides": [1]}, "field.not-a-table"),
+        ({"corners": {"k": "x"}}, "field.not-a-number"),
+        ({"corners": {"k": 0.0}}, "field.not-above"),
+        ({"corners": {"k": 1.0}}, "field.not-below"),
+        ({"corners": {"type": "E"}}, "field.not-one-of"),
+        ({"corners": {"at": [{}] * 1001}}, "field.too-many"),
+        ({"release": "maybe"}, "field.not-boolean"),
+        ({"colour": "red"}, "field.unknown"),
+    ],
+)
+def test_every_fault_of_a_request_has_a_code(
+    client: httpx.Client, changed: dict[str, Any], code: str
+) -> None:
+    order = {"drawing": "a", "board": "e-flute"} | changed
+    data = problem(client.post("/api/jobs", json=order), 422)
+    assert [fault["code"] for fault in data["arguments"]["faults"]][:1] == [code]
+    assert "Input should" not in data["detail"]
+
+
+def test_a_request_that_is_not_json_has_a_code(client: httpx.Client) -> None:
+    headers = {"Content-Type": "application/json"}
+    data = problem(client.post("/api/jobs", content=b"{", headers=headers), 422)
+    assert [fault["code"] for fault in data["arguments"]["faults"]] == ["field.not-json"]
 
 
 def test_every_error_has_a_status_and_none_is_an_internal_error() -> None:

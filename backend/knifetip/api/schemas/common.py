@@ -7,9 +7,13 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 from knifetip.api.schemas.messages import MessageOut
+from knifetip.fields import LISTED
 
-LineTypeWord = Literal[
-    "unclassified", "cut", "crease", "v-groove", "perforation", "half-cut", "ignored", "combi"
+LineTypeWord = Annotated[
+    Literal[
+        "unclassified", "cut", "crease", "v-groove", "perforation", "half-cut", "ignored", "combi"
+    ],
+    LISTED,
 ]
 Name = Annotated[str, Field(min_length=1, max_length=200)]
 Count = Annotated[int, Field(ge=0, le=2**31 - 1)]

@@ -8,10 +8,12 @@ from pydantic import BaseModel, Field
 
 from knifetip.api.schemas.common import LineTypeWord, Name, QuestionOut, Strict
 from knifetip.api.schemas.messages import MessageOut
+from knifetip.fields import LISTED
 from knifetip.library.custom_profiles import MAX_BYTES
 
-OutcomeWord = Literal["kept", "merged", "dropped"]
-Unit = Literal["mm", "cm", "m", "in", "ft", "pt", "px"]
+OutcomeWord = Annotated[Literal["kept", "merged", "dropped"], LISTED]
+_UnitWord = Literal["mm", "cm", "m", "in", "ft", "pt", "px"]
+Unit = Annotated[_UnitWord, LISTED]
 
 
 class ImportReportRow(BaseModel):
@@ -405,7 +407,7 @@ class EdgesPatch(Strict):
 class DrawingPatch(Strict):
     """A change of the unit or the profile of a drawing."""
 
-    unit: Unit | Literal["file"] | None = Field(
+    unit: Annotated[Literal[_UnitWord, "file"], LISTED] | None = Field(
         default=None,
         description='New unit of the drawing; "file" restores the unit of the file; null leaves '
         "the unit as it is",

@@ -8,6 +8,7 @@ from pydantic import BaseModel, Field
 
 from knifetip.api.schemas.common import Count, Name, Strict
 from knifetip.api.schemas.messages import MessageIn
+from knifetip.fields import LISTED
 
 
 class ClaimIn(Strict):
@@ -81,7 +82,7 @@ class FinishIn(Strict):
 
     job: Name = Field(description="Id of the job, from the claim")
     epoch: Count = Field(description="Epoch of the claim")
-    outcome: Literal["done", "interrupted", "cancelled", "returned"] = Field(
+    outcome: Annotated[Literal["done", "interrupted", "cancelled", "returned"], LISTED] = Field(
         description="done: all copies are complete. interrupted: the machine stopped before the "
         "end. cancelled: the machine was stopped as requested. returned: the job is "
         "released; nothing was sent to the machine"

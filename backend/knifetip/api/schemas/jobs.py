@@ -9,23 +9,27 @@ from pydantic import BaseModel, Field, computed_field
 from knifetip.api.schemas.common import Name, QuestionOut, Strict
 from knifetip.api.schemas.drawings import Override
 from knifetip.api.schemas.messages import MessageOut
+from knifetip.fields import LISTED
 from knifetip.jobs.operator_actions import OperatorAction
 from knifetip.model.stage import Stage
 
-JobState = Literal[
-    "received",
-    "compiling",
-    "ready",
-    "queued",
-    "running",
-    "held",
-    "done",
-    "refused",
-    "interrupted",
-    "scrapped",
-    "cancelled",
+JobState = Annotated[
+    Literal[
+        "received",
+        "compiling",
+        "ready",
+        "queued",
+        "running",
+        "held",
+        "done",
+        "refused",
+        "interrupted",
+        "scrapped",
+        "cancelled",
+    ],
+    LISTED,
 ]
-CornerType = Literal["auto", "B", "C", "D"]
+CornerType = Annotated[Literal["auto", "B", "C", "D"], LISTED]
 CornerParameter = Annotated[
     float, Field(gt=0.0, lt=1.0, description="Parameter k of type D: 0 is like B, 1 is like C")
 ]
@@ -66,7 +70,7 @@ class Corners(Strict):
         default=0.5,
         description="Parameter k of corners of type D, between 0 (like type B) and 1 (like type C)",
     )
-    interference: Literal["trim", "refuse"] = Field(
+    interference: Annotated[Literal["trim", "refuse"], LISTED] = Field(
         default="trim",
         description="What happens if the cutter does not fit into a place: trim leaves the area "
         "uncut, refuse refuses the job",

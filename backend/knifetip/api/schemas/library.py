@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field
 
 from knifetip.api.schemas.common import Name, Strict
+from knifetip.fields import LISTED
 
 
 class FormatOut(BaseModel):
@@ -66,7 +67,7 @@ class CalibrationIn(Strict):
         description="Name of the machine in the library on which the contour was cut"
     )
     tool: Name = Field(description="Name of the station that holds the cutter")
-    side: Literal["left", "right"] = Field(
+    side: Annotated[Literal["left", "right"], LISTED] = Field(
         default="left",
         description="Side of the contour on which the cutter ran, seen in the direction of "
         "travel; knifetip's programs run on the left",

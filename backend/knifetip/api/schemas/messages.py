@@ -11,6 +11,7 @@ from typing import Any, ClassVar, Final, Self
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
+from knifetip.fields import field_error
 from knifetip.messages import Message, from_json, with_text
 from knifetip.messages.codes import CODES
 from knifetip.messages.entry import Kind
@@ -91,16 +92,19 @@ class MessageIn(BaseModel):
 
     @model_validator(mode="after")
     def _check(self) -> Self:
-        """Return this model; raise ValueError if it is too long or its arguments are wrong.
+        """Return the message itself.
 
-        Arguments are wrong if they cannot be inserted into the text of the code.
+        Raises
+        ------
+        PydanticCustomError
+            The message is too long, or its arguments cannot be inserted into the text of the code.
         """
         try:
             size = len(json.dumps(with_text(self.message)))
         except (TypeError, ValueError, ArithmeticError, RecursionError) as error:
-            raise ValueError(f"the arguments do not fit the code {self.code}") from error
+            raise field_error("field.bad-arguments", name=self.code) from error
         if size > _LONGEST:
-            raise ValueError(f"the message is longer than {_LONGEST} characters")
+            raise field_error("field.too-long", most=_LONGEST)
         return self
 
     @property

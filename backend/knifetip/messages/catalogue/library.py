@@ -49,6 +49,11 @@ MESSAGES: Final[Entries] = {
         value="text",
         limit="number",
     ),
+    "field.bad-arguments": entry(
+        "{path} has arguments that do not fit the message code {name!r}",
+        path="text",
+        name="text",
+    ),
     "field.blank": entry("{path} is empty", path="text"),
     "field.inconsistent": entry(
         "{path} contradicts other fields: {fault}",
@@ -170,6 +175,11 @@ MESSAGES: Final[Entries] = {
         path="text",
         value="number",
         most="count",
+    ),
+    "field.too-short": entry(
+        "{path} has fewer than {least:# character|# characters}",
+        path="text",
+        least="count",
     ),
     "field.unknown": entry(
         "{path} is not a known field",

@@ -71,8 +71,9 @@ MESSAGES: Final[Entries] = {
     ),
     "request.invalid": entry(
         "The request is invalid: {faults:; }.",
-        "Correct these fields of the request. /api/openapi.json describes all fields.",
-        faults="texts",
+        "{faults:hint} Correct these fields of the request. /api/openapi.json describes all "
+        "fields.",
+        faults="messages",
     ),
     "request.key-needed": entry(
         "This request needs the access key of the server.",
