@@ -99,13 +99,16 @@ def find_bridges(
 def order_bridges(path: I64, middle: F64, width: F64, bare: F64, need: F64, length: F64) -> Bridges:
     """Return k bridges sorted by path and by position on it, with the spacings between them.
 
+    The arguments contain the bridges in any order.
+
     Parameters
     ----------
     path, middle : (k,)
         Index of the path of each bridge, and the position of its middle along that path (mm).
-    width, bare, need : (k,) mm
-        Width of each bridge, length of the gap in the path of the tip, and length that must be
-        clear of corners.
+    width, bare : (k,) mm
+        Width of each bridge in the top face, and length of the gap in the path of the tip.
+    need : (k,) mm
+        Length of the stretch, centred on each bridge, that must keep its distance from corners.
     length : (c,) mm
         Length of each of the c paths.
     """
@@ -126,7 +129,10 @@ def order_bridges(path: I64, middle: F64, width: F64, bare: F64, need: F64, leng
 def _reached_from(
     path: I64, end_position: F64, test_path: I64, test_position: F64, length: F64
 ) -> F64:
-    """Return whether a cut stretch ends at each of k positions on closed paths: 1.0 or 0.0, (k,).
+    """Return, for each of k positions on closed paths, 1.0 if a cut stretch ends there, else 0.0.
+
+    The result is (k,).  If a cut stretch ends at a position, the tip stops there before a bridge,
+    and the blade has cut the top face ahead of the tip by its lead.
 
     Parameters
     ----------
@@ -224,9 +230,10 @@ def _corner_shortfall(bridges: Bridges, paths: EdgePaths, edges: Edges) -> tuple
 
 
 def _sharp_corners(paths: EdgePaths, edges: Edges) -> Bool:
-    """Return the mask of the 2n ends of n edges at which the path of the edge turns sharply, (2n,).
+    """Return the mask of the ends of n edges at which their path has a sharp corner, (2n,).
 
-    The edges form closed paths.  End 2i is the start of edge i, and end 2i + 1 is its end.
+    The edges form closed paths.  At a sharp corner the path turns by more than ``STRAIGHT_ANGLE``
+    degrees.  End 2i is the start of edge i, and end 2i + 1 is its end.
     """
     order = np.lexsort((paths.begin, paths.path))
     path = paths.path[order]

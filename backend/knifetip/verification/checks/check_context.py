@@ -43,9 +43,9 @@ class EdgeFigures:
     top_overcut: F64
 
     def copy_rows(self, source: I32, target: I32) -> None:
-        """Copy the figures of the edges ``source`` to the edges ``target``, in place.
+        """Copy the figures of k edges to k other edges, in place.
 
-        ``source`` and ``target`` are rows of the dieline, (k,) each.
+        ``source`` and ``target`` are the row indices of these edges in the dieline, (k,) each.
         """
         for column in (getattr(self, name) for name in self.__slots__):
             column[target] = column[source]

@@ -3,7 +3,8 @@
 The cleaning stage divides each drawn edge into stretches, and records the cleaned edge that each
 stretch became.  Each stretch must lie on that cleaned edge, and the cleaned edge must have the
 stretch's line type or a line type that replaces it.  Each cleaned edge must lie on drawn edges.
-Only debris may be dropped.  The distances are measured here without the functions of the stage.
+Only debris, which is edges shorter than the gap tolerance, may be dropped.  The distances are
+measured here without the functions of the cleaning stage.
 """
 
 from __future__ import annotations

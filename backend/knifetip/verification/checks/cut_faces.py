@@ -96,12 +96,12 @@ def find_cut_faces(cuts: Edges) -> CutFaces:
 
 
 def _gap_links(cuts: Edges) -> F64:
-    """Return k straight links that close gaps at dangling ends of cuts, (k, 6), in the format of
-    ``curves.curve``.
+    """Return k straight links that close gaps at dangling ends of cuts, (k, 6).
 
-    An end of a cut is dangling if it touches no other cut.  Each link leads from a dangling end to
-    a nearby cut or to another dangling end.  Two dangling ends are not linked to each other if a
-    third dangling end is nearer to each of the two than they are to each other.
+    The links are lines as rows of six numbers (see ``curves.curve``).  An end of a cut is dangling
+    if it touches no other cut.  Each link leads from a dangling end to a nearby cut or to another
+    dangling end.  Two dangling ends are not linked to each other if a third dangling end is nearer
+    to each of the two than they are to each other.
     """
     a, b = pairs_within(cuts.ends, cuts.ends, JOIN_DISTANCE)
     size, nothing = cuts.curve[:, 5], np.zeros(len(cuts))
@@ -157,17 +157,18 @@ def _gap_links(cuts: Edges) -> F64:
 def _neighbour_mask(one: I64_1, other: I64_1, points: F64_2, first: I64_1) -> Any:
     """Return the mask of the pairs of points that are relative neighbours, (k,).
 
-    Two points are relative neighbours if no third point is nearer to both than they are to each
-    other.
+    Two points are relative neighbours if no third point is nearer to each of the two than they are
+    to each other.  Only points that are paired with the pair's first point are tried as the third.
 
     Parameters
     ----------
     one, other : (k,)
-        The two points of each pair, as indices into ``points``, sorted by ``one``.
+        First and second point of each pair, as indices into ``points``; the pairs are sorted by
+        ``one``.
     points : (n, 2) mm
         The points.
     first : (n + 1,)
-        Index of the first pair of each point.
+        Index of the first pair of each point, followed by the number of pairs.
     """
     kept = np.ones(len(one), np.bool_)
     for k in range(len(one)):
@@ -185,8 +186,9 @@ def _neighbour_mask(one: I64_1, other: I64_1, points: F64_2, first: I64_1) -> An
 def _split_curves(curve: F64) -> tuple[F64, I64, F64]:
     """Split n curves where the ends of other curves touch them, and where two curves cross.
 
-    Returns three arrays: the p pieces in the format of ``curves.curve`` (p, 6), the index of the
-    curve of each piece (p,), and the position on that curve at which the piece starts (p,) mm.
+    ``curve`` contains lines and arcs as rows of six numbers (see ``curves.curve``), (n, 6).
+    Returns three arrays: the p pieces as rows of six numbers (p, 6), the index of the curve of each
+    piece (p,), and the position on that curve at which the piece starts (p,) mm.
     """
     size, nothing = curve[:, 5], np.zeros(len(curve))
     ends = np.stack([point_at(curve, nothing), point_at(curve, size)], axis=1).reshape(-1, 2)
@@ -226,7 +228,7 @@ def _assign_faces(curve: F64, cycle: I64, outside: Bool, component: I64) -> tupl
     Parameters
     ----------
     curve : (p, 6)
-        The pieces of cuts, in the format of ``curves.curve``.
+        The pieces of cuts: lines and arcs as rows of six numbers (see ``curves.curve``).
     cycle : (p, 2)
         Index of the cycle of half-edges on the left and on the right of each piece.
     outside : (w,)
@@ -266,9 +268,10 @@ def _enclosing_faces(
     Parameters
     ----------
     order : (c,)
-        Indices of the components, sorted from left to right.
+        Indices of the components, sorted by their leftmost points from left to right.
     beside : (c,)
-        Index of the cycle of half-edges next to the left of each component, -1 for none.
+        Index of a cycle of half-edges for each component: the cycle on the right-hand side of the
+        nearest curve to the left of the component's leftmost point.  -1 if there is no such curve.
     outside, component_of, face_of : (w,)
         For each of w cycles: whether it runs round the outside of a component, the index of its
         component, and the index of its face.
@@ -295,13 +298,13 @@ def _first_curve_left(points: F64, own: I64, curve: F64, owner: I64) -> tuple[I6
     own : (m,)
         Number of the group whose curves are ignored in the search from each point, -1 for none.
     curve, owner : (n, 6) and (n,)
-        The curves in the format of ``curves.curve``, and the number of the group of each, such as
-        its connected component.
+        Lines and arcs as rows of six numbers (see ``curves.curve``), and the number of the group of
+        each, such as its connected component.
 
     Returns
     -------
-    Index of the curve (m,), -1 for none, and the mask of the points to whose left the curve runs
-    upwards (m,).
+    Index of the curve, (m,), -1 for none; and the mask of the points whose curve runs upwards at
+    the height of the point, (m,).
     """
     corner, size, shape = grid_layout(curve, 0.0)
     met, rising = _search_left(
@@ -368,10 +371,11 @@ def _search_left(
 
 @kernel(checks_division=True)
 def _crossing_left(curve: F64_1, x: float, y: float) -> Any:
-    """Find where a curve crosses the ray that runs from the point (x, y) to the left.
+    """Find where a line or arc crosses the ray that runs from the point (x, y) to the left.
 
-    Returns the x of the crossing nearest to the point (mm), -inf for none, and whether the curve
-    runs upwards there.  ``curve`` is one row in the format of ``curves.curve``, (6,).
+    Returns the x of the crossing nearest to the point (mm), and whether the line or arc runs
+    upwards there; -inf and False if there is no crossing.  ``curve`` is the line or arc as six
+    numbers (see ``curves.curve``), (6,).
     """
     best, up = -math.inf, False
     if curve[0] == 0.0:

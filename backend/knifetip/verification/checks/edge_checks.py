@@ -89,8 +89,9 @@ def _edge_stations(work: TipPaths, rows: I64, edges: Edges, tolerance: float) ->
 
 
 class _MillingStationCheck(StationCheck):
-    """Check that compares the cuts of a router bit or a laser, which removes a disc, with the
-    edges.
+    """Check that compares the edges with the cuts of a router bit or a laser.
+
+    Unlike a knife, the router bit or laser removes board, over the width of a disc.
     """
 
     def check(self) -> None:

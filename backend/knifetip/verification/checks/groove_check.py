@@ -85,11 +85,13 @@ class GrooveCheck(StationCheck):
             )
 
     def _add_run_outs(self, blade: VCutter) -> Bool:
-        """Lengthen the grooves by their required run-outs past the board's edge, in place.
+        """Lengthen the grooves of this check past the board's edge, in place, by their required
+        run-outs and the tolerance.
 
-        A run-out must not be longer than required, because there may be an obstacle beside the
-        board.  Returns the mask of the start and end of each of n grooves at which the groove
-        leaves the board, shape (n, 2).  ``blade`` is the V-cutter.
+        The V-cutter must cut the required run-out.  It must not go past the lengthened groove,
+        because there may be an obstacle beside the board.  Returns the mask of the start and end of
+        each of n grooves at which the groove leaves the board, shape (n, 2).  ``blade`` is the
+        V-cutter.
         """
         half = self.context.board.groove_depth * blade.slope
         required = run_outs(self.edges, self.context.edges.with_types(LineType.CUT), half)

@@ -38,9 +38,10 @@ class DamagedCuts:
 def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, run_out: F64) -> DamagedCuts:
     """Return the pairs of a groove and a cut that lies inside the groove's strip in the top face.
 
-    The strip covers ``reach`` on both sides of the groove's line.  If a cut meets that line within
-    twice the reach of an end of the groove, or within the run-out if that is longer, then the strip
-    is shortened by that length at that end.
+    The strip covers ``reach`` on both sides of the groove's line.  Near its end a groove may meet a
+    cut, for example a cut on which it ends.  If a cut meets the groove's line within a length L of
+    an end of the groove, the strip is therefore shortened by L at that end.  L is twice ``reach``
+    or the run-out at that end, whichever is longer.
 
     Parameters
     ----------
@@ -78,20 +79,22 @@ def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, run_out: F64) -> Dam
 def _nearest_points(
     overlaps: Overlaps, pieces: F64, strip: F64, owner: I64, before: F64
 ) -> DamagedCuts:
-    """Return the pairs of a groove and a cut, with the point of the cut nearest to the groove's
-    line.
+    """Return the pairs of a groove and a cut inside its strip, with the nearest point of the cut.
 
-    Pairs in which the cut crosses the groove are left out.
+    The strip is the part of the top face that the groove removes.  The returned point is the one
+    nearest to the groove's line.  Pairs in which the cut crosses the groove are left out.  Lines
+    and arcs are rows of six numbers (see ``curves.curve``).
 
     Parameters
     ----------
     overlaps
-        Stretches of the chords ``pieces`` that are inside the strips of the grooves ``strip``.
+        Stretches of the chords ``pieces`` inside the strips; ``overlaps.edge`` are rows of
+        ``strip``.
     pieces, owner : (p, 6), (p,)
-        p chords of cuts, in the format of ``curves.curve``, and the index of the cut of each chord.
+        p chords of cuts, and the index of the cut of each chord.
     strip, before : (n, 6), (n,)
-        n grooves lengthened at both ends, in the same format, and the length added at the start of
-        each (mm).
+        The lines or arcs of n grooves, lengthened at both ends, and the length that was added at
+        the start of each (mm).
     """
     fraction = np.linspace(0.0, 1.0, SAMPLE_COUNT)
     offset = np.stack(
@@ -127,7 +130,8 @@ def _nearest_points(
 def _group_extremes(values: F64, group: I64, count: int) -> tuple[F64, F64]:
     """Return the least and the greatest value of each of ``count`` groups of rows, (count,) each.
 
-    ``values`` is (k, j), and ``group`` is the index of the group of each of its k rows, (k,).
+    ``values`` is (k, j), and ``group`` is the index of the group of each of its k rows, (k,).  A
+    group without rows gets the least value inf and the greatest value -inf.
     """
     low, high = np.full(count, np.inf), np.full(count, -np.inf)
     np.minimum.at(low, group, values.min(axis=1))
@@ -136,10 +140,11 @@ def _group_extremes(values: F64, group: I64, count: int) -> tuple[F64, F64]:
 
 
 def _lengthen(curve: F64, extra: float) -> tuple[F64, F64]:
-    """Return n curves lengthened at both ends, (n, 6), and the length added at each end, (n,) mm.
+    """Return n lines and arcs lengthened at both ends, (n, 6), and the added length, (n,) mm.
 
-    ``curve`` are the curves, (n, 6), in the format of ``curves.curve``.  The added length is
-    ``extra`` (mm), or less for an arc that would become a full circle.
+    ``curve`` contains the lines and arcs as rows of six numbers (see ``curves.curve``), (n, 6).
+    The length added at each end is ``extra`` (mm), or less for an arc that would become a full
+    circle.
     """
     result = curve.copy()
     straight = curve[:, 0] == 0.0
@@ -153,10 +158,11 @@ def _lengthen(curve: F64, extra: float) -> tuple[F64, F64]:
 
 
 def _flatten(curves: F64, rows: I64) -> tuple[F64, I64]:
-    """Return k chords, (k, 6), that replace the lines and arcs of ``curves`` with indices ``rows``.
+    """Return k chords that replace selected lines and arcs, (k, 6), and their origins, (k,).
 
-    Chords and curves have the format of ``curves.curve``.  Also returns the index in ``curves`` of
-    the curve that each chord replaces, (k,).
+    ``curves`` contains lines and arcs as rows of six numbers (see ``curves.curve``), and ``rows``
+    the indices of the selected ones.  The chords are rows of six numbers too.  The origin of a
+    chord is the index in ``curves`` of the line or arc that it replaces.
     """
     curve = curves[rows]
     round_ = curve[:, 0] != 0.0

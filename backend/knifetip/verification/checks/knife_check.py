@@ -59,8 +59,8 @@ class KnifeCheck(StationCheck):
             Depth of the tip below the top face.  The lead, the length by which the blade cuts the
             top face ahead of its tip, is this depth times tan(slant).
         overrun_depth : mm
-            Depth from which the planned overrun past an end that meets a cut is computed, also by
-            multiplying with tan(slant).
+            Depth that determines the overrun: at an end that meets a cut, the tip should pass the
+            end by this depth times tan(slant).
         """
         blade = self.tool(Knife)
         slant = math.tan(math.radians(blade.blade_angle)) if blade else 0.0
@@ -112,12 +112,12 @@ class KnifeCheck(StationCheck):
         ----------
         overlaps
             Overlaps of the tip paths with the edges.
-        over : mm
-            Length by which each track runs past the end of its edge.  A track is a chain of tip
-            paths between two lifts.
+        over : (t,) mm
+            Length by which each of t tracks runs past the end of its edge.  A track is a chain of
+            tip paths between two lifts.
         top, bottom : mm
-            Length by which the cut extends ahead of the tip at the end of a track, in the top face
-            and in the bottom face.
+            Lengths by which the blade at the end of any track has cut ahead of its tip: in the top
+            face, and in the bottom face.
         """
         last = np.zeros(len(self.curve), np.bool_)
         last[np.searchsorted(self.track, np.arange(len(over)), side="right") - 1] = True
@@ -149,8 +149,8 @@ class KnifeCheck(StationCheck):
 
     @property
     def _needs_bridges(self) -> bool:
-        """Whether the check is of cuts through the board and the board's record requires bridges in
-        them.
+        """Return whether this check is for cuts through the board, and the board's record requires
+        bridges in such cuts.
         """
         board = self.context.board
         return (
@@ -239,11 +239,11 @@ class KnifeCheck(StationCheck):
             self.add_finding(kind, int(solid_rows[edge_row]), message, measure)
 
     def _remove_leads(self, blade: Knife) -> None:
-        """Check the headings on lead-ins and lead-outs, and then remove the tip paths of these from
-        the check.
+        """Check the headings on lead-ins and lead-outs, and then remove their tip paths from this
+        check.
 
-        A lead-in or lead-out runs through waste, so it matches no edge.  ``blade`` contains its
-        length.
+        A lead-in or lead-out runs through waste, so it matches no edge.  ``blade`` is the knife,
+        whose record contains the lengths of its lead-in and lead-out.
         """
         if (blade.lead_in <= 0.0 and blade.lead_out <= 0.0) or len(self.curve) == 0:
             return

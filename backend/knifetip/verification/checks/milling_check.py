@@ -75,7 +75,8 @@ def check_milling(
     station
         Station in which the cutter is mounted.
     slack : mm
-        Uncut lengths and other excesses up to this length give no finding.
+        An uncut stretch, a path past the end of an open cut, a stray path, or an error of a bridge
+        gives no finding if its length is at most ``slack``.
     """
     tool = expected_tool(station.tool)
     assert tool.disc is not None
@@ -437,7 +438,7 @@ class _MillingCheck:
         return result
 
     def _check_open_ends(self) -> None:
-        """Add a finding for each path of the centre that passes an end of the open cut that it
+        """Add a finding for each path of the centre that goes past an end of the open cut that it
         follows.
 
         An open cut is a cut that does not separate a part from waste.

@@ -17,14 +17,14 @@ def spans_near_points(curve: F64, point: F64, limit: float) -> tuple[F64, F64]:
     """Return the start and the end of the stretch of each of n curves near a point, (n,) mm each.
 
     The stretch is the part of the curve within ``limit`` of the point.  If there is none, the
-    returned start is greater than the end.  Only one stretch per curve is returned, although an arc
-    of more than half a turn may have two.
+    returned start is greater than the end.  An arc of more than half a turn may have such a stretch
+    at each of its ends; then only the stretch at the end nearer to the point is returned.
 
     Parameters
     ----------
     curve, point : (n, 6), (n, 2) mm
-        Curves in the format of ``curves.curve``, and for each curve the point that it is compared
-        with.
+        Lines and arcs as rows of six numbers (see ``curves.curve``), and the point for each of
+        them.
     limit : mm
         Greatest distance from the point.
     """
@@ -57,7 +57,8 @@ def nearest_candidates(curve: F64, along: F64, edge: F64, round_: bool) -> Itera
     Parameters
     ----------
     curve, edge : (n, 6)
-        Curves, and for each curve the edge that it is compared with.
+        The curves, and the edge whose distance from each curve is sought: lines and arcs as rows of
+        six numbers (see ``curves.curve``).
     along : (n, 2) mm
         Start and end of the stretch of each curve that is searched.
     round_
@@ -82,9 +83,14 @@ def nearest_candidates(curve: F64, along: F64, edge: F64, round_: bool) -> Itera
 def nearest_along(curve: F64, point: F64, reach: F64) -> F64:
     """Return the position on each of n curves that is nearest to a point, (n,) mm.
 
-    ``curve``, (n, 6), is in the format of ``curves.curve``, and ``point`` contains one point for
-    each curve, (n, 2) mm.  Distances along X and Y are divided by the half-axes ``reach`` of the
-    disc, (2,) mm.
+    Parameters
+    ----------
+    curve, point : (n, 6), (n, 2) mm
+        Lines and arcs as rows of six numbers (see ``curves.curve``), and the point for each of
+        them.
+    reach : (2,) mm
+        Half-axes of the disc along X and Y.  For a line, distances along X and along Y are measured
+        in units of these half-axes, as if the disc were a unit circle; for an arc, in mm.
     """
     weight = 1.0 / reach**2
     to = point - curve[:, 1:3]
@@ -109,8 +115,8 @@ def disc_penetration(points: F64, edge: F64, reach: F64) -> F64:
     Parameters
     ----------
     points, edge : (n, 2) mm and (n, 6)
-        Centres of the disc, and for each centre the edge with which the disc is compared, in the
-        format of ``curves.curve``.
+        Centres of the disc, and the edge for each of them: a line or arc as a row of six numbers
+        (see ``curves.curve``).
     reach : (2,) mm
         Half-axes of the disc along X and Y.
     """

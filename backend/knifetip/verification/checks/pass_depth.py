@@ -22,7 +22,8 @@ def too_deep_spans(
     Parameters
     ----------
     curve : (n, 6)
-        Tip paths in the order of the program, in the format of ``curves.curve``.
+        Tip paths in the order of the program: lines and arcs as rows of six numbers (see
+        ``curves.curve``).
     deep : (n,) mm
         Depth of each tip path below the top of the board.
     step : mm

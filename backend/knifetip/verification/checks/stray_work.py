@@ -37,7 +37,8 @@ def check_stray_work(
     overlaps
         Overlaps of the tip paths with the edges.
     checked_length : (n,) mm
-        Length of each of n tip paths that is checked; the rest is a planned overrun.
+        Only this length of each of n tip paths, from the start of the path, is checked.  The rest
+        of the path is a planned overrun.
     max_outside : mm
         Greatest length of a stretch outside the board that is permitted.
     """
@@ -182,8 +183,7 @@ def _edge_beside(overlaps: Overlaps, curve: int, span: F64) -> tuple[int, float]
 
 
 def _edge_touched(overlaps: Overlaps, curve: int, span: F64) -> int:
-    """Return the index of an edge that a curve follows up to the start of a span, or from the end
-    of the span, -1 for none.
+    """Return the index of an edge that a curve follows just before or after a span, -1 for none.
 
     ``curve`` is the index of the curve, and ``span`` is the start and end of the span on it (mm).
     """

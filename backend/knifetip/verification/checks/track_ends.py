@@ -192,8 +192,9 @@ def overrun_starts(check: StationCheck, over: F64) -> F64:
     """Return the position along each of n tip paths at which the overrun of its track begins, (n,)
     mm.
 
-    ``over`` is the length of the overrun at the end of each track (mm); a track is a chain of tip
-    paths between two lifts.  For a tip path before the overrun, the position is the path's end.
+    A track is a chain of tip paths between two lifts, and its overrun may cover several tip paths.
+    The position is the end of a tip path before the overrun, and 0 for a tip path inside it.
+    ``over`` is the length of the overrun at the end of each of t tracks, (t,) mm.
     """
     start = check.curve[:, 5].copy()
     track = np.flatnonzero(over > 0.0)
@@ -232,11 +233,11 @@ def _record_setback(
     free_ends: I64,
     lead: float,
 ) -> None:
-    """Set the limits of edges back by the blade's lead at free ends, and record that length as
-    setback.
+    """Move the limits of edges inwards by the blade's lead at free ends, and record the setback.
 
-    A free end lies inside a panel; the tip stops before it, so that the cut in the top face ends
-    there.
+    The limits of an edge are the points at which the tip may start and must stop.  A free end lies
+    inside a panel; the tip stops before it, so that the cut in the top face ends there.  The
+    setback of an edge is the length that lies outside its limits.
 
     Parameters
     ----------

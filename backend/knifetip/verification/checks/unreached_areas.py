@@ -162,7 +162,7 @@ def _enclosing_loops(ends: F64, bulge: F64, first: I64) -> Unreached:
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
-        Start and end points of the lines and arcs of all loops, loop by loop, and their bulges.
+        Start and end points of the n lines and arcs of all loops, loop by loop, and their bulges.
     first : (l + 1,)
         Index of the first line or arc of each of l loops, followed by n.
     """

@@ -96,9 +96,10 @@ def _check_cuts(
 ) -> None:
     """Add a finding for each cut that is made on loose board.
 
-    A stretch of a long cut may lie partly in held and partly in loose board.  It counts as held
-    until the last of the cut's pieces under it is released.  Pieces shorter than ``GAP_LENGTH`` are
-    ignored if the stretch also lies on a longer one.
+    A long cut consists of several pieces, each beside its own faces of the sheet.  The board under
+    a stretch that is cut counts as loose after the last of the pieces on which the stretch lies is
+    released.  Pieces shorter than ``GAP_LENGTH`` are ignored if the stretch also lies on a longer
+    piece.
 
     Parameters
     ----------
@@ -256,9 +257,11 @@ def _completing_lines(
 ) -> Any:  # fmt: skip
     """Return the program line that completes each of p pieces of cuts and links, (p,).
 
-    The line is -1 for a link, and infinite for a piece that is cut incompletely.  A piece that is
-    not cut at all gets 0 if there is a cutter, else infinity.  A short length that the disc of a
-    cutter cannot reach, beside an inner corner or on a short piece, does not hold the part.
+    A piece is complete when every length of it that remains uncut is too short to hold the part,
+    such as a length beside an inner corner that the disc of a cutter cannot reach.  The line is
+    infinite for a piece that is never completed, and -1 for a link.  If the machine has a cutter,
+    it is 0 for a piece that no tool touches; such a piece is out of the disc's reach and does not
+    hold the part either.
 
     Parameters
     ----------
@@ -272,7 +275,7 @@ def _completing_lines(
     count
         Number of cuts.
     reach : mm
-        Radius of the widest cutter, 0 for knives.
+        Radius of the widest cutter, 0 if there are only knives.
     """
     first = np.searchsorted(edge, np.arange(count + 1))
     complete = np.full(len(owner), 0.0 if reach > 0.0 else math.inf)
@@ -304,9 +307,10 @@ def _completing_lines(
 
 @kernel
 def _new_spans(edge: I64_1, low: F64_1, high: F64_1) -> Any:
-    """Return the mask of k stretches of cuts of which at least half was not cut before, shape (k,).
+    """Return the mask of the stretches of cuts that are not repetitions of earlier stretches, (k,).
 
-    ``edge``, ``low`` and ``high`` are the index of the cut of each stretch, and the stretch's start
+    A stretch is new if earlier stretches of the same cut cover at most half of it.  ``edge``,
+    ``low`` and ``high`` are the index of the cut of each of k stretches, and the stretch's start
     and end on it (mm), sorted by cut and then by program line.
     """
     fresh = np.zeros(len(edge), np.bool_)
@@ -338,7 +342,8 @@ def _held_until(
     (k,).
 
     A stretch lies on one or more pieces of its cut, and the piece that is released last determines
-    the line.  Pieces shorter than ``GAP_LENGTH`` count only if the stretch lies on no longer piece.
+    the line.  Pieces shorter than ``GAP_LENGTH`` are ignored if the stretch also lies on a longer
+    piece.  The line is infinite for a stretch that lies on no piece.
 
     Parameters
     ----------
