@@ -112,7 +112,10 @@ class _Reasons:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _EdgeDecisions:
-    """Columns with the decision about the line type of each of n edges; later steps change it."""
+    """The decision about the line type of each of n edges, in one array per property.
+
+    Later steps of the classification overwrite entries of the arrays.
+    """
 
     line_type: U8  #: (n,) UNCLASSIFIED where the user must decide
     guess: U8  #: (n,) LineType of the best guess
@@ -124,8 +127,9 @@ class _EdgeDecisions:
 def _decide_edges(classifier: Classifier, keys: I64) -> _EdgeDecisions:
     """Return the decisions about n edges.
 
-    ``keys`` (n,) are the decision keys, which combine style, role and flags of each edge; edges
-    with equal keys get the same decision.  ``classifier`` has the evidence about all styles.
+    ``keys`` (n,) are the decision keys of the edges.  A decision key is an integer that combines
+    the style of an edge, its role, and flags such as whether a text is near it; edges with equal
+    keys get the same decision.  ``classifier`` has the evidence about all styles.
     """
     first, row = unique_rows(keys)
     decisions = [_decide(classifier, key) for key in keys[first].tolist()]
@@ -144,10 +148,11 @@ def _decide_edges(classifier: Classifier, keys: I64) -> _EdgeDecisions:
 
 
 def _decide(classifier: Classifier, key: int) -> Decision:
-    """Return the decision for all edges with a decision key, which combines style, role and flags.
+    """Return the decision for all edges with the decision key ``key``.
 
-    ``classifier`` has the evidence about all styles, and ``key`` is a number from
-    ``StyleTotals.decision_keys``.
+    A decision key is an integer from ``StyleTotals.decision_keys`` that combines the style of an
+    edge, its role, and flags such as whether a text is near it.  ``classifier`` has the evidence
+    about all styles.
     """
     style_and_role, flags = divmod(key, FLAG_COUNT)
     style, role = divmod(style_and_role, len(Role))
@@ -167,9 +172,10 @@ def _decide(classifier: Classifier, key: int) -> Decision:
 def _restore_folds_on_cuts(
     edges: _EdgeDecisions, classifier: Classifier, features: ShapeFeatures
 ) -> None:
-    """Give unclassified folds that coincide with a cut the line type of their profile rule.
+    """Give edges that were meant as folds and coincide with a cut the line type of their rule.
 
-    No question is needed for such a fold, because cleaning merges it with the cut.  Writes line
+    Only edges that are unclassified so far are changed, and only if a profile rule makes them
+    folds.  No question is needed for them, because cleaning merges them with the cut.  Writes line
     types, confidences and reasons to ``edges``.  ``features`` are the shape features of the edges.
     """
     styles, matches = classifier.styles, classifier.matches
@@ -191,10 +197,12 @@ def _restore_folds_on_cuts(
 def _withdraw_contradicted(
     edges: _EdgeDecisions, ends: F64, features: ShapeFeatures, lengths: F64
 ) -> None:
-    """Make edges unclassified if symmetry or connectivity contradicts their line types.
+    """Make edges unclassified if the shape of their blank contradicts their line types.
 
-    Writes line types, confidences and reasons to ``edges``.  ``ends`` (n, 2, 2) and ``lengths``
-    (n,) are the ends and the lengths of the n edges, ``features`` their shape features.
+    This happens in two cases: an edge is cut while its mirror image is folded, or the reverse; or a
+    cut would separate a panel from its blank.  Writes line types, confidences and reasons to
+    ``edges``.  ``ends`` (n, 2, 2) and ``lengths`` (n,) are the ends and the lengths of the n edges,
+    ``features`` their shape features.
     """
     asymmetric, separating = parallel_pair(
         lambda: find_asymmetric_edges(ends, features, edges.line_type, lengths),

@@ -107,9 +107,9 @@ def _best_rule(
 ) -> tuple[LineRule, Bool] | None:
     """Return the best rule that gives a line type, and the mask of the styles that it covers, (c,).
 
-    The best rule covers no style in ``excluded`` and the largest number of styles in ``remaining``.
-    Of equally good rules it is the first in the order of ``_TRAIT_SETS``.  Returns None if every
-    rule covers a style in ``excluded``.
+    A rule that covers a style in ``excluded`` is not permitted.  The best permitted rule covers the
+    largest number of styles in ``remaining``.  Of equally good rules, the one whose attributes come
+    first in the constant ``_TRAIT_SETS`` is returned.  Returns None if no rule is permitted.
 
     Parameters
     ----------

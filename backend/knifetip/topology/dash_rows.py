@@ -24,10 +24,12 @@ from knifetip.topology.segment import BULGE, chord_length, outward_direction
 
 
 def link_dashes(lines: Lines, reach: float, loose: Bool) -> tuple[Bool, I32, F64]:
-    """Return the mask of dashes, the links between them, and the search distance of each edge end.
+    """Find dashes, close the gaps between them by links, and find the search distance of each end.
 
     A dash is a short straight edge in a row of at least three with nearly equal gaps.  A link is a
-    straight connection of two vertices that closes the gap between two dashes.
+    straight connection of two vertices that closes the gap between two dashes.  The search distance
+    of an end is the distance within which another edge is searched later, to close a gap at this
+    end.
 
     Parameters
     ----------
@@ -47,8 +49,7 @@ def link_dashes(lines: Lines, reach: float, loose: Bool) -> tuple[Bool, I32, F64
     links : (t, 2)
         Start vertex and end vertex of each of t links.
     gap_of : (2n,)
-        Search distance: largest distance from the start and from the end of each edge to another
-        edge that it may be linked to.
+        Search distance of the start and of the end of each edge (drawing units).
     """
     ends, bulge, end_vertex, twin, grid, tolerance, unit = lines
     facing = np.full(2 * len(bulge), -1, np.int32)

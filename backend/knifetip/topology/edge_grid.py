@@ -32,9 +32,10 @@ class EdgeGrid(NamedTuple):
 
 
 def build_grid(ends: F64, bulge: F64, tolerance: float, reach: float) -> EdgeGrid | None:
-    """Return a grid that lists n ≥ 1 edges by cell, or None if the edges are too crowded for it.
+    """Return a grid that lists n ≥ 1 edges by cell.
 
-    Lengths are in drawing units.
+    Returns None if the edges are too crowded for a grid: so many of them are in each cell that
+    searches would be slow.  Lengths are in drawing units.
 
     Parameters
     ----------

@@ -43,8 +43,11 @@ def find_enclosing_faces(
 
     Parameters
     ----------
-    start, end, bulge : (n, 2), (n, 2) mm and (n,)
-        Edges.  Ends that meet have equal coordinates, so that no ray passes between them.
+    start, end : (n, 2) mm
+        Ends of the edges.  Ends that meet have equal coordinates, so that no ray passes between
+        them.
+    bulge : (n,)
+        Bulges of the edges.
     face : (n, 2)
         Faces on the left and on the right of each edge.
     outer : (f,)
@@ -177,12 +180,13 @@ def _add_span(
     spans: OutF64_2, above: OutI64_1, count: int, edge: int,
     ax: float, ay: float, bx: float, by: float, cx: float, cy: float, r: float, side: float,
 ) -> int:  # fmt: skip
-    """Write a span from (``ax``, ``ay``) to (``bx``, ``by``) to row ``count`` of ``spans``.
+    """Append a span to ``spans``, and return the new number of spans.
 
-    The half-edge of ``edge`` on its upper side is written to ``above``.  ``cx``, ``cy`` and ``r``
-    are centre and radius of the circle of an arc; ``side`` is 1 for the upper half of the circle,
-    -1 for its lower half, and 0 for a straight span.  A vertical span is not written.  Returns the
-    new number of spans.
+    A span is a line, or an arc within the upper or the lower half of its circle.  It goes from
+    (``ax``, ``ay``) to (``bx``, ``by``), and its ends are stored from left to right.  ``cx``,
+    ``cy`` and ``r`` are centre and radius of the circle; ``side`` is 1 for the upper half, -1 for
+    the lower half, and 0 for a line.  The span is written to row ``count``; the half-edge of
+    ``edge`` on its upper side is written to ``above``.  A vertical span is not written.
     """
     if ax == bx:
         return count
@@ -280,9 +284,9 @@ def _first_below(lowest: F64_2, spans: F64_2, owner: I32_1, boxes: F64_2, order:
     """Return the first span of another component below the lowest point of each component.
 
     A span is a part of an edge that runs from left to right.  The search follows a vertical ray
-    that runs infinitesimally to the right of the lowest point.  So the ray hits a span that starts
+    downwards, immediately to the right of the lowest point.  So the ray hits a span that starts
     exactly below the point, and of two spans that start at one point the steeper one is the upper
-    one.  Of spans with equal height and slope the last one is returned.
+    one.  Of spans with equal height and slope, the one with the highest index is returned.
 
     Parameters
     ----------
@@ -291,12 +295,13 @@ def _first_below(lowest: F64_2, spans: F64_2, owner: I32_1, boxes: F64_2, order:
     spans, owner : (k, 8) and (k,)
         Spans, and the component of each span.
     boxes, order : (k, 4) and (k,)
-        Bounding boxes of the spans in an order for a ``BoxTree``, and the span of each box.
+        Bounding boxes of the spans, sorted so that near ones follow one another, as ``BoxTree``
+        requires, and the index of the span of each box.
 
     Returns
     -------
     hit : (c,)
-        Span, -1 if there is none.
+        Index of the span, -1 if there is none.
     """
     hit = np.full(len(lowest), -1, np.int64)
     tree, stack = build_tree(boxes), new_stack()

@@ -86,10 +86,10 @@ def trace_sides(vertex: F64, start: I32, end: I32, bulge: F64, twin: I32) -> tup
 
 @kernel(allocates=False)
 def _angle_code(x: float, y: float) -> int:
-    """Return an integer that grows with the angle of the direction (``x``, ``y``).
+    """Return an integer that grows with the angle of the direction (``x``, ``y``), 0 … 4e7 - 1.
 
-    It is between 0 and 4 × ``_FINE`` - 1.  Directions that differ only by rounding get equal
-    integers.
+    The constant ``_FINE`` is 1e7, the number of steps in a quarter turn.  Directions that differ
+    only by rounding get equal integers.
     """
     across = abs(x) + abs(y)
     along = y / across if across > 0.0 else 0.0
@@ -103,7 +103,7 @@ def _half_edges_by_vertex(
 ) -> Any:
     """Return the half-edges that leave each of q vertices, in counter-clockwise order.
 
-    Half-edge 2 p leaves the start of piece p, half-edge 2 p + 1 leaves the end of piece p.  Of
+    Half-edge 2 i leaves the start of piece i, half-edge 2 i + 1 leaves the end of piece i.  Of
     coincident pieces only the first one has half-edges.
 
     Parameters
@@ -156,11 +156,12 @@ def _half_edges_by_vertex(
 
 @kernel(allocates=False)
 def _direction(position: F64_2, start: I32_1, end: I32_1, bulge: F64_1, half: int) -> int:
-    """Return the angle code of the direction in which half-edge ``half`` leaves its vertex.
+    """Return the direction in which half-edge ``half`` leaves its vertex, as an integer.
 
-    The function ``_angle_code`` defines the code.  Half-edge 2 p leaves the start of piece p,
-    half-edge 2 p + 1 leaves its end.  ``position`` (q, 2) are the positions of the vertices;
-    ``start``, ``end`` and ``bulge`` (p,) are start vertex, end vertex and bulge of each piece.
+    The integer is a result of ``_angle_code`` and grows with the angle.  Half-edge 2 i leaves the
+    start of piece i, half-edge 2 i + 1 leaves its end.  ``position`` (q, 2) are the positions of
+    the vertices; ``start``, ``end`` and ``bulge`` (p,) are start vertex, end vertex and bulge of
+    each piece.
     """
     p = half // 2
     a, b, bend = start[p], end[p], bulge[p]
@@ -179,8 +180,8 @@ def _direction(position: F64_2, start: I32_1, end: I32_1, bulge: F64_1, half: in
 def _curvature_rank(position: F64_2, start: I32_1, end: I32_1, bulge: F64_1, half: int) -> float:
     """Return a number that grows with the curvature of half-edge ``half``, positive to the left.
 
-    The number sorts half-edges that leave a vertex in the same direction.  Half-edge 2 p leaves the
-    start of piece p, half-edge 2 p + 1 leaves its end.  ``position`` (q, 2) are the positions of
+    The number sorts half-edges that leave a vertex in the same direction.  Half-edge 2 i leaves the
+    start of piece i, half-edge 2 i + 1 leaves its end.  ``position`` (q, 2) are the positions of
     the vertices; ``start``, ``end`` and ``bulge`` (p,) are start vertex, end vertex and bulge of
     each piece.
     """

@@ -50,9 +50,9 @@ def link_loose_ends(
 ) -> tuple[Splits, I32, VertexTable]:
     """Link each dangling end of an edge to the nearest edge ahead of it.
 
-    A link is a straight connection of two vertices that closes a gap.  Gaps at a straight edge may
-    be wider if there are other edges straight ahead of both of its ends, as is often true of
-    creases.
+    A link is a straight connection of two vertices that closes a gap.  If a straight edge dangles
+    at both ends, and other edges are straight ahead of both, larger gaps are closed, because
+    creases often end a little before the outline.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def link_loose_ends(
     Returns
     -------
     splits
-        Splits of the edges to which links lead, unless a link leads to an end of an edge.
+        Points inside edges at which links end; the edges must be split there.
     links : (t, 2)
         Start vertex and end vertex of each link.
     vertices
@@ -109,8 +109,9 @@ def _find_targets(
 ) -> None:
     """Find the nearest edge ahead of each dangling end of edges ``begin`` … ``end`` - 1.
 
-    A straight edge with other edges at most ``ahead`` away straight ahead of both of its ends uses
-    at least the search distance ``ahead``.
+    The search distance of an end is its entry in ``gap_of``.  It is at least ``ahead`` for a long
+    straight edge with two dangling ends that has other edges straight ahead of both ends, at most
+    ``ahead`` away.
 
     Parameters
     ----------
@@ -120,11 +121,15 @@ def _find_targets(
         Vertex of each end, and the first edge that coincides with each edge.
     loose : (q,)
         Whether only one edge ends at each vertex.
+    ahead
+        The greater search distance (drawing units).
     gap_of : (2n,)
-        Search distance of each end.
+        Search distance of each end (drawing units).
+    grid
+        Grid that lists the edges in each cell.
     partner, position : (2n,)
-        Receive for each end the edge that is found, and the parameter of the nearest point on it
-        (0 … 1).  The entries of ends without an edge ahead are not changed.
+        Receive for each end the edge that is found, and the parameter of the nearest point on it (0
+        … 1).  The entries of ends without an edge ahead are not changed.
     """
     low, size, side, first, listed = grid
     for i in range(begin, end):
@@ -171,6 +176,9 @@ def _make_links(
     vertices: VertexTable,
 ) -> Any:
     """Return edge, parameter and vertex of each split, the links, and the new number of vertices.
+
+    A link connects a dangling end of an edge with the nearest point of the edge ahead of it.  The
+    edge ahead is split at this point, unless the point is one of its ends.
 
     Parameters
     ----------
@@ -307,11 +315,13 @@ def _first_line_through(
         Start vertex and end vertex of each link.
     point : (q, 2)
         Positions of the vertices.
+    grid
+        Grid that lists the edges in each cell.
 
     Returns
     -------
     edge
-        Index of the edge, -1 if no edge crosses the link.
+        Index of the edge, -1 if no edge crosses the link; the other results are then meaningless.
     parameter, x, y
         Parameter of the crossing on the edge, 0 … 1, and its coordinates.
     """
@@ -349,24 +359,28 @@ def _split_at_lines(
     vertices: VertexTable,
     grid: EdgeGrid,
 ) -> Any:
-    """Split the links with the numbers ``crossed`` at all edges that cross them.
+    """Split links at all edges that cross them, and split the edges at the same points.
 
     Parameters
     ----------
     ends, bulge, twin : (n, 2, 2), (n,) and (n,)
         Start and end points and bulge of each edge, and the first edge that coincides with it.
-    end_vertex : (2n,)
-        Vertex of each end of an edge.
+    tolerance
+        Distance from an end of the link or of the edge within which a crossing does not count.
     link : (t, 2)
-        Start vertex and end vertex of each link.
+        Start vertex and end vertex of each link.  The end vertices of split links are overwritten.
+    crossed
+        Indices of the links that edges cross.
     vertices
         Table of the vertices, to which the vertices of the splits are added.
+    grid
+        Grid that lists the edges in each cell.
 
     Returns
     -------
     edge, parameter, vertex : (k,) each
         The edge, the parameter on it and the vertex of each split of an edge.
-    links : (t, 2)
+    links : (at least t, 2)
         Start vertex and end vertex of each link after the splits.
     point, next_vertex, vertex_count
         New values of these columns of ``vertices``.

@@ -56,7 +56,7 @@ def find_crossings(
     ends, bulge : (n, 2, 2) and (n,)
         Start and end points and bulges of all edges; arcs are left out.
     tolerance
-        Distance from an end of an edge within which a crossing counts as at the end.
+        A crossing that is at most this far from an end of one of the edges is left out.
     grid
         Grid that lists the edges in each cell.
     """
@@ -209,7 +209,9 @@ def _crossings_in_cells(
     ends, bulge : (n, 2, 2) and (n,)
         Start and end points and bulges of the edges; arcs are left out.
     tolerance
-        Distance from an end of an edge within which a crossing counts as at the end.
+        A crossing that is at most this far from an end of one of the edges is left out.
+    grid
+        Grid that lists the edges in each cell.
 
     Returns
     -------

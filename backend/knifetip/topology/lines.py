@@ -9,7 +9,7 @@ from knifetip.topology.edge_grid import EdgeGrid
 
 
 class Lines(NamedTuple):
-    """The n edges of a drawing, the vertices at their ends, and a grid to find near edges."""
+    """The n edges of a drawing, the vertices at their ends, and a grid to find nearby edges."""
 
     ends: F64  #: (n, 2, 2) start and end point of each edge
     bulge: F64  #: (n,) tan(sweep / 4) of each edge

@@ -67,9 +67,10 @@ def _chords(position: F64_2, start: I32_1, end: I32_1) -> Any:
 
 
 def build_graph(ends: F64, bulge: F64, tolerance: float, reach: float) -> PlanarGraph | None:
-    """Return the planar graph of n edges, or None if n is 0 or the edges are too crowded.
+    """Return the planar graph of n edges.
 
-    Lengths are in drawing units.
+    Returns None if n is 0, if so many edges are in each cell of the search grid that searches would
+    be slow, or if the edges must be split at too many points.  Lengths are in drawing units.
 
     Parameters
     ----------
@@ -118,14 +119,17 @@ def build_graph(ends: F64, bulge: F64, tolerance: float, reach: float) -> Planar
 def _find_crossings(
     ends: F64, bulge: F64, tolerance: float, reach: float, limit: int
 ) -> tuple[EdgeGrid, Crossings] | None:
-    """Return a grid of n edges and the crossings of the edges, or None if they are too crowded.
+    """Return a grid of n edges and the crossings of the edges.
+
+    Returns None if the edges are too crowded for a grid: so many of them are in each cell that
+    searches would be slow.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) and (n,)
         Start and end points and bulges of the edges.
     tolerance
-        Distance from an end of an edge within which a crossing counts as at the end.
+        A crossing that is at most this far from an end of one of the edges is left out.
     reach
         Largest distance from an edge at which the grid will be searched.
     limit

@@ -2,7 +2,7 @@
 
 Points within a tolerance of each other become one vertex: a point gets the nearest existing vertex
 within the tolerance, or a new vertex if there is none.  Points with equal coordinates always get
-the same vertex, also if a nearer vertex is added after the first of them.
+the same vertex, even if a nearer vertex is added after the first of them.
 """
 
 from __future__ import annotations
@@ -63,9 +63,10 @@ def merge_ends(ends: F64, tolerance: float) -> tuple[VertexTable, I32]:
 
 
 def with_capacity(vertices: VertexTable, more: int) -> VertexTable:
-    """Return a table with the vertices of another table and capacity for ``more`` further ones.
+    """Return a table with the vertices of a given table and capacity for ``more`` further ones.
 
-    The hash buckets, column ``head``, are not copied: adding to the returned table changes both.
+    Both tables share the hash buckets, column ``head``: the given table must not be used after a
+    vertex has been added to the returned one.
     """
     point, next_vertex = (
         np.empty((vertices.vertex_count + more, 2)),

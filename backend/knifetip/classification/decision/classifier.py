@@ -103,9 +103,9 @@ class _Guess:
         self.kind, self.confidence = kind, confidence
 
     def weaken(self, limit: float, *others: LineType) -> None:
-        """Reduce the confidence to at most ``limit``, and add other line types that are possible.
+        """Reduce the confidence to at most ``limit``, and add alternatives to the guess.
 
-        The arguments after ``limit`` are these line types.
+        The arguments after ``limit`` are the alternatives: other line types that are possible.
         """
         self.confidence = min(self.confidence, limit)
         self.others.extend(others)
@@ -142,11 +142,14 @@ class Classifier:
 
         Parameters
         ----------
-        styles, matches, totals
-            The c styles of the drawing, the profile rule that matches each of them, and the total
-            lengths of the edges of each style.
+        styles
+            The c styles of the drawing.
         profile
             The customer's profile.
+        matches
+            The profile rule that matches each style, if any.
+        totals
+            Total lengths of the edges of each style.
         conventions
             Colour conventions that fit the drawing.
         """
@@ -232,11 +235,11 @@ class Classifier:
     def _contradiction(
         self, kind: LineType, confidence: float, style: int, role: Role
     ) -> tuple[Message | None, tuple[LineType, ...]]:
-        """Return why the shape contradicts a rule, or None, and the other possible line types.
+        """Return why the shape contradicts a profile rule, and the other possible line types.
 
-        The tuple of line types is empty if nothing contradicts the rule.  ``kind`` and
-        ``confidence`` are the line type of the rule and the confidence in it; ``style`` and
-        ``role`` are the style and the role of the edges.
+        If nothing contradicts the rule, the message is None and the tuple of line types is empty.
+        ``kind`` and ``confidence`` are the line type that the rule gives and the confidence in the
+        rule; ``style`` and ``role`` are the style and the role of the edges.
         """
         weak = confidence < 0.9
         if kind == LineType.IGNORED:
@@ -265,8 +268,8 @@ class Classifier:
     def _decide_by_evidence(self, style: int, role: Role, must_fold: bool) -> Decision:
         """Return the decision that shape, conventions and names suggest for a style without a rule.
 
-        ``role`` is the role of the edges; ``must_fold`` is whether a panel is attached by them
-        alone.
+        ``style`` is the index of the style, ``role`` is the role of the edges in the drawing's
+        shape, and ``must_fold`` is whether a panel is attached by these edges alone.
         """
         if role == Role.OPEN:
             shape = Message(
@@ -295,8 +298,8 @@ class Classifier:
     def _weigh_conventions(self, guess: _Guess, style: int, role: Role) -> None:
         """Change a guess by the line types that colour conventions give to the colour of a style.
 
-        Only conventions of companies that fit the drawing are used.  ``style`` and ``role`` are the
-        style and the role of the edges that ``guess`` is about.
+        Only the conventions that fit the drawing are used.  ``style`` and ``role`` are the style
+        and the role of the edges that ``guess`` is about.
         """
         types = {LineType(int(fit.line_type[style])) for fit in self.conventions}
         types.discard(LineType.UNCLASSIFIED)
@@ -351,9 +354,10 @@ class Classifier:
             guess.votes.append(Message("classification.linetype-name", word=meaning.word))
 
     def _meaning(self, style: int) -> tuple[NameMeaning, bool]:
-        """Return the meaning of a style's layer name, and whether it comes from the layer name.
+        """Return the meaning of a style's layer name, and True.
 
-        If the layer name has no meaning, the meaning of the linetype name is returned.
+        If the layer name suggests nothing, return the meaning of the linetype name, which may also
+        suggest nothing, and False.  ``style`` is the index of the style.
         """
         meaning = name_meaning(self.styles.layer[style])
         if meaning.kind is None and not meaning.denied:
@@ -407,9 +411,9 @@ class Classifier:
     ) -> tuple[LineType, float, Sequence[Message]]:
         """Return the line type that shape suggests for dividers, its confidence, and the reasons.
 
-        ``style`` is the style of the dividers, and ``must_fold`` is whether a panel is attached by
-        them alone.  ``outlines`` is whether the style has at least 30 % of the length of all
-        outlines.
+        Dividers are the edges between two panels.  ``style`` is the style of the dividers, and
+        ``must_fold`` is whether a panel is attached by them alone.  ``outlines`` is whether edges
+        of this style make up at least 30 % of the length of all outlines.
         """
         if self.only_divides[style]:
             reasons = [Message("classification.as-its-style")]
@@ -434,9 +438,10 @@ def _likeliest_type(role: Role) -> LineType:
 
 
 def _divider_fraction(part: F64, group: I64, grouped: F64) -> F64:
-    """Return for each style the fraction of its group's dividers that have a property, (c,).
+    """Return for each of c styles the fraction of dividers that have a property, (c,), 0 … 1.
 
-    The fraction is by length.  Styles with equal layer, colour and linetype are in one group.
+    Dividers are the edges between two panels.  Styles with equal layer, colour and linetype form a
+    group.  The fraction is computed by length, over the dividers of all styles in the group.
 
     Parameters
     ----------

@@ -25,14 +25,15 @@ _MAX_AREA_FRACTION: Final = 0.35
 
 
 def find_separating_cuts(features: ShapeFeatures, line_type: U8) -> Bool:
-    """Return the mask of cuts that would separate a panel at the rim from its blank, (n,).
+    """Return the mask of cuts that would separate a panel at the outline from its blank, (n,).
 
     Parameters
     ----------
     features
         Shape features of n edges.
     line_type : (n,)
-        LineType as decided so far.  Unclassified edges keep panels together as folds do.
+        ``LineType`` of each edge as decided so far.  Unclassified edges keep panels together, as
+        folds do.
     """
     divider = features.role == Role.DIVIDER
     cut = divider & (line_type == LineType.CUT)

@@ -84,11 +84,12 @@ class StyleTotals(NamedTuple):
         return totals
 
     def decision_keys(self, style: I64, features: ShapeFeatures) -> I64:
-        """Return the decision key of each edge, (n,): style, role and flags combined in one number.
+        """Return the decision key of each edge, (n,): an integer for style, role and three flags.
 
-        Edges with equal keys get the same decision.  The flags are whether the edge's pieces have
-        different roles, whether it is near a text, and whether it must be a fold.  ``style`` (n,)
-        is the style of each edge, and ``features`` are the shape features of the edges.
+        Edges with equal keys get the same decision.  The flags state whether less than 70 % of the
+        edge's length has its role, whether a text is near an edge outside all blanks, and whether a
+        divider must be a fold.  ``style`` (n,) is the style of each edge, and ``features`` are the
+        shape features of the edges.
         """
         all_folds, dashed_folds = self.fold_lengths.T
         key = np.empty(len(style), np.int64)
@@ -128,8 +129,14 @@ def _add(
         Style, length and role of each edge.
     dashed, paired, must_fold : (n,) each
         Whether each edge is a dash, has a parallel line beside it, and must be a fold.
-    count, length, dashed_length, paired_length, must_fold_length, fold_lengths
-        Columns of ``StyleTotals``, to which the function adds.
+    count, length : (c, roles) each
+        Totals of the c styles, by role: number and length of edges.  The function adds to them.
+    dashed_length, paired_length, must_fold_length : (c,) each
+        Total lengths of the dividers of each style that are dashed, that are paired, and that must
+        be folds.  The function adds to them.
+    fold_lengths : (c, 2)
+        Total length of all edges of each style that must be folds, and of those that are dashed
+        too.  The function adds to it.
     """
     for i in range(len(style)):
         s, edge_length = style[i], lengths[i]
@@ -161,7 +168,9 @@ def _write_keys(
 ) -> None:
     """Write the decision key of each of n edges to ``key``, (n,).
 
-    A decision key combines style, role and flags of an edge in one number.
+    A decision key is an integer that combines the style and the role of an edge with three flags: a
+    large part of the edge has another role; it is outside all blanks and a text is near it; it is a
+    divider that must be a fold.
 
     Parameters
     ----------
@@ -171,7 +180,7 @@ def _write_keys(
         Role of each edge, fraction of its length that has this role, whether a text is near it,
         whether it must be a fold, and whether it is a dash.
     dashes_fold : (c,)
-        Whether the dashed edges of each style are treated as folds.
+        Whether all dashes of each style are treated as edges that must be folds.
     """
     for i in range(len(style)):
         flags = 0

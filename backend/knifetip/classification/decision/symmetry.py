@@ -116,13 +116,14 @@ def _mirror_pairs(blanks: _Blanks, rows: I64, candidates: I64, axis: int) -> tup
 
 
 def _position_keys(blanks: _Blanks, rows: I64, axis: int, sign: float, shift: float) -> I64:
-    """Return a key of the position of each edge in ``rows``, (k, 5) integers.
+    """Return integers that describe the position of each edge with an index in ``rows``, (k, 5).
 
     The columns are the number of the edge's blank, x and y of the edge's middle relative to the
-    centre of the blank, and the edge's extent in x and y, rounded down to cells of a grid.  The
-    middle's coordinate ``axis`` (0 for x, 1 for y) is multiplied by ``sign``, so that the key of an
-    edge with ``sign`` -1 equals the key of its mirror image with ``sign`` 1.  ``shift`` is added to
-    the measures before rounding, as a fraction of a cell.
+    centre of the blank, and the edge's extent in x and in y.  The coordinates are rounded down to
+    cells of a grid.  Before rounding, one coordinate of the middle (x if ``axis`` is 0, y if it is
+    1) is multiplied by ``sign``.  An edge with ``sign`` 1 and its mirror image with ``sign`` -1
+    therefore get equal integers.  ``shift``, a fraction of a cell, is added before rounding, so
+    that positions on the border of two cells can be compared too.
     """
     blank = blanks.blank[rows]
     tolerance = _TOLERANCE * blanks.size[blank][:, None]

@@ -1,4 +1,4 @@
-"""arrows: find dimension arrows, which annotate a carton and are never made.
+"""arrows: find the arrows of dimensions, which are annotations and are never cut or creased.
 
 An arrowhead is two short edges of equal length that meet at the end of a third edge, the shaft.
 The two short edges point back along the shaft at equal angles, and their other ends are free or
@@ -84,10 +84,11 @@ def find_arrow_edges(graph: PlanarGraph, count: int, unit: float) -> Bool:
 
 @kernel
 def _pieces_by_vertex(graph: _Graph, twin: I32_1) -> _Incidence:
-    """Return the pieces that start or end at each vertex.
+    """Return the pieces of edges that start or end at each vertex.
 
-    Of coincident pieces only the first one is returned, and links are left out.  ``twin`` (p,) is
-    the first piece that coincides with each piece, the piece itself if there is none.
+    Of coincident pieces only the first one is returned.  Links, which are pieces that close a gap
+    and belong to no edge, are left out.  ``twin`` (p,) is the first piece that coincides with each
+    piece, the piece itself if there is none.
     """
     vertex, start, end, edge, _ = graph
     vertices, count = len(vertex), len(start)

@@ -125,13 +125,16 @@ def _find_bleeds(
 
     Parameters
     ----------
+    graph
+        Planar graph of the drawing, with c components.
     box : (c, 4)
-        Bounding box of each component.
-    parent, panels : (c,) and (c,)
-        Component that contains each component, -1 for none, and number of faces inside the outline
-        of each component.
+        Bounding box of each component: x min, y min, x max, y max.
+    parent : (c,)
+        Component that contains each component, -1 for none.
     frame : (c,)
         Whether each component is a frame.
+    panels : (c,)
+        Number of faces inside the outline of each component.
     unit
         Number of drawing units in a millimetre.
     """
@@ -225,7 +228,8 @@ def _mark_bleeds(
     outer : (k,)
         The components to check.
     contents : (k, 2)
-        The components inside ``outer[k]`` are ``inner[contents[k, 0] : contents[k, 1]]``.
+        Index in ``inner`` of the first component inside each component to check, and the index
+        after the last one.
     inner
         Components inside the components ``outer``, sorted by the component around them.
     nearest
@@ -270,9 +274,10 @@ def _segments_of(lines: _Lines, pieces: _ComponentPieces, components: I64_1) -> 
 def _distance_range(
     ends: F64_3, bulge: F64_1, other_ends: F64_3, other_bulge: F64_1
 ) -> tuple[float, float]:
-    """Return the least and the greatest distance of some segments from other segments.
+    """Return the least and the greatest distance of points of some segments from other segments.
 
-    The distance of a segment is that of its start or its middle from the nearest other segment.
+    The points are the start and the middle of each segment; the distance of a point is measured to
+    the nearest of the other segments.
 
     Parameters
     ----------

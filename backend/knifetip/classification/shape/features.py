@@ -57,7 +57,7 @@ _NARROW: Final = 6.0
 
 @dataclass(frozen=True, eq=False, slots=True)
 class ShapeFeatures:
-    """Features of the shape of a drawing: role, component, faces and others of each of n edges.
+    """Features of the shape of a drawing with n edges, such as the role of each edge.
 
     The planar graph of the edges has f faces.
     """
@@ -76,14 +76,16 @@ class ShapeFeatures:
     part: I32  #: (n,) outermost component that the edge belongs to or lies in, -1 for none
 
     def spread(self, count: int, rows: I64, role: Role) -> ShapeFeatures:
-        """Return the features of ``count`` edges, some of which are the n edges of this record.
+        """Return the features of all edges of a drawing, given the features of n of them.
+
+        The other edges get the role ``role`` and belong to no component.
 
         Parameters
         ----------
         count
-            Number of all edges.
+            Number of all edges of the drawing.
         rows : (n,)
-            Row of each of the n edges among all edges.
+            Index, among all edges, of each of the n edges in this record.
         role
             Role of all other edges.
         """
@@ -144,7 +146,8 @@ def extract_shape_features(
 def _no_features(count: int) -> ShapeFeatures:
     """Return shape features of ``count`` edges in which every role is unknown.
 
-    They are used if the edges are too crowded for a planar graph.
+    They are used if no planar graph is built, because there are no edges, or they are too crowded
+    or cross too often.
     """
     none = np.zeros(count, np.bool_)
     return ShapeFeatures(
@@ -192,7 +195,11 @@ class _Extraction(NamedTuple):
         return rest._features_in(graph).spread(count, rows, Role.ARROW)
 
     def _graph(self) -> PlanarGraph | None:
-        """Return the planar graph of the edges, or None if they are too crowded."""
+        """Return the planar graph of the edges.
+
+        Returns None if there are no edges, or if they are too crowded or cross too often to be
+        analysed in reasonable time.
+        """
         return build_graph(self.ends, self.bulge, GAP * self.unit, _REACH * self.unit)
 
     def _features_in(self, graph: PlanarGraph) -> ShapeFeatures:
@@ -240,10 +247,10 @@ class _Extraction(NamedTuple):
 
 
 def _bounded_faces(faces: Faces) -> I32:
-    """Return for each of f faces the bounded face that it belongs to or that contains it, (f,).
+    """Return the bounded face for each of f faces, (f,): the face itself or the face around it.
 
-    The entry of a bounded face is the face itself.  The entry of an outer face is the bounded face
-    around it, or -1 if there is none.
+    The entry of a bounded face is the face itself.  The entry of the outer face of a component is
+    the bounded face that contains the component, or -1 if there is none.
     """
     bounded = np.arange(len(faces.area), dtype=np.int32)
     bounded[faces.outer_face] = faces.enclosing
@@ -273,7 +280,7 @@ def _outermost_components(faces: Faces, inside: Bool) -> I32:
 
 
 class _Pieces(NamedTuple):
-    """Columns of the p pieces of a planar graph."""
+    """Component, length, role and adjacent faces of each of the p pieces of a planar graph."""
 
     component: I32_1  #: (p,) connected component
     length: F64_1  #: (p,)
@@ -308,9 +315,9 @@ class _EdgeSums(NamedTuple):
 def _fill_short_edges(
     edges: _EdgeSums, graph: PlanarGraph, ends: F64, length: F64, tolerance: float
 ) -> None:
-    """Give edges without pieces the role and component of an edge that ends at their start.
+    """Copy role and component to edges without pieces from an edge that touches their start.
 
-    An edge has no pieces if it is shorter than ``tolerance``.
+    An edge has no pieces in the graph if it is shorter than ``tolerance``.
 
     Parameters
     ----------
@@ -322,6 +329,8 @@ def _fill_short_edges(
         Ends of the n edges.
     length : (p,)
         Length of each piece of the graph.
+    tolerance
+        Largest distance between ends that became one vertex (drawing units).
     """
     short_edges = np.flatnonzero(edges.length == 0.0)
     with_pieces = np.where(edges.length > 0.0, np.arange(len(edges.length)), 0)
@@ -341,7 +350,7 @@ def _fill_short_edges(
 
 @kernel
 def _find_narrow_faces(left: I32_1, right: I32_1, length: F64_1, area: F64_1, width: float) -> Any:
-    """Return the mask of faces that are long and narrower than ``width`` on average, (f,).
+    """Return the mask of faces that are long and have a mean width of less than ``width``, (f,).
 
     Parameters
     ----------
@@ -351,6 +360,8 @@ def _find_narrow_faces(left: I32_1, right: I32_1, length: F64_1, area: F64_1, wi
         Length of each piece.
     area : (f,)
         Signed area of each face.
+    width
+        Limit of the mean width, in the unit of the lengths.
     """
     left_length, right_length = np.zeros(len(area)), np.zeros(len(area))
     for p in range(len(length)):
@@ -408,10 +419,11 @@ def _sum_pieces(
 
 
 def _longest_neighbours(graph: PlanarGraph, length: F64, short_edges: I64) -> I32:
-    """Return for each short edge the edge of the longest piece at its start, (k,), -1 for none.
+    """Return for each edge without pieces the edge with the longest piece at its start, (k,).
 
-    ``short_edges`` (k,) are the indices of edges that have no pieces in the graph, and ``length``
-    (p,) is the length of each piece.
+    The entry is -1 if no piece starts or ends there.  ``short_edges`` (k,) are the indices of edges
+    that are so short that they have no pieces in the graph.  ``length`` (p,) is the length of each
+    piece.
     """
     found = np.full(len(graph.vertex), -1, np.int32)
     if len(short_edges) == 0:
@@ -488,7 +500,9 @@ def _look_up_roles(
     Parameters
     ----------
     table : (kinds, 4)
-        Role of a piece, by the kind of its component and by the faces on its two sides.
+        Role of a piece, by the kind of its component and by four cases of the faces beside the
+        piece: one is the outer face of the component; both are; both are one bounded face; they are
+        two bounded faces.
     row : (c,)
         Kind of each component, as a row of ``table``.
     component, left, right : (p,)

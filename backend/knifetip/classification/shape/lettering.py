@@ -53,7 +53,7 @@ def find_letters(box: F64, length: F64, pieces: I64, unit: float) -> Bool:
 
 @kernel
 def _mark_words(box: F64_2, shape: F64_2, order: I64_1, axis: int, letter: OutBool_1) -> None:
-    """Mark the components of each row along an axis that has enough different shapes for a word.
+    """Mark the components that form words: rows along an axis with enough different shapes.
 
     Parameters
     ----------

@@ -122,14 +122,17 @@ class PartKinds:
 
 
 def _find_doubtful(measures: Measures, box: F64, outlines: Bool, small: Bool, tiny: float) -> Bool:
-    """Return the mask of components with too many dangling edges for a closed outline, (c,).
+    """Return the mask of large components with too many dangling edges for a closed outline, (c,).
 
-    Small components are never doubtful, but their edges may belong to the outline of a larger one.
+    The dangling edges of other components, also of small ones, are included if they surround a
+    large component, because they may be parts of its outline.
 
     Parameters
     ----------
-    measures, box : (c, 4)
-        Measures of the components, and their bounding boxes.
+    measures
+        Measures of the c components.
+    box : (c, 4)
+        Bounding box of each component.
     outlines, small : (c,)
         Mask of components that may be a blank or a part of a blank's outline, and mask of small
         components.

@@ -2,10 +2,10 @@
 
 A blank is cut out in one piece.  If one straight line alone connects a panel to the rest of the
 blank, the line cannot be a cut.  If panels meet in a ring round a corner, one of the lines between
-them is a slit.  A slit starts at the rim, so a straight line between two inner corners is no slit.
-
-No edge is found in a component that consists of several equal blanks without space between them.
-Faces framed by bends, such as tabs, slots and windows, do not count as panels.
+them is a slit.  A slit starts at the outline, so a straight line between two corners inside the
+blank is no slit.  No edge is found in a component that consists of several equal blanks without
+space between them.  A face inside a blank whose boundary has a bend, such as a tab, a slot or a
+window, does not count as a panel; at a bend, exactly two pieces meet at an angle.
 """
 
 from __future__ import annotations
@@ -94,11 +94,14 @@ def find_required_folds(
 def _find_panels(graph: PlanarGraph, faces: Faces, divider: I64, at_rim: Bool, bend: Bool) -> Bool:
     """Return the mask of faces that are panels, (f,).
 
-    A panel is a bounded face that is at the outline of a blank, or whose dividers do not end at
-    bends: a tab or a window inside a panel is framed by dividers with bends.
+    A bounded face is no panel if it is away from the outline of the blank and one of the pieces
+    ``divider`` beside it ends at a bend.  Such a face is, for example, a tab or a window inside a
+    panel.
 
     Parameters
     ----------
+    graph, faces
+        Planar graph with q vertices, and its f faces.
     divider : (d,)
         Pieces between two faces of a blank.
     at_rim : (f,)
@@ -135,9 +138,10 @@ def _vertex_shapes(graph: PlanarGraph) -> tuple[I64, Bool]:
 
 
 def _face_pairs(left: Any, right: Any) -> tuple[I64, I64]:
-    """Return the distinct pairs of faces beside d pieces, (k, 2), and the pair of each piece, (d,).
+    """Return the k different pairs of faces beside d pieces, (k, 2), and the pair of each piece.
 
-    ``left`` and ``right``, (d,), are the faces on the two sides of each piece.
+    The pair of a piece is an index, 0 … k - 1, shape (d,).  ``left`` and ``right``, (d,), are the
+    faces on the two sides of each piece.
     """
     low, high = np.minimum(left, right).astype(np.int64), np.maximum(left, right).astype(np.int64)
     key = low * (int(high.max()) + 1) + high
@@ -204,18 +208,18 @@ class _Borders(NamedTuple):
         return result
 
     def longest(self, length: F64, count: int) -> Bool:
-        """Return the mask of pieces that belong to the longest edge of their border, (d,).
+        """Return the mask of the pieces that belong to the longest edge of their border, (d,).
 
-        A border is the common boundary of two faces.  For a border with dashes it is the mask of
-        the pieces of the dashes.  Short edges at the ends of a fold are left out, because they may
-        be slits that lock it.
+        A border is the common boundary of two faces.  In a border that contains dashes, the mask
+        marks the pieces of all dashes instead.  Short edges at the ends of a fold are left out,
+        because they may be slits that lock it.
 
         Parameters
         ----------
         length : (p,)
             Length of each piece.
         count
-            Number of edges.
+            Number of edges of the graph.
         """
         edge = self.graph.edge[self.piece]
         whole = np.bincount(edge[edge >= 0], length[self.piece][edge >= 0], count)
@@ -229,7 +233,7 @@ class _Borders(NamedTuple):
 
 
 class _Panels(NamedTuple):
-    """Measures of m panels of one component, or of all m faces of a graph, one row for each."""
+    """Area, centre, bounding box and location (at the outline or not) of each of m faces."""
 
     area: F64  #: (m,) area of each panel
     centre: F64  #: (m, 2) mean of the contour
@@ -248,11 +252,13 @@ def _find_single_cartons(
     """Return the mask of components whose panels belong to one carton, not to several blanks, (c,).
 
     Equal blanks are beside each other, or head to tail: one translation, or one half-turn, maps
-    every panel at the rim onto another panel.  A single carton has a glue flap or a base without
-    such an image.
+    every panel at the outline onto another panel.  In a single carton, the glue flap or the base
+    has no such image.  Components with too few panels for a decision are not in the mask.
 
     Parameters
     ----------
+    graph, faces
+        Planar graph of the drawing, with p pieces and c components, and its f faces.
     length : (p,)
         Length of each piece.
     at_rim, panel : (f,) and (f,)
