@@ -3,7 +3,7 @@
 The function ``expand`` takes a ``Cf2File`` and returns an ``ExpandedFile``: the import report, the
 lines and arcs, and the texts.  The copies are counted before they are made.  A bridge is a gap of
 the steel rule in the die board, not a gap of the cut in the carton, so bridges appear only in the
-import report (decision 9).
+import report.
 """
 
 from __future__ import annotations
@@ -174,7 +174,8 @@ class _Expander:
             Handles in the import report of the nested calls that contain the copy, each followed by
             a slash; empty outside all calls.
         open_names
-            Names of the subroutines that contain this copy; a call of one of them is dropped.
+            Names of the subroutines that contain this copy, and of ``section`` itself if it is a
+            subroutine.  A call of one of them is recursive and is dropped.
         """
         shape = self._shapes.get(id(section))
         if shape is None:

@@ -10,10 +10,12 @@ A record is one text line with fields between commas::
     T, pointage, type, aux, x, y, angle, height, width
     C, subroutine, x, y, angle, x scale, y scale
 
-L is a line, A an arc, T a text and C a call of a subroutine.  The text of a T record is the next
-line of the file.  Direction is 1 for a counter-clockwise arc and -1 for a clockwise arc; an arc
-that ends at its start is a whole circle.  Programs may omit the last fields, the end mark ($EOF)
-and the ORDER section.  They also use blanks and capitals differently.
+L is a line, A an arc, T a text and C a call of a subroutine.  Pointage is the thickness of the
+steel rule in points, aux an auxiliary type of the line, and bridges the number of gaps of the rule,
+each of which has the given width.  The text of a T record is the next line of the file.  Direction
+is 1 for a counter-clockwise arc and -1 for a clockwise arc; an arc that ends at its start is a
+whole circle.  Programs may omit the last fields, the end mark ($EOF) and the ORDER section.  They
+also use blanks and capitals differently.
 """
 
 from __future__ import annotations
@@ -88,7 +90,7 @@ class Section:
 
 @dataclass(slots=True)
 class Cf2File:
-    """A parsed CF2: its sections; and unit, scale and corners of the drawing, from the header."""
+    """The content of a CF2 file: its sections, and the unit, scale and corners in its header."""
 
     main: Section | None = None
     subs: dict[str, Section] = field(default_factory=dict)  #: by upper-case name

@@ -55,8 +55,9 @@ def annotation(
     text
         Text as written in the file, with formatting codes.
     lengths
-        Value of each group code in the tuple ``LENGTHS`` for the entity; NaN for a group code that
-        the entity does not have.
+        Values of the group codes 10, 20, 11, 21, 40 and 42 of the entity (file units); NaN for a
+        group code that the entity does not have.  They are the x and y of two points, the height of
+        a text and the measured length of a dimension.
     type_
         Type of a dimension, the value of its group code 70; not used for texts.
     """
@@ -90,10 +91,11 @@ def annotation(
 
 
 def has_formatting(kind: str, text: str) -> bool:
-    """Return whether a text must be parsed with ``annotation`` and not with ``plain_annotations``.
+    """Return whether a text must be parsed by ``annotation``, which decodes formatting codes.
 
-    This is so if ``text`` may contain formatting codes, or is longer than those functions read.
-    ``kind`` is the kind of the entity, such as MTEXT.
+    This is so if the text may contain formatting codes or is longer than the longest text that is
+    read.  All other texts are processed together by ``plain_annotations``.  ``kind`` is the kind of
+    the entity that contains the text, such as MTEXT.
     """
     return kind in _CODED or "\\" in text or "%%" in text or len(text) > _LONGEST
 
@@ -108,8 +110,9 @@ def plain_annotations(
     kinds, layers, texts
         Kind, layer name and text of each entity.
     lengths : (n, 6)
-        Value of each of the six group codes in the tuple ``LENGTHS`` for each entity; NaN for a
-        group code that the entity does not have.
+        Values of the group codes 10, 20, 11, 21, 40 and 42 of each entity (file units); NaN for a
+        group code that the entity does not have.  Codes 10 and 20 are x and y of the text, and
+        code 40 is its height; the other values are not used.
     """
     x, y, height = np.where(np.isnan(lengths), 0.0, lengths)[:, [0, 1, 4]].T.tolist()
     texts = [text.strip() for text in texts]

@@ -39,9 +39,10 @@ _MAX_POWER: Final = 290
 
 
 def _powers() -> Any:
-    """Return the first 128 bits of 10^q for each q from ``_MIN_POWER`` to ``_MAX_POWER``.
+    """Return 10^q, for each q from ``_MIN_POWER`` to ``_MAX_POWER``, as a 128-bit significand.
 
-    The array has the shape (581, 2) and the type uint64.
+    The significand is the first 128 bits of 10^q, beginning with its highest bit that is 1.  The
+    array has the shape (581, 2) and the type uint64: upper and lower 64 bits of each significand.
     """
     table = np.empty((_MAX_POWER - _MIN_POWER + 1, 2), np.uint64)
     for row, q in enumerate(range(_MIN_POWER, _MAX_POWER + 1)):
@@ -81,7 +82,8 @@ def _product(a: U64, b: U64) -> Any:
 def _rounded(w: U64, q: int) -> tuple[float, int]:
     """Return w · 10^q, for w > 0, rounded to a double, and whether the rounding is certain.
 
-    The second value is the constant ``EXACT`` if the rounding is certain, otherwise ``UNSURE``.
+    The second value is the constant ``EXACT`` if the rounding is certain.  Otherwise it is
+    ``UNSURE``, and the first value is 0.
     """
     if q < _MIN_POWER or q > _MAX_POWER:
         return 0.0, UNSURE
@@ -120,9 +122,10 @@ def _rounded(w: U64, q: int) -> tuple[float, int]:
 
 @inline_kernel
 def _eight(data: U8_1, position: U64) -> Any:
-    """Return the integer that the eight bytes from ``data[position]`` on write in decimal digits.
+    """Parse eight decimal digits, the bytes ``data[position]`` to ``data[position + 7]``.
 
-    The constant ``_NOT`` is returned if one of these bytes is not a digit.
+    Returns the integer that they represent, or the constant ``_NOT`` if one of these bytes is not a
+    digit.
     """
     word = eight_bytes_at(data, position)
     upper, zeros = np.uint64(0xF0F0F0F0F0F0F0F0), np.uint64(0x3030303030303030)

@@ -58,7 +58,9 @@ _EXTRUSION_Z: Final = 230
 
 
 def boxes_of_entities(data: bytes, kinds: Sequence[str], kind: I64, spans: I64) -> F64:
-    """Return the bounding boxes of k entities, (k, 4); NaN for an entity without points.
+    """Return the bounding boxes of the points of k entities, (k, 4): min x, min y, max x, max y.
+
+    All four numbers are NaN for an entity without points.
 
     Parameters
     ----------
@@ -69,7 +71,8 @@ def boxes_of_entities(data: bytes, kinds: Sequence[str], kind: I64, spans: I64) 
     kind : (k,)
         Index into ``kinds`` for each entity.
     spans : (k, 2)
-        For each entity the position of its first byte and of the byte after its last vertex.
+        Range of each entity in ``data``: position of its first byte, and of the byte after its last
+        tag or, for a polyline, after its last vertex.
     """
     rules = np.array([_RULES.get(one, _OTHERS) for one in kinds], np.int64).reshape(-1, 4)
     box, sure = _boxes(np.frombuffer(data, np.uint8), spans, rules[kind])
@@ -81,10 +84,10 @@ def boxes_of_entities(data: bytes, kinds: Sequence[str], kind: I64, spans: I64) 
 
 
 def box_of_tags(kind: str, codes: Sequence[int], values: Sequence[Any]) -> F64:
-    """Return the bounding box of the points of one entity, (4,), given its tags.
+    """Return the bounding box of the points of one entity, (4,): min x, min y, max x, max y.
 
-    The box is NaN if the entity has no points.  ``kind`` is the kind of the entity; ``codes`` and
-    ``values`` are the group codes and the values of its tags.
+    All four numbers are NaN if the entity has no points.  ``kind`` is the kind of the entity;
+    ``codes`` and ``values`` are the group codes and the values of its tags.
     """
     number_ = [_number(code, value) for code, value in zip(codes, values, strict=True)]
     rule, box = np.array([_RULES.get(kind, _OTHERS)], np.int64), np.full((1, 4), np.nan)
@@ -94,11 +97,22 @@ def box_of_tags(kind: str, codes: Sequence[int], values: Sequence[Any]) -> F64:
 
 
 def transformed_box(box: F64, linear: F64, shift: F64) -> F64:
-    """Return the bounding box, (4,), of k transformed copies of the box ``box``, (4,).
+    """Return the bounding box of k copies of a box, each with its own linear map and translation.
 
-    ``linear``, (k, 2, 2), and ``shift``, (k, 2), are linear maps and translations of the copies.
-    If ``box`` contains k boxes, (k, 4), each box is transformed by the map with its index, and the
-    returned array contains the k transformed boxes, (k, 4).
+    Alternatively, ``box`` may contain k boxes, one for each linear map and translation.  The
+    returned array then contains the bounding box of each of these boxes after its transformation.
+
+    Parameters
+    ----------
+    box : (4,) or (k, 4)
+        min x, min y, max x and max y of one box, or of k boxes.
+    linear, shift : (k, 2, 2), (k, 2)
+        Linear maps and translations.
+
+    Returns
+    -------
+    (4,) or (k, 4)
+        min x, min y, max x and max y, in an array of the same shape as ``box``.
     """
     middle, half = (box[..., :2] + box[..., 2:]) / 2.0, (box[..., 2:] - box[..., :2]) / 2.0
     centre, reach = (
@@ -124,7 +138,7 @@ def _number(code: int, value: Any) -> float:
 def _write_box(
     codes: I64_1, numbers: F64_1, count: int, rules: I64_2, row: int, box: OutF64_2
 ) -> None:
-    """Write the bounding box of the points of one entity into ``box[row]``.
+    """Write min x, min y, max x and max y of the points of one entity into ``box[row]``.
 
     Nothing is written if the entity has no points.
 
@@ -132,9 +146,10 @@ def _write_box(
     ----------
     codes, numbers, count
         Group codes and numbers of the tags of the entity, and the number of tags.
-    rules
-        Rules for k entities; ``rules[row]`` determines which group codes of the entity are
-        coordinates of its points.
+    rules : (k, 4)
+        Rules for k entities.  ``rules[row]`` determines which tags of the entity are coordinates of
+        its points: group codes of the points, as bits; group codes after which and before which the
+        points are written, -1 for none; and whether an extrusion of −Z mirrors the points.
     row
         Index of the entity in ``rules`` and ``box``.
     """
@@ -171,16 +186,19 @@ def _write_box(
 
 @kernel
 def _boxes(data: U8_1, spans: I64_2, rules: I64_2) -> tuple[F64, Bool]:
-    """Return the bounding boxes of k entities, (k, 4), and the mask of the certain boxes, (k,).
+    """Return the bounding boxes of the points of k entities, and whether each of them is exact.
 
-    A box is uncertain if a number of the entity cannot be rounded with certainty by ``decimals``.
+    The boxes have the shape (k, 4): min x, min y, max x, max y; NaN for an entity without points.
+    The second array, (k,), is False for an entity with a tag that cannot be parsed, or with a
+    number that ``decimals`` cannot round with certainty; the caller then computes the box again.
 
     Parameters
     ----------
     data
         Bytes of the file.
     spans : (k, 2)
-        For each entity the position of its first byte and of the byte after its last vertex.
+        Range of each entity in ``data``: position of its first byte, and of the byte after its last
+        tag or, for a polyline, after its last vertex.
     rules : (k, 4)
         For each entity a rule that determines which group codes are coordinates of its points.
     """

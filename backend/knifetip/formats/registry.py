@@ -54,6 +54,8 @@ _FALLBACK: Final = next(one for one in FORMATS if one.matches is None)
 def format_of(data: bytes) -> Format:
     """Return the format of a file, detected by its content.
 
+    A file that has no known format is treated as a DXF file, because DXF files have no signature.
+
     Raises
     ------
     NotADrawing

@@ -27,7 +27,11 @@ from knifetip.pdf.path_builder import PathBuilder
 
 
 class LayerMark(NamedTuple):
-    """The layer of an object on the page, and the hidden layer that contains the object, if any."""
+    """Layer of an object on the page, and the hidden layer because of which it is not visible.
+
+    A layer may be nested in another layer: an object on a visible layer is not visible if an outer
+    layer is hidden.  The name ``hidden`` is empty if the object is visible.
+    """
 
     layer: str
     hidden: str  #: name of the hidden layer that contains the object, empty if visible
@@ -111,10 +115,20 @@ class PageLines:
         return not self._lines
 
     def collect(self) -> tuple[Table, Paths, list[Style]]:
-        """Return the paths of the page that are kept: segments, rows and matrices, and styles.
+        """Return the paths of the page that are kept, and their styles.
 
         Paths outside their visible area are dropped, and so are filled areas if the page has
         strokes.  The reasons are written into the import report.
+
+        Returns
+        -------
+        Table
+            The segments of all kept paths.
+        Paths
+            For each kept path: its row in the import report, the index of its style, and the matrix
+            from its coordinates to points on the displayed page.
+        list of Style
+            The styles of the kept paths.
         """
         lines = self._lines
         size = np.array([line.size for line in lines], np.int64)

@@ -56,7 +56,10 @@ class PathBuilder:
         return np.concatenate([numbers[:, :2].reshape(-1, 2), numbers[curved, 2:].reshape(-1, 2)])
 
     def keep(self) -> int:
-        """Keep the current path and return the number of its segments; then start a new path."""
+        """Add the current path to the kept paths and start a new path.
+
+        Returns the number of segments of the path that was added.
+        """
         size = self.size
         self._kept = len(self.kind)
         self._start_path()

@@ -36,8 +36,8 @@ class Resources:
     def space(self, resources: DictionaryObject, name: str) -> ColourSpace:
         """Return the colour space with the name ``name`` from a resource dictionary.
 
-        If the dictionary has no such colour space, ``name`` is the name of a device colour space,
-        such as "DeviceRGB".
+        If the dictionary has no such colour space, ``name`` is interpreted as the name of a device
+        colour space, such as "DeviceRGB".
         """
         key = id(resources), name
         cached = self._spaces.get(key)

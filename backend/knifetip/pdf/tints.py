@@ -125,12 +125,14 @@ def _run_program(program: bytes, tint: float) -> list[float]:
 
 
 def _natural(value: float) -> int:
-    """Return a number as an integer if it is between 0 and the largest size of the stack.
+    """Return ``value`` as an index or a number of elements of the stack of a PostScript program.
+
+    A fraction is cut off.
 
     Raises
     ------
     ValueError
-        The number is outside this range.
+        The number is negative, or greater than the largest size of the stack.
     """
     if not 0.0 <= value <= _STACK:
         raise ValueError

@@ -81,10 +81,10 @@ class DrawnPaths:
         self.style.append(number)
 
     def drop_fills(self, report: ReportWriter) -> None:
-        """Drop the paths that have a fill but no stroke, unless no path has a stroke.
+        """If any path has a stroke, drop the paths that have only a fill; otherwise keep all paths.
 
-        The reason for each dropped path, and a note for each fill that is kept, is added to
-        ``report``.
+        Import outcomes are added to ``report``: the reason for each dropped path, or a note for
+        each filled path that is kept.  Dropped paths are moved to the list ``omitted``.
         """
         for number in self._fills:
             row = self.row[number]

@@ -57,8 +57,9 @@ def read_page(root: Node, unit: str, millimetres_per_unit: float, illustrator: b
     root
         Root element of the SVG.
     unit
-        The unit that the user gives, "" if the user gives none.  If width or height of the page has
-        a physical unit, ``unit`` replaces this unit; otherwise it is the unit of the coordinates.
+        The unit that the user gives, "" if the user gives none.  If the file states the size of the
+        page with a physical unit, such as 90mm, only the unit is replaced: 90 in for the unit "in".
+        Otherwise one unit of the coordinates in the file has the length ``unit``.
     millimetres_per_unit
         Number of millimetres in ``unit``, 0 if the user gives no unit.
     illustrator
@@ -110,16 +111,18 @@ def view_box_matrix(
     window_height: float | None,
     node: Node,
 ) -> Matrix:
-    """Return the matrix that fits a viewBox into a window with its upper left corner at (0, 0).
+    """Return the matrix that fits a viewBox into a rectangle with its upper left corner at (0, 0).
 
-    The matrix maps the coordinates of the viewBox to the coordinates of the window.
+    The rectangle is the page, or the window of an ``svg`` or ``symbol`` element inside it.  The
+    matrix maps the coordinates of the viewBox to the coordinates of the rectangle.
 
     Parameters
     ----------
     box
         x, y, width and height of the viewBox.
     window_width, window_height
-        Width and height of the window; None if the file does not state them.
+        Width and height of the rectangle; None if the file does not state them.  If one is None,
+        the other gives the scale of both axes; if both are None, the scale is 1.
     node
         The element whose attribute ``preserveAspectRatio`` is used.
     """

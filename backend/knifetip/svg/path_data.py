@@ -175,14 +175,13 @@ def _place_cubic(
 ) -> tuple[float, float, float, float]:
     """Write the two control points of a curve that command C, S, Q or T draws into ``row``.
 
-    Returns x and y of the end of the curve, and x and y of its last control point as written in the
-    command; for Q and T this is the control point of the quadratic curve.
+    The curve is cubic; a quadratic curve (Q, T) is converted.
 
     Parameters
     ----------
     row : (8,)
-        Numbers of the curve's segment: x and y of its start in columns 0 and 1.  The control points
-        are written into columns 4 to 7.
+        Numbers of the curve's segment.  Columns 0 and 1 contain x and y of its start; the control
+        points are written into columns 4 to 7, and the other columns are not changed.
     command, previous_command
         ASCII codes of the lower-case letters of the command and of the preceding command.
     arguments
@@ -190,7 +189,14 @@ def _place_cubic(
     base_x, base_y
         Added to the arguments: the start of the curve for a relative command, else 0.
     handle_x, handle_y
-        Last control point of the preceding curve, which S and T mirror.
+        Last control point of the preceding curve, which S and T mirror at the start of the curve.
+
+    Returns
+    -------
+    x, y
+        End of the curve.
+    handle_x, handle_y
+        Last control point of the curve; the control point of the quadratic curve for Q and T.
     """
     x, y = row[0], row[1]
     if command == 99 or command == 115:

@@ -35,9 +35,10 @@ def read(
     data
         Content of the file, which may be packed with gzip.
     unit
-        The unit that the user gives, "mm", "px" …; None if the user gives no unit.  If width or
-        height of the page has a physical unit, ``unit`` replaces this unit; otherwise it is the
-        unit of the coordinates.
+        The unit that the user gives, "mm", "px" …; None if the user gives no unit.  If the file
+        states the size of the page with a physical unit, such as 90mm, only the unit is replaced:
+        90 in for the unit "in".  Otherwise one unit of the coordinates in the file has the length
+        ``unit``.
     limits
         Limits of the size of the file and of the drawing.
 

@@ -43,19 +43,21 @@ def shape_path_data(node: Node, window: Window) -> str:
 
 
 def frame_path_data(node: Node, window: Window) -> str:
-    """Return the path data of the diagonal of an element with attributes x, y, width and height.
+    """Return path data with the bounding box of an element that has no path, such as an image.
 
-    The bounding box of the diagonal is the bounding box of the element.  ``window`` contains the
-    lengths to which percentages in the attributes refer.
+    The import report uses this box as the location of the element.  The path is the diagonal of the
+    box, from the attributes x, y, width and height of the element.  ``window`` contains the lengths
+    to which percentages in these attributes refer.
     """
     wide, high = _size(node, "width", window[0]), _size(node, "height", window[1])
     return f"{point_path_data(node, window)}l{wide!r} {high!r}"
 
 
 def point_path_data(node: Node, window: Window) -> str:
-    """Return the path data of a line of zero length at the position (x, y) of an element.
+    """Return path data of a line of zero length at the position (x, y) of an element.
 
-    ``window`` contains the lengths to which percentages in the attributes refer.
+    The import report uses it as the location of a ``use`` element that cannot be copied.
+    ``window`` contains the lengths to which percentages in the attributes x and y refer.
     """
     return f"M{_size(node, 'x', window[0])!r} {_size(node, 'y', window[1])!r}l0 0"
 

@@ -29,7 +29,8 @@ def text_annotation(
     appearance
         Appearance of the element, with its font size.
     cascade
-        Style sheet of the document, for the first part of the text that has a position.
+        Computes the font size of the first child with a position, if ``node`` itself has none;
+        position and height of the text are then those of the child.
     """
     text = " ".join(text_content(node).split())
     first = next((one for one in (node, *node.children) if "x" in one.attributes), node)

@@ -114,9 +114,8 @@ class SourceEntity(Protocol):
 class Entry(NamedTuple):
     """An entity of model space or of a block, to be added to the import report.
 
-    It consists of the entity as written in the file (``counted``), its handle in the import report,
-    and the entity as the fast reader or ezdxf read it (``source``); None if ezdxf skipped the
-    entity.
+    ``counted`` is the entity as written in the file, and ``handle`` is its handle in the import
+    report.  ``source`` is the entity as the fast reader or ezdxf read it, None if ezdxf skipped it.
     """
 
     counted: PrescannedEntity
@@ -202,9 +201,10 @@ class BlockExpansion:
         self._recursive = self._count(on_sheet)
 
     def _count(self, references: Iterable[tuple[str, int]]) -> frozenset[str]:
-        """Check the number of entities after expansion; return the names of recursive blocks.
+        """Count the entities that all INSERTs place, and return the names of recursive blocks.
 
-        A recursive block contains itself, directly or through other blocks.
+        No block is expanded for this.  A recursive block contains itself, directly or through other
+        blocks; it is not counted.
 
         Parameters
         ----------
@@ -398,10 +398,10 @@ def _product(outer: F64, inner: F64) -> F64:
 def _topological_order(
     children: dict[str, set[str]], parents: dict[str, set[str]]
 ) -> tuple[list[str], set[str]]:
-    """Return the block names in topological order, and the names of blocks that have no such order.
+    """Sort blocks so that each block follows all blocks that it places.
 
-    In this order each block follows all blocks that it places.  Blocks without such an order place
-    themselves, directly or through other blocks, or place such a block.
+    Returns the sorted block names, and the names of the blocks that cannot be sorted: blocks that
+    place themselves, directly or through other blocks, and blocks that place a block of this kind.
 
     Parameters
     ----------

@@ -27,14 +27,17 @@ logging.getLogger("ezdxf").addHandler(logging.NullHandler())
 
 
 def load_document(data: bytes, counted: Prescan, limits: Limits) -> Document:
-    """Return the ezdxf document of a DXF file, from the first attempt that succeeds.
+    """Return the ezdxf document of a DXF file, which is repaired if ezdxf cannot load it as it is.
+
+    The file is loaded in several attempts, each of which repairs more of its content, until one
+    succeeds.
 
     Parameters
     ----------
     data
         Content of the file.
     counted
-        The entities and defects of the file as written; they determine which attempts are made.
+        The entities and defects of the file as written; they determine which repairs are tried.
     limits
         Limits of size and reading time.
 

@@ -36,7 +36,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Lines:
-    """Lines and arcs of at most 180 degrees each."""
+    """The shape of an entity as n segments: lines, and arcs of at most 180 degrees each.
+
+    ``ends`` are the end points, and ``bulge`` is 0 for a line.
+    """
 
     ends: F64  #: (n, 2, 2) file units
     bulge: F64  #: (n,)
@@ -137,14 +140,15 @@ def shape_of(entity: DXFGraphic) -> EntityShape:
 
 
 def height_notes(heights: Iterable[float]) -> list[Message]:
-    """Return the notes for the import report on the z coordinates of the points of a shape.
+    """Check that a shape is parallel to the XY plane, and return the notes for the import report.
 
-    The list is empty if all z coordinates, ``heights``, are 0.
+    ``heights`` are the z coordinates of the points of the shape (file units).  The list contains a
+    note that the shape is projected onto the XY plane, or is empty if all z coordinates are 0.
 
     Raises
     ------
     Undrawable
-        The z coordinates differ.
+        The z coordinates differ, or one of them is too large or not a finite number.
     """
     every = list(heights)
     low, high = min(every), max(every)

@@ -69,10 +69,10 @@ def expand(
 
 
 def _references(pairs: Iterable[_Pair]) -> list[tuple[str, int]]:
-    """Return the lower-case block name, and the number of copies that are placed, of each INSERT.
+    """Return for each INSERT the lower-case name of its block and how many copies it places.
 
-    ``pairs`` contains entities as written in the file with their ezdxf entities; entities other
-    than INSERTs are skipped.
+    ``pairs`` contains entities as written in the file with their ezdxf entities.  Entities of other
+    kinds, and INSERTs that ezdxf skipped, are left out.
     """
     return [
         EzdxfEntity(entity).repeats()
@@ -102,7 +102,8 @@ def _match(
     counted, entities
         Entities as written in the file, and ezdxf entities.
     paper
-        Whether ``entities`` include entities in paper space.
+        Whether ``entities`` include entities in paper space.  If not, an entity of ``counted`` in
+        paper space is not paired with an ezdxf entity only because their kinds are equal.
     """
     by_handle: dict[tuple[str, str], deque[DXFEntity]] = defaultdict(deque)
     for entity in entities:

@@ -187,10 +187,10 @@ def _bounds(placed: Placed) -> tuple[F64, F64]:
 
 
 def _transform_exactly(placed: Placed) -> tuple[F64, F64] | None:
-    """Return ends (n, 2, 2) and bulges (n,) of the segments of all placements of a shape.
+    """Return the segments of all n placements of a shape, if the placements keep arcs circular.
 
-    The result is None if a placement changes arcs to ellipses, or if the shape is an ellipse or a
-    spline.
+    The result is the ends, (n, 2, 2) in file units, and the bulges, (n,).  It is None if a
+    placement makes an arc of the shape elliptical, or if the shape is an ellipse or a spline.
     """
     shape, linear, shift = placed.shape, placed.linear, placed.shift
     if not isinstance(shape, Lines):
@@ -210,9 +210,10 @@ def _transform_exactly(placed: Placed) -> tuple[F64, F64] | None:
 
 
 def _approximate(placed: Placed, tolerance: float) -> tuple[F64, F64]:
-    """Return ends (n, 2, 2) and bulges (n,) of lines and arcs that approximate a placed shape.
+    """Return lines and arcs that approximate all placements of a shape.
 
-    All placements of the shape are included.  ``tolerance`` is in file units.
+    The result is the ends, (n, 2, 2) in file units, and the bulges, (n,), of the lines and arcs.
+    ``tolerance`` is their largest permitted distance from the placed shape (file units).
     """
     shape, linear, shift = placed.shape, placed.linear, placed.shift
     ends_of: list[F64] = []

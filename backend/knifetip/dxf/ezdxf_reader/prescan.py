@@ -145,12 +145,14 @@ def prescan(data: bytes) -> Prescan:
 
 
 def _index_after(kind: str, number: int, starts: list[int], values: Sequence[Any]) -> int:
-    """Return the index into ``starts`` of the entity that follows an entity and its vertices.
+    """Return the index in ``starts`` of the entity after the entity number ``number``.
+
+    The VERTEX entities after a POLYLINE are skipped, because they belong to the POLYLINE.
 
     Parameters
     ----------
     kind, number
-        Kind of the first entity, and the index of this entity in ``starts``.
+        Kind of the entity, and its index in ``starts``.
     starts
         Index into ``values`` of the first tag of each entity.
     values

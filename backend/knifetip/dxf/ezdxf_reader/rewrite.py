@@ -134,11 +134,18 @@ def _records(data: bytes) -> _Records | None:
 
 
 def _split_tags(records: _Records, tag: int, tag_end: int) -> tuple[list[int], list[int], range]:
-    """Return three lists of the tags of one entity, as indices into ``records.codes``.
+    """Return tags of one entity in three lists of indices into ``records.codes``.
 
-    The first list contains all tags except subclass markers and extension data.  The second
-    contains those tags of the first list that not all kinds of entities have.  The third contains
-    the extension data.  The entity has the tags ``tag`` … ``tag_end`` - 1.
+    The entity has the tags ``tag`` … ``tag_end`` - 1.
+
+    Returns
+    -------
+    head : list
+        All tags before the extension data (group codes from 1000 on), without subclass markers.
+    own : list
+        The tags in ``head`` with group codes that only some kinds of entities have.
+    added : range
+        The tags of the extension data.
     """
     codes = records.codes
     end = next((n for n in range(tag, tag_end) if codes[n] >= _ADDED), tag_end)

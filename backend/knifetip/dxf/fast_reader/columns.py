@@ -111,14 +111,18 @@ def draw(
 
 @kernel
 def distant(ends: F64_3, first: I64_1, reach: float) -> Any:
-    """Return the mask of the entities with an |x| or |y| greater than ``reach``, shape (e,).
+    """Return the mask of the entities with a coordinate that is NaN or too large, shape (e,).
+
+    The fast reader does not process these entities in arrays.
 
     Parameters
     ----------
     ends : (n, 2, 2)
-        Ends of the segments of all e entities.
+        Ends of the segments of all e entities (file units).
     first : (e + 1,)
         Index of the first segment of each entity; the last element is the number n of segments.
+    reach
+        Largest permitted absolute value of x and of y (file units).
     """
     result = np.zeros(len(first) - 1, np.bool_)
     for row in range(len(result)):

@@ -131,7 +131,7 @@ def take_tag(
     slots: OutI32_1,
     state: OutI64_1,
 ) -> int:
-    """Store a tag of the entity that is being read, whose value is not a decimal number.
+    """Store a tag whose value is not a decimal number, for the entity that is being read.
 
     Returns ``ON`` if the scan continues, ``REFUSED`` if the fast reader cannot read the file.
 

@@ -1,4 +1,7 @@
-"""fields: indices of the columns of the arrays of a ``Scan``, and numbers of the entity kinds."""
+"""fields: column numbers of the arrays in the class ``Scan``, and numbers of the entity kinds.
+
+A ``Scan`` contains the entities, blocks and layers of a DXF file as rows of arrays.
+"""
 
 from __future__ import annotations
 

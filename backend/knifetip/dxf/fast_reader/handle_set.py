@@ -64,7 +64,9 @@ def _has_duplicate(number: I64) -> bool:
 
 
 def paths_of(handles: Spelled, placed: list[str], own: I64, insert: I64) -> Spelled:
-    """Return the handles of all m rows of the import report, with the handles of their INSERTs.
+    """Return the handles of all m rows of the import report.
+
+    The handle of an entity in a block is preceded by the handle of its INSERT and a slash.
 
     Parameters
     ----------
@@ -73,10 +75,11 @@ def paths_of(handles: Spelled, placed: list[str], own: I64, insert: I64) -> Spel
     placed
         Complete handles of the rows whose entities were expanded by ``BlockExpansion``.
     own : (m,)
-        Source of the handle of each row: entity i for a value i < e, ``placed[i - e]`` otherwise.
+        Where the handle of each row is found: a value i < e is an index into ``handles``, a greater
+        value means ``placed[i - e]``.
     insert : (m,)
-        INSERT that places the entity of each row, -1 for entities of model space and for rows with
-        a handle in ``placed``.
+        Index into ``handles`` of the INSERT that places the entity of each row; -1 for entities of
+        model space and for rows with a handle in ``placed``.
     """
     last = np.array([len(word.encode()) for word in placed], np.int64)
     text = np.frombuffer(handles.text + "".join(placed).encode(), np.uint8)
@@ -137,10 +140,11 @@ def _spell(
     data
         Content of the file.
     start, size, block : (e,)
-        Position and length of each handle in ``data``, and row of the block of each entity.
+        Position and length of each handle in ``data``, and row of the block that contains the
+        entity, -1 for an entity of model space.
     count
-        Array that receives the number of entities of each block; the last element is for model
-        space.
+        Array of zeros that receives the number of entities of each block; the last element is for
+        model space.
     text, end
         Arrays that receive the text of all handles, and the end of each handle in this text.
     number : (e,)
@@ -172,17 +176,17 @@ def _spell(
 
 @kernel(allocates=False)
 def _measure(end: I64_1, own: I64_1, insert: I64_1, out_end: OutI64_1) -> int:
-    """Write the end of the handle of each of m rows of the import report into ``out_end``, (m,).
+    """Compute where the handle of each of m rows ends in a text of all handles, one after another.
 
-    The ends are positions in a text that contains these handles one after another.  Returns the
-    length of the text in bytes.
+    The ends are written into ``out_end``, (m,).  Returns the length of the text in bytes.
 
     Parameters
     ----------
     end
-        End of the handle of each entity in the text of the entity handles.
+        End of each source handle in a text that contains all source handles.
     own, insert : (m,)
-        Entity of each row, and the INSERT that places this entity, -1 for none.
+        Indices into ``end`` of the handle of the entity in each row, and of the handle of the
+        INSERT that precedes it, -1 for none.
     """
     total = 0
     for row in range(len(own)):

@@ -36,9 +36,10 @@ from knifetip.model.words import Repeated
 
 
 class Variant(NamedTuple):
-    """Layers, outcomes and styles of the entities of one block, for INSERTs of one style.
+    """Layers, styles and import outcomes of the entities of one block, for INSERTs of one style.
 
-    They depend on the style of the INSERT because entities may have attributes BYBLOCK.
+    An outcome is the reason for dropping an entity, None if it is kept, and notes.  The layers,
+    styles and outcomes depend on the style of the INSERT: entities may have attributes BYBLOCK.
     """
 
     layers: list[str]  #: layer of each entity
@@ -49,7 +50,7 @@ class Variant(NamedTuple):
 
 
 class Inserts(NamedTuple):
-    """The k INSERTs in model space whose blocks are processed in arrays.
+    """The k INSERTs in model space whose blocks are placed all together, by array operations.
 
     All other INSERTs are expanded entity by entity by ``BlockExpansion``.
     """
@@ -101,7 +102,7 @@ def report_rows(
     order
         The entities of model space, and their rows in the import report.
     inserts
-        The INSERTs whose blocks are processed in arrays.
+        The INSERTs whose blocks are placed by array operations, without ``BlockExpansion``.
     expansion
         The rows of the entities that ``BlockExpansion`` expanded.
     """
@@ -167,10 +168,11 @@ def report_rows(
 def _sheet_outcomes(
     tables: Tables, order: Order, inserts: Inserts, dropped: I64
 ) -> Iterator[SharedOutcome]:
-    """Yield outcomes of the entities in model space; each outcome applies to several entities.
+    """Yield the import outcomes of the entities in model space.
 
-    ``dropped`` contains the indices, among the entities of model space, of the entities that are
-    dropped.
+    An outcome is the reason for dropping entities, None if they are kept, and notes; it applies to
+    all entities of model space that have the same reason and notes.  ``dropped`` contains the
+    indices, among the entities of model space, of the entities that are dropped.
     """
     entity, rows = tables.scan.entity, order.rows
     paper, sort, word, count = (
@@ -199,10 +201,10 @@ def _sheet_outcomes(
 
 
 def _block_outcomes(order: Order, inserts: Inserts) -> Iterator[SharedOutcome]:
-    """Yield outcomes of entities in blocks.
+    """Yield the import outcomes of the entities in blocks.
 
-    Each outcome applies to one entity of a block, in all copies of this block that INSERTs of one
-    style place.
+    An outcome is the reason for dropping an entity of a block, None if it is kept, and notes.  It
+    applies to all copies of the entity that INSERTs of one style place.
     """
     of_variant = _group_indices(inserts.variant, len(inserts.variants))
     for variant, same in zip(inserts.variants, of_variant, strict=True):
@@ -212,8 +214,9 @@ def _block_outcomes(order: Order, inserts: Inserts) -> Iterator[SharedOutcome]:
 
 
 def boxes(tables: Tables, rows: I64) -> F64:
-    """Return bounding boxes that show the positions of n entities, (n, 4).
+    """Return the bounding boxes of n entities, which show where dropped entities are located.
 
+    The shape is (n, 4): min x, min y, max x, max y (file units); NaN for an entity without points.
     ``rows`` are the rows of the entities in ``Scan.entity``.  A box is in the coordinates of model
     space, or of the block that contains its entity.
     """

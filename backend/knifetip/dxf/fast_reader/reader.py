@@ -109,7 +109,9 @@ class _ScannedEntity:
 
 
 def _segments(scanned: Scan) -> tuple[I64, I64, F64, F64]:
-    """Return the segments of all e entities of a scanned file, in the coordinates of each entity.
+    """Return the segments of all e entities of a scanned file.
+
+    They are in the coordinates of model space, or of the block that contains the entity.
 
     Returns
     -------
@@ -190,9 +192,10 @@ class FastReader:
         return unsupported
 
     def _simple_blocks(self) -> dict[int, bool]:
-        """Return for each block that can be processed in arrays whether the block contains arcs.
+        """Return the blocks that array operations can place, and whether each block contains arcs.
 
-        The keys of the dictionary are the rows of the blocks in ``Scan.block``.
+        The keys of the dictionary are the rows of the blocks in ``Scan.block``.  The values are
+        True for blocks with arcs: array operations cannot scale them unequally in x and y.
         """
         entity = self.entity
         special = (entity[:, f.KIND] == f.INSERT) | (entity[:, f.UNSUPPORTED] != 0)
@@ -340,8 +343,16 @@ class FastReader:
     def _one_by_one(self, rows: I64, reach: float) -> Bool:
         """Return the mask of the entities in ``rows`` that ``BlockExpansion`` expands one by one.
 
-        They are the entities that the scan does not support, and the entities with a coordinate
-        beyond a third of ``reach``.  ``rows`` are rows in ``Scan.entity``.
+        They are the entities that the scan does not support, except texts, dimensions and entities
+        in paper space, and the entities with a coordinate beyond a third of ``reach``, because an
+        arc may extend beyond the ends of its segments.
+
+        Parameters
+        ----------
+        rows
+            Rows in ``Scan.entity`` of the entities that are not in a block.
+        reach
+            Largest permitted absolute value of a coordinate (file units).
         """
         one_by_one: Bool = (self.entity[:, f.UNSUPPORTED] != 0) & ~self._is_word[
             self.entity[:, f.WORD]
@@ -351,7 +362,7 @@ class FastReader:
         return one_by_one[rows]
 
     def _inserts(self, rows: I64, one_by_one: Bool) -> tuple[I64, I64, F64]:
-        """Return the k INSERTs in model space whose blocks are processed in arrays.
+        """Return the k INSERTs in model space whose blocks are placed by array operations.
 
         All other INSERTs are marked in ``one_by_one``, the mask of the entities that
         ``BlockExpansion`` expands.  ``rows`` are the rows in ``Scan.entity`` of the entities of
@@ -362,7 +373,7 @@ class FastReader:
         position : (k,)
             Index of each INSERT into ``rows``.
         block : (k,)
-            Row of the block of each INSERT.
+            Row in ``Scan.block`` of the block of each INSERT.
         placement : (k, 5)
             Position x and y, scale in x and in y, and rotation in degrees of each INSERT.
         """
@@ -399,17 +410,17 @@ class FastReader:
         return position[columnar], block[columnar], placement[columnar]
 
     def _references(self, rows: I64, one_by_one: Bool, block: I64) -> list[tuple[str, int]]:
-        """Return the lower-case name and the number of copies of blocks that INSERTs place.
+        """Return the lower-case names of the blocks that INSERTs place, with the numbers of copies.
 
         The INSERTs are those in model space.  A block may occur more than once in the list.
 
         Parameters
         ----------
         rows, one_by_one
-            Rows in ``Scan.entity`` of the entities of model space, and the mask of those that
-            ``BlockExpansion`` expands.
+            Rows in ``Scan.entity`` of the entities of model space, and the mask of the entities
+            in ``rows`` that ``BlockExpansion`` expands.
         block
-            Row of the block of each INSERT that is processed in arrays.
+            Row in ``Scan.block`` of the block of each INSERT that array operations place.
         """
         numbers, times = np.unique(block, return_counts=True)
         references = list(zip(map(self._key, numbers.tolist()), times.tolist(), strict=True))
@@ -420,7 +431,9 @@ class FastReader:
     def _column_segments(
         self, sheet: SheetRows, styles: I32, total: int, placed: Inserts
     ) -> Columns:
-        """Return the segments of all entities that are processed in arrays.
+        """Return the segments of all entities that are not expanded by ``BlockExpansion``.
+
+        Array operations compute these segments for all entities together.
 
         Parameters
         ----------
@@ -431,7 +444,7 @@ class FastReader:
         total
             Number of segments to return.
         placed
-            The INSERTs that are processed in arrays.
+            The INSERTs whose blocks are placed by array operations.
         """
         segments = Columns(
             np.empty((total, 2, 2)),
@@ -470,14 +483,15 @@ class FastReader:
         Parameters
         ----------
         segments
-            Segments of the entities that are processed in arrays.
+            Segments of the entities that array operations process.
         expansion
             Import report and shapes of the entities that were expanded one by one.
         segments_before, first_row
-            For each expanded entity: number of elements of ``segments`` before it, and its first
-            row in the import report of ``expansion``.
+            For each entity that was expanded: the number of elements of ``segments`` that precede
+            it in file order, and its first row in the import report of ``expansion``.
         whole_row
-            Row in the whole import report of each row of the import report of ``expansion``.
+            For each row of the import report of ``expansion``, its row in the import report of the
+            whole file.
         scale
             Millimetres per file unit, 0 while the unit is unknown.
         """

@@ -106,7 +106,10 @@ def _split_positions(data: bytes) -> list[int]:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _PartScans:
-    """The content of k parts of a file, which were scanned separately into common arrays."""
+    """The content of k parts of a file that were scanned in parallel.
+
+    Each part has its own range of rows in the arrays.
+    """
 
     supported: bool  #: whether all parts are supported
     state: I64  #: (k, STATES) state at the end of each part

@@ -25,7 +25,11 @@ from knifetip.kernels import (
 
 @inline_kernel
 def context(state: I64_1) -> Any:
-    """Return the index of the row of ``group_codes.ACTION`` that applies to the next tag."""
+    """Return the index of the row of the table ``group_codes.ACTION`` that applies to the next tag.
+
+    The table determines how the scan processes a tag.  It has one column per group code and one row
+    per context; the context is, for example, the kind of the entity that is being read.
+    """
     mode, kind = state[s.MODE], state[s.OPEN_KIND]
     if state[s.GROUP] != 0 or mode < s.IN_ENTITY:
         return g.ELSEWHERE
@@ -44,8 +48,9 @@ def mark_unsupported(entity: OutI32_2F, state: OutI64_1) -> None:
 
 @inline_kernel
 def _close(start: int, entity: OutI32_2F, state: OutI64_1) -> None:
-    """Complete the row of the entity or vertex whose tags were read; it ends before byte ``start``.
+    """Complete the entity whose tags were read, or the polyline whose vertex was read.
 
+    ``start`` is the position of the byte after the last tag; it is stored as the end of the entity.
     An entity with missing tags is marked as unsupported in ``entity``.
     """
     row, kind, seen_tags, marks = (
@@ -86,10 +91,14 @@ def begin(
 
     Parameters
     ----------
+    data
+        Bytes of the file.
     start
         Position of the line with the group code.
     low, high
         The value of the tag is ``data[low:high]``.
+    tables, state
+        The arrays into which the scan writes, and the state of the scan; both are updated.
     """
     if state[s.GROUP] == 1:
         return s.REFUSED
@@ -290,9 +299,11 @@ def _section_record(low: int, word: int, state: OutI64_1) -> int:
     Parameters
     ----------
     low
-        Position of the value of the tag.
+        Position of the keyword in the file; it is stored as the end of the section HEADER.
     word
         Number of the keyword: ``SECTION``, ``ENDSEC`` or ``EOF``.
+    state
+        State of the scan, which is updated.
     """
     if state[s.INSIDE] >= 0 or state[s.TABLE] >= 0:
         return s.REFUSED

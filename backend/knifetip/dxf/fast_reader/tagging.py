@@ -70,7 +70,7 @@ def _store_layer_tag(
     slots: OutI32_1,
     state: OutI64_1,
 ) -> int:
-    """Store a tag of the last row of the layer table in ``layer``.
+    """Store a tag of the layer that is being read, in the last used row of the array ``layer``.
 
     Returns ``ON`` if the scan continues, ``REFUSED`` if the fast reader cannot read the file.
 
@@ -153,10 +153,12 @@ def _store_block_tag(
 def _skip_group_tag(
     code: int, data: U8_1, low: int, high: int, entity: I32_2F, state: OutI64_1
 ) -> int:
-    """Check a tag of a group in braces, or of extension data of other programs, without storing it.
+    """Check a tag that the scan does not store because another program wrote it for its own use.
 
-    ``code`` is the group code of the tag and ``data[low:high]`` its value.  Returns ``ON`` if the
-    scan continues, ``REFUSED`` if the fast reader cannot read the file.
+    Such tags are in groups between the values "{…" and "}" of group code 102, or are extension data
+    with group codes from 1000 on.  ``code`` is the group code of the tag and ``data[low:high]`` its
+    value.  Returns ``ON`` if the scan continues, ``REFUSED`` if the fast reader cannot read the
+    file.
     """
     if code == 102:
         opens = high > low and data[low] == 123
@@ -190,7 +192,8 @@ def _skip_group_tag(
 def _is_handle(code: int, state: I64_1) -> bool:
     """Return whether a tag contains the handle of an object that is not an entity.
 
-    ``code`` is the group code of the tag.
+    Such handles are collected, because each handle may occur only once in a file.  ``code`` is the
+    group code of the tag, and ``state`` the state of the scan.
     """
     named = 105 if state[s.MODE] == s.IN_STYLE else 5
     # After a subclass marker the code has another meaning.
@@ -212,7 +215,10 @@ def _store_structure_tag(
     code
         Group code of the tag; its value is ``data[low:high]``.
     next_tag
-        Position of the next tag.
+        Position of the next tag; after the name of the section HEADER it is stored as the start of
+        this section.
+    tables, state
+        The arrays into which the scan writes, and the state of the scan; both are updated.
     """
     spans, slots = tables.spans, tables.slots
     mode = state[s.MODE]

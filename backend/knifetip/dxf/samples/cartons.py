@@ -57,10 +57,12 @@ def tuck_end_carton(
     ease = 0.8  # each side of the lid, so that it slides in between the side panels
 
     def lid_at(left: float, right: float, crease: float, direction: float) -> F64:
-        """Return the corners of a lid with its tuck flap, from left to right, as for ``_contour``.
+        """Return the corners of a lid with its tuck flap, from left to right, shape (6, 4).
 
-        The lid is between x = ``left`` and x = ``right``, and its crease is at y = ``crease``.
-        ``direction`` is +1 if the lid points upwards from its crease, -1 if it points downwards.
+        The columns are x, y, radius of the fillet at the corner (mm), and bulge of the side after
+        the corner.  The lid is between x = ``left`` and x = ``right``, and its crease is at
+        y = ``crease``.  ``direction`` is +1 if the lid points upwards from its crease, -1 if it
+        points downwards.
         """
         return np.array(
             [
@@ -74,12 +76,21 @@ def tuck_end_carton(
         )
 
     def dust_at(tucked: float, hinged: float, crease: float, direction: float) -> F64:
-        """Return the corners of a dust flap, as for ``_contour``.
+        """Return the corners of a dust flap, from x = ``tucked`` to x = ``hinged``, shape (6, 4).
 
-        The corners are ordered from x = ``tucked``, the side at which a tuck flap is inserted, to
-        x = ``hinged``, the side of the panel to which the lid is attached.  The crease of the dust
-        flap is at y = ``crease``.  ``direction`` is +1 if the dust flap points upwards from its
-        crease, -1 if it points downwards.
+        The columns are x, y, radius of the fillet at the corner (mm), and bulge of the side after
+        the corner.
+
+        Parameters
+        ----------
+        tucked
+            x of the side of the dust flap beside which the tuck flap of the lid is inserted.
+        hinged
+            x of the other side, which is next to the panel to which the lid is attached.
+        crease
+            y of the crease of the dust flap.
+        direction
+            +1 if the dust flap points upwards from its crease, -1 if it points downwards.
         """
         reach = (width + tuck) / 2.0
         shoulder = slit + 2.0
@@ -215,9 +226,9 @@ def rigid_box_blank(
     """Return the layers, with their paths, of a rigid box in one piece with four V-grooves.
 
     The grooves surround the base.  The board folds at the bottom of the grooves, so that the
-    distances between the grooves are the outside dimensions of the box.  The long walls have their
-    full length, and the short walls are between them; a mitre at each corner makes room for the end
-    of the short wall beside the flank of the long wall's groove.
+    distances between the grooves are the outside dimensions of the box.  The long walls have the
+    full length of the box.  The short walls fit between them: at each end, a short wall is shorter
+    by the caliper and 0.2 mm, and its outline leads to the corner of the base at 45 degrees.
 
     Parameters
     ----------
@@ -282,12 +293,13 @@ def _contour(*parts: ArrayLike) -> Paths:
 
 
 def _notch(radius: float, depth: float, lead: float) -> F64:
-    """Return the corners of a thumb notch in the edge of a panel, (4, 4), as for ``_contour``.
+    """Return the corners of a thumb notch in the edge of a panel, shape (4, 4).
 
-    The edge is the u axis, and the notch extends into the board on the left of the edge.  It is an
-    arc of radius ``radius`` that reaches ``depth`` into the board, with a fillet of radius ``lead``
-    at each side (mm).  The centre of the arc is ``radius - depth`` outside the board, so the arc
-    and a fillet touch where their direction differs from the edge by φ,
+    The columns are u along the edge and v into the board (mm), 0, and bulge of the side after the
+    corner.  The board is to the left of the edge, and the middle of the notch is at u = 0.  The
+    notch is an arc of radius ``radius`` that reaches ``depth`` into the board, with a fillet of
+    radius ``lead`` at each side (mm).  The centre of the arc is ``radius - depth`` outside the
+    board, so the arc and a fillet touch where their direction differs from the edge by φ,
     cos φ = (radius - depth + lead) / (radius + lead).
     """
     turned = math.acos((radius - depth + lead) / (radius + lead))
@@ -305,14 +317,17 @@ def _notch(radius: float, depth: float, lead: float) -> F64:
 
 
 def _sheet_corners(corners: F64, origin: tuple[float, float], axis: tuple[float, float]) -> F64:
-    """Return corners of a contour in the coordinates of the sheet.
+    """Convert corners of a contour from coordinates along an edge to the coordinates of the sheet.
+
+    The columns of ``corners`` and of the returned array, (k, 4), are the two coordinates, radius of
+    the fillet at the corner (mm), and bulge of the side after the corner.
 
     Parameters
     ----------
     corners : (k, 4)
-        Corners as for ``_contour``, with the coordinates u along an edge and v to its left.
+        Corners with the coordinates u along the edge and v to the left of the edge.
     origin, axis
-        Origin of u and v in the coordinates of the sheet, and unit vector along the edge.
+        Point u = v = 0 in the coordinates of the sheet, and unit vector along the edge.
     """
     u = np.array(axis)
     xy = origin + corners[:, :1] * u + corners[:, 1:2] * left_normal(u)
@@ -320,9 +335,11 @@ def _sheet_corners(corners: F64, origin: tuple[float, float], axis: tuple[float,
 
 
 def _four_quarters(quarter: F64) -> list[F64]:
-    """Return the corners of all four quarters of a contour that is symmetrical to the x and y axes.
+    """Return the corners of the four quarters of a contour that is symmetrical to the x and y axes.
 
-    ``quarter`` contains the corners of the first quarter.  All quarters are counter-clockwise.
+    ``quarter`` contains the corners of the quarter with positive x and y, counter-clockwise.  The
+    returned list contains this array and its three mirror images, in counter-clockwise order.  The
+    columns of an array, (k, 4), are x, y, radius of the fillet at the corner, and bulge.
     """
     backwards = quarter[::-1]
     return [
