@@ -42,9 +42,10 @@ _FAR: Final = 1e9
 
 
 class _FinalRows(NamedTuple):
-    """Rows of the k edges after cleaning and of the q stretches of the n drawn edges.
+    """Indices that relate n drawn edges, their q stretches and the k edges after cleaning.
 
-    A stretch is a part of a drawn edge that belongs to one edge after cleaning, or is debris.
+    A stretch is a part of a drawn edge that belongs to one edge after cleaning, or is debris.  A
+    row is the index of an edge in the drawn dieline or in the cleaned dieline.
     """
 
     row: I64  #: (q,) drawn edge of each stretch
@@ -254,10 +255,11 @@ def clean(dieline: Dieline) -> Cleaned:
 def _slots(state: _State, count: int) -> tuple[I64, I64]:
     """Return the cleaned row and the source row of each of the k current edges, both (k,).
 
-    The cleaned row is the row of the edge in the cleaned dieline, in which the first ``count`` rows
-    correspond to the drawn edges.  The source row is the first drawn edge of which the current edge
-    contains a part.  The cleaned row equals the source row unless another current edge has taken
-    that row; in that case it is a new row after the first ``count``.
+    The source row is the index of the first drawn edge of which the current edge contains a part.
+    The cleaned row is the index of the current edge in the cleaned dieline.  It equals the source
+    row, unless several current edges have the same source row.  Then the one nearest to the start
+    of the drawn edge gets this row, and the others get new rows from ``count`` on; ``count`` is the
+    number of drawn edges.
     """
     owned = np.flatnonzero((state.edge >= 0) & ~state.overlapping)
     order = owned[np.lexsort((state.begin[owned], state.row[owned], state.edge[owned]))]
@@ -425,7 +427,8 @@ def _deviation(
 ) -> F64:
     """Return the greatest distance of each drawn edge from its cleaned edges, (n,) mm.
 
-    The distance is measured at five points of each stretch of the drawn edge.
+    The distance is measured at five points of each stretch of the drawn edge.  It is 0 for a drawn
+    edge that is unchanged, or that became debris.
 
     Parameters
     ----------

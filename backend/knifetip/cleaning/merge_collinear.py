@@ -117,8 +117,10 @@ def _continuations(
 ) -> Any:
     """Return for each end of k edges the end of another edge with which it may be merged, (2k,).
 
-    -1 unless exactly two edges meet at the end, both edges have the same line type, and no third
-    edge ends near it.
+    The entry is -1 unless exactly two edges meet at the end, both edges have the same line type,
+    and no end of a third edge is near.  An end that is near another one is ignored if an edge
+    shorter than ``FINE`` ends at one of them, because the ends along a flattened curve are always
+    near each other.
 
     Parameters
     ----------
@@ -183,6 +185,8 @@ def _split_runs(
 ) -> Any:
     """Split runs of connected edges into groups that are each replaced by one line or one arc.
 
+    A run is a chain of edges that continue each other.
+
     Parameters
     ----------
     rows : (k, 5)
@@ -191,9 +195,10 @@ def _split_runs(
         Lengths of the edges (mm).
     order, flipped : (k,)
         Edges in the order of the runs, and whether each is traversed from its end to its start.
-        The edges of a closed run are rotated in place so that it starts at its sharpest corner.
+        In both arrays the edges of a closed run are rotated in place, so that the run starts at its
+        sharpest corner.
     first : (r + 1,)
-        Index into ``order`` of the first edge of each of r runs, and k.
+        Index into ``order`` of the first edge of each of r runs, followed by the number k.
     closed : (r,)
         Whether each run is closed.
     join, fitted, fine

@@ -39,7 +39,9 @@ _LOOKS: Final = 2048
 def find_overlapping(ends: F64, bulge: F64) -> tuple[I64, I64]:
     """Return the pairs of edges that overlap: first edge, (p,), and second edge, (p,), of p pairs.
 
-    ``ends``, (k, 2, 2) mm, and ``bulge``, (k,), describe the k edges.
+    Each pair is returned once.  To bound the time, the search for the partners of an edge ends
+    after ``_CROWD`` partners or ``_LOOKS`` examined edges, so that pairs may be missing if very
+    many edges overlap.  ``ends``, (k, 2, 2) mm, and ``bulge``, (k,), describe the k edges.
     """
     none = np.zeros(0, np.int64)
     if len(bulge) < 2:
@@ -70,10 +72,16 @@ def find_overlapping(ends: F64, bulge: F64) -> tuple[I64, I64]:
 
 @kernel
 def _frame_boxes(rows: F64_2, fan: float, max_angle: float, same: float) -> Any:
-    """Return a bounding box and its frame for each of k edges in ``rows`` (x0, y0, x1, y1, bulge).
+    """Return a thin bounding box for each of k edges, and the frame in which it is computed.
+
+    There is a fixed number of frames, each rotated by ``fan`` radians against the next.  The box of
+    a line is computed in the frame that is nearest to its direction.  All arcs share one more
+    frame, which is not rotated.
 
     Parameters
     ----------
+    rows : (k, 5)
+        Edges: x0, y0, x1, y1, bulge.
     fan
         Angle between the directions of neighbouring frames (radians).
     max_angle
@@ -84,8 +92,7 @@ def _frame_boxes(rows: F64_2, fan: float, max_angle: float, same: float) -> Any:
     Returns
     -------
     boxes : (k, 4)
-        Bounding boxes in the frames of the edges.  The frames of lines are rotated; arcs share one
-        frame that is not rotated.
+        Lower and upper corner of the bounding box of each edge, in its frame (mm).
     bucket : (k,)
         Number of the frame of each edge.
     angle, width : (k,)

@@ -181,7 +181,7 @@ def _duplicates(ends: F64, bulge: F64, kind: U8) -> I64:
 def _covered(
     rows: F64_2, e: int, piece: F64_2, p: int, length: float, same: float, out: OutF64_1
 ) -> int:
-    """Write a stretch of an edge to ``out`` and return 1 if a piece covers it, else return 0.
+    """Return 1 if a piece covers a stretch of an edge, else 0; write the stretch into ``out``.
 
     The edge is ``rows[e]`` and the piece is ``piece[p]``, both x0, y0, x1, y1, bulge.
 
@@ -190,10 +190,11 @@ def _covered(
     length
         Length of the edge (mm).
     same
-        Stretches that are not longer than this are neglected (mm).
+        A stretch that is not longer than this is neglected, and the result is 0 (mm).
     out
-        Gets start and end of the stretch (0 … 1 of the edge), the index p, and the column of
-        ``piece`` (0 or 2) with x of that end of the piece that is nearer to the edge's start.
+        The first four entries are changed if the result is 1.  They become the start and the end of
+        the stretch (0 … 1 of the edge), the index ``p``, and the column of ``piece`` (0 or 2) with
+        the x of that end of the piece that is nearer to the start of the edge.
     """
     low, high = range_of(rows, e, piece[p])
     # Ends within the tolerance are equal.
@@ -269,15 +270,16 @@ def _remove(
     same
         Length up to which stretches are neglected (mm).
     max_stretches
-        Number of stretches at which the function stops.
+        If there are more stretches than this, the function stops and returns an incomplete result,
+        which the caller must reject.
 
     Returns
     -------
     piece, owner
-        Pieces that remain (x0, y0, x1, y1, bulge), and the edge of each.
+        The m pieces that remain (x0, y0, x1, y1, bulge), (m, 5), and the edge of each, (m,).
     edge, begin, end, piece, is_foreign
-        For each stretch: its edge, start and end (0 … 1 of the edge), the piece that is coincident
-        with it, and whether this piece belongs to another edge.
+        For each of q stretches, (q,): its edge, its start and end (0 … 1 of the edge), the index of
+        the piece that is coincident with it, and whether this piece belongs to another edge.
     """
     count = len(rows)
     piece = np.empty((count + 64, 5))

@@ -57,10 +57,10 @@ def turn_angles(paths: Paths, side: int) -> F64:
 
 
 def d_type_shape(turn: F64, radius: float, k: F64) -> tuple[F64, F64]:
-    """Return the length l of each line and the radius r′ of the arc of D corners, (n,) mm each.
+    """Return the length l of each line and the radius r′ of the arc of n D corners, (n,) mm each.
 
-    l = k r tan(φ/2) up to 90°, k (L_C − L_B) / (2 − φ cot(φ/2)) beyond, with L_B and L_C the path
-    lengths of types B and C; r′ = r − l cot(φ/2).
+    For turns φ ≤ 90°, l = k r tan(φ/2); for greater turns, l = k (L_C − L_B) / (2 − φ cot(φ/2)),
+    with L_B and L_C the path lengths of types B and C.  In both cases r′ = r − l cot(φ/2).
 
     Parameters
     ----------
@@ -92,8 +92,8 @@ def b_type_length(turn: F64, radius: float) -> F64:
 def c_type_length(turn: F64, radius: float) -> F64:
     """Return the path length L_C of n corners of type C, (n,) mm.
 
-    L_C = 2 r tan(φ/2) up to 90°, 2 r (1 + sin(φ/2) − cos(φ/2)) beyond.  ``turn`` (n,) is the angle
-    φ of each corner in radians, and ``radius`` r is the cutter's (mm).
+    L_C = 2 r tan(φ/2) for turns φ ≤ 90°, and 2 r (1 + sin(φ/2) − cos(φ/2)) for greater turns.
+    ``turn`` (n,) is the angle φ of each corner in radians, and ``radius`` r is the cutter's (mm).
     """
     half = turn / 2.0
     wide = turn > _RIGHT_ANGLE
@@ -205,11 +205,14 @@ def _arc_speed(radius: F64, feed: float, acceleration: float) -> F64:
 def select_corner_types(operation: Operation) -> tuple[U8, F64]:
     """Return the type and the parameter k of the corner at the start of each segment, both (n,).
 
-    The operation sets type B, C or D for all corners, or "auto".  "auto" selects the type with the
-    shortest duration, and B only if the cutter touches the corner for at most the cutter's
-    ``dwell`` (s).  It limits the k of the operation so that type D keeps the feed if possible: k ≤
-    1 − v² / (a r) with feed v, acceleration a and cutter radius r, so that the arc's radius is at
-    least v² / a up to 90°.
+    The operation sets type B, C, D or "auto" for all corners, and may set another one for single
+    corners.  "auto" selects the type with the shortest duration, and B only if the cutter touches
+    the corner for at most the cutter's ``dwell`` (s).
+
+    For "auto" corners, the k of the operation is reduced to at most 1 − v² / (a r), with feed v,
+    acceleration a and cutter radius r.  In turns of up to 90° the arc of type D then has a radius
+    of at least v² / a, so that the cutter need not slow down.  The limit is not used if it is too
+    small, or for a k that is set for a single corner.
 
     Raises
     ------

@@ -34,7 +34,8 @@ def half_contact_length(depth: F64, wheel: CreaseWheel) -> F64:
 def depth_at_contact(half_length: F64, wheel: CreaseWheel) -> F64:
     """Return the depths at which a wheel touches the board over given lengths, (n,) mm.
 
-    ``half_length`` (n,) mm is half the length of each contact.
+    δ = R − √(R² − s²) with R the radius of the wheel and s = ``half_length`` (n,), half the length
+    of each contact in mm.
     """
     reach = np.clip(half_length, 0.0, wheel.radius)
     result: F64 = wheel.radius - np.sqrt(wheel.radius**2 - reach**2)

@@ -39,7 +39,8 @@ FIT_TOLERANCE: Final = 0.0005
 def deflection_at(tangent: F64, side: int, x: float, y: float) -> F64:
     """Return the deflection of a cutter, (n, 2) mm, at points of contours with given tangents.
 
-    Δ = σ (−δx sin a, δy cos a): "Tool radius compensation", eqs 6–9; eq 9 prints ΔXmax for ΔYmax.
+    Δ = σ (−δx sin a, δy cos a): "Tool radius compensation", eqs 6–9, where ΔXmax in eq 9 is a
+    misprint for ΔYmax.
 
     Parameters
     ----------
@@ -136,7 +137,8 @@ def shift_centres(
 
     Valid for corner types B, C and D: only the direction of travel of the centre matters, which is
     the direction of the contour wherever the cutter touches it.  At jumps of direction (a bend of
-    type C, an inside corner), neighbours are extended or trimmed to their intersection.
+    type C, an inside corner), the neighbouring segments are extended or trimmed to their
+    intersection.
 
     Parameters
     ----------
@@ -154,7 +156,7 @@ def shift_centres(
     paths : Paths
         Shifted paths with m segments.
     rows : (m,)
-        Input segment that each segment comes from.
+        For each shifted segment, the index of the segment of the given ``paths`` that was shifted.
 
     Raises
     ------
@@ -222,9 +224,10 @@ class _ShiftedSegments:
         return result
 
     def slope(self, row: I32, t: F64) -> F64:
-        """Return the derivative by t at one point of each of m segments, (m, 2).
+        """Return the tangent at one point of each of m segments, (m, 2).
 
-        ``row`` (m,) are the indices of the segments, and ``t`` (m,) is the parameter of the point.
+        The tangent is the derivative of the point with respect to its parameter.  ``row`` (m,) are
+        the indices of the segments, and ``t`` (m,) is the parameter of the point.
         """
         turned = self.half[row] * np.column_stack([-np.sin(t), np.cos(t)])
         result: F64 = np.where(self.curved[row, None], turned, self.ahead[row])
@@ -233,8 +236,13 @@ class _ShiftedSegments:
     def intersect_neighbours(self, paths: Paths) -> tuple[F64, F64]:
         """Return the parameters at which each of n shifted segments starts and ends, (n,) each.
 
-        ``paths`` are the segments before the shift.  Where their direction jumps, two neighbouring
-        shifted segments end at their intersection.
+        ``paths`` are the segments before the shift.  If the direction jumps from one segment of a
+        path to the next, the two shifted segments end and start at their intersection.
+
+        Raises
+        ------
+        CompensationError
+            Two neighbouring segments do not intersect, or nothing remains of a segment.
         """
         low, high = self.low.copy(), self.high.copy()
         ahead, arriving = arc.tangents(paths.start, paths.end, paths.bulge)

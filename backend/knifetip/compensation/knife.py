@@ -95,9 +95,15 @@ def _adjust_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
     paths : Paths
         Paths with n segments, including lead-ins and lead-outs.
     rows : (n,)
-        Segment of the operation that each segment comes from.
+        For each returned segment, the segment of the operation of which it is a part, or that it
+        extends or touches.
     motion : (n,)
         ``Motion`` of each segment: LEAD_IN, FEED or LEAD_OUT.
+
+    Raises
+    ------
+    EdgeTooShort
+        A path that ends inside a panel or at a bridge is not longer than the lead of the blade.
     """
     paths, finish = operation.paths, operation.finish
     last = paths.first[1:] - 1
@@ -149,16 +155,17 @@ def _adjust_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
 
 
 def _repeated_starts(paths: Paths, size: F64) -> tuple[Paths, I32]:
-    """Return the first part of each of p paths, which a closed path passes a second time.
+    """Return the first part of each of p paths, which the knife cuts once more at the end.
 
-    ``size`` (p,) is the length of this part for each path (mm).  Also returns, for each returned
-    segment, the segment of ``paths`` of which it is a part.
+    In this way the knife runs past the start of a closed path.  ``size`` (p,) is the
+    length of the part for each path (mm), 0 for none.  Also returns, for each returned segment, the
+    segment of ``paths`` of which it is a part.
     """
     return trim_ends(paths, np.zeros(len(paths)), np.maximum(paths.lengths - size, 0.0))
 
 
 def _extensions(paths: Paths, size: F64) -> tuple[Paths, I32]:
-    """Return straight extensions of paths beyond their ends.
+    """Return straight extensions of p paths beyond the ends at which the paths finish.
 
     ``size`` (p,) is the length of the extension of each path (mm), 0 for no extension.  Also
     returns, for each extension, the segment of ``paths`` that it continues.
@@ -176,18 +183,22 @@ def _quarter_circles(
 ) -> tuple[Paths, I32]:
     """Return quarter circles by which the knife enters or leaves p closed paths.
 
-    Also returns for each quarter circle the segment that it touches.
+    Returns p paths, of which those with length 0 are empty.  Also returns, for each quarter circle,
+    the segment of ``paths`` that it touches.
 
     Parameters
     ----------
+    paths
+        The closed paths.
     size : (p,) mm
         Length of each quarter circle; 0 for none.
     overrun : (p,) mm
-        Length by which the paths run past their start before the blade leaves.
+        Length by which the knife runs past the start of each path before it leaves the path.
     side
         Side of the waste: +1 left of travel, -1 right.
     entering
-        True for quarter circles before the start, False for quarter circles after the end.
+        True for quarter circles that end at the start of a path, False for quarter circles by which
+        the knife leaves it.
     """
     which = np.flatnonzero(size > 0.0).astype(np.int32)
     some, kept = select_paths(paths, which)

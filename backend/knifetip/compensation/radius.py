@@ -55,13 +55,14 @@ def centre_paths(operation: Operation) -> CentrePaths:
 
     The unreachable areas are those beside the contours that the cutter cannot cut away.  Closed
     centre paths keep the cutter out of all other closed paths of the operation.  Each closed centre
-    path starts in the middle of its longest line.
+    path starts in the middle of its longest line, or of its longest arc if it has no line.
 
     Raises
     ------
     CompensationError
-        The cutter does not fit into a contour, or would cut into a contour while interference is
-        refused, or the corner type, its k or the deflection is invalid.
+        The cutter does not fit into a contour.  Or there are areas that it cannot reach without
+        cutting into a contour, and the operation refuses them (``interference`` is "refuse").  Or
+        the corner type, its parameter k or the deflection is invalid.
     """
     cutter = operation.tool
     assert isinstance(cutter, DiscTool)
@@ -114,10 +115,11 @@ def set_up_offset(
 ) -> tuple[F64, F64, F64]:
     """Return the moves that set up the offset on a straight lead-in before each of m contours.
 
-    If the path turns towards the tool's side or not at all, the centre moves straight to the
-    perpendicular at the contour's start (type A).  If it turns away, the centre moves parallel to
-    the lead-in to the perpendicular at the end of the lead-in, then around the outside on an arc
-    (type B).  Cancelling is the mirror image: set up the reversed contour and reverse the result.
+    The centre of the cutter must arrive at the distance r, its radius, beside the start of the
+    contour.  Type A: if the path turns from the lead-in towards the tool's side or not at all, the
+    centre moves straight to that point.  Type B: if the path turns away from the tool's side, the
+    centre moves parallel to the lead-in at the distance r, and then on an arc around the start of
+    the contour.  To cancel the offset, set it up for the reversed contour and reverse the result.
 
     Parameters
     ----------
@@ -140,7 +142,8 @@ def set_up_offset(
     from, to : (m, 2) mm
         Position of the centre at the start and at the end of the straight lead-in.
     bulge : (m,)
-        Bulge of the arc from ``to`` to the perpendicular at the contour's start; 0 for type A.
+        Bulge of the arc from ``to`` to the point beside the contour's start; 0 for type A, in which
+        ``to`` is that point.
     """
     normal = side * left_normal(ahead)
     cos, sin = np.cos(np.radians(approach)), np.sin(np.radians(approach))
@@ -220,10 +223,16 @@ def radius_toolpath(operation: Operation) -> Toolpath:
 def _add_bridge_gaps(
     operation: Operation, cutter: DiscTool, centre: CentrePaths
 ) -> tuple[CentrePaths, Bool]:
-    """Return the centre paths with gaps at bridges, and the mask of paths that have gaps, (q,).
+    """Return the centre paths with gaps at bridges, and the mask of the returned paths beside which
+    there is a bridge.
 
     A gap is longer than the width of its bridge by the diameter of the cutter, so that the bridge
     remains between two positions of the disc.
+
+    Raises
+    ------
+    CompensationError
+        No centre path runs beside a bridge.
     """
     if len(operation.bridges) == 0:
         return centre, np.zeros(len(centre.paths), np.bool_)
@@ -271,14 +280,15 @@ def _add_leads(
     """Return the centre paths with lead-ins and lead-outs.
 
     Paths with bridges, marked by ``bridged``, get no leads, since a lead-in would make the bridge
-    narrower.
+    narrower.  Nothing is added to an operation without a side, which is milled on its centre line.
 
     Returns
     -------
     paths : Paths
         Paths with n segments, including leads.
     segment : (n,)
-        Segment of the operation that each segment comes from.
+        For each returned segment, the segment of the operation beside which it runs; for a lead,
+        the segment of the operation at which it starts or ends.
     motion : (n,)
         ``Motion`` of each segment: LEAD_IN, FEED or LEAD_OUT.
     """

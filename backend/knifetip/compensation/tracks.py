@@ -1,6 +1,7 @@
 """tracks: create the moves of tracks: plunge, feed, swivel and lift.
 
-An engine computes the poses of the head at both ends of every segment; this module creates the
+A track is a path that a tool follows without lifting.  The compensation of each kind of tool
+computes the poses of the head at both ends of every segment of a track; this module creates the
 moves of all segments at once.
 """
 
@@ -150,10 +151,21 @@ def _write_moves(
 
     Parameters
     ----------
-    start, end, bulge, above_start, above_end, down, up, track, source, swing, motion
-        Columns of ``Strokes``.
+    start, end : (n, 4) x y z in mm, c in degrees
+        Poses of the head at the start and the end of each stroke.
+    bulge, motion : (n,)
+        Bulge of the path of the head along each stroke, and the ``Motion`` of its feed move.
+    above_start, above_end : (n, 4)
+        Poses above the board, from which the tool plunges and to which it is lifted.
+    down, up : (n,)
+        Whether the tool plunges before each stroke, and whether it is lifted after it.
+    track, source : (n,)
+        Number of the track, and row of the edge in the dieline.
+    swing : (n,)
+        Bulge of the path of the head while the tool turns in the board before the stroke.
     feed, plunge, swivel
-        Feeds for moves along a path, for plunges and lifts, and for swivels (mm/min).
+        Feeds for moves along a path and for plunges and lifts (mm/min), and for swivels
+        (degrees/min).
 
     Returns
     -------

@@ -48,10 +48,12 @@ def head_offset(start: F64, end: F64, cutter: VCutter) -> F64:
     ZeroLengthEdge
         An edge shorter than ``tolerance.POINT`` has no azimuth.
 
-    Notes ----- Source: Yang, Du, Shu & Qian, "Study on tool compensation of NC carton samplemaker",
-    eqs 4.2 a and b.  With A and B the ends of an edge, points 1 to 4 of the paper's figure 3 are A
-    + Δ, B + Δ, B - Δ, A - Δ.  In the paper's text r is half the width, in its listing the width
-    (hence ``0.5*r``); here it is half the width.
+    Notes
+    -----
+    Source: Yang, Du, Shu & Qian, "Study on tool compensation of NC carton samplemaker", eqs 4.2 a
+    and b.  With A and B the ends of an edge, points 1 to 4 of the paper's figure 3 are A + Δ,
+    B + Δ, B - Δ, A - Δ.  In the paper's text r is half the width, in its listing the width (hence
+    ``0.5*r``); here it is half the width.
 
     Examples
     --------
@@ -194,19 +196,22 @@ def _write_passes(
     caliper: float,
     clearance: float,
 ) -> Any:
-    """Return the columns of strokes, ordered by path, then by depth, then first and second pass.
+    """Return the columns of the strokes of V-grooves, one stroke per segment and pass.
 
-    The head turns by half a turn between the two passes and back again, so C does not accumulate.
+    The strokes are ordered by path, then by depth; at each depth the first pass is followed by the
+    second pass, in which the head runs back.  The head turns by half a turn between the two passes
+    and back again, so C does not accumulate.
 
     Parameters
     ----------
     first
-        First segment of each path.
+        Index of the first segment of each path, and at the end the number n of segments.
     start, end : (n, 2) mm
         Positions of the tip at the start and at the end of each segment.
-    offset, sideways : (n, 2) mm and (n, 2)
-        Position of the head relative to the tip in the first pass, and the sideways movement of the
-        head per mm of rise.
+    offset : (n, 2) mm
+        Position of the head relative to the tip in the first pass.
+    sideways : (n, 2)
+        Sideways movement of the head per mm by which the tip rises (mm/mm).
     heading : (n,) degrees
         Heading C of the head in the first pass.
     depth : (n, k) mm
@@ -218,8 +223,10 @@ def _write_passes(
 
     Returns
     -------
-    start, end, above_start, above_end, down, up, track, source : (m, 4) each, then (m,) each
-        Columns of m strokes, as in ``Strokes``.
+    start, end, above_start, above_end : (m, 4) each
+        Poses of the head at both ends of each of m = 2 n k strokes, in the board and above it.
+    down, up, track, source : (m,) each
+        Whether the tool plunges before and lifts after the stroke, its track and its edge.
     """
     passes = depth.shape[1]
     rows = 2 * passes * len(source)

@@ -1,8 +1,9 @@
 """duration: estimate the time that the machine takes for each row of a toolpath.
 
-Every move has a trapezoidal speed profile within the limits of all axes.  Look-ahead keeps the
-speed at tangent joints and stops the head at corners.  The dwells in which pistons and the
-oscillation settle are included, and so are the halts of the controller (see ``timing``).
+A row is one move.  Every move has a trapezoidal speed profile within the limits of all axes.
+Look-ahead keeps the speed at tangent joints and stops the head at corners.  Also included are the
+dwells after a piston or the oscillation of a tool is switched, and the times for which the
+controller halts between moves (``timing``).
 
 As in grblHAL, the length of a move is computed from all four axes, with mm and degrees added alike.
 The speed is limited for each axis separately, so the time of a move does not depend on this
@@ -35,7 +36,7 @@ def duration(toolpath: Toolpath, machine: Machine) -> float:
 
 
 def durations(toolpath: Toolpath, machine: Machine) -> F64:
-    """Return the time of each of the n rows of a toolpath, (n,) s.
+    """Return the time of each of the n rows of a toolpath, (n,) s; a row is one move.
 
     The time of a station change is added to the first row of the new station, and the time of a
     halt to the row before the halt.
@@ -50,14 +51,18 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
 
     Notes
     -----
-    For a row, Δᵢ is the travel of axis i, L² = ΣΔᵢ², and t the time at the programmed feed::
+    Let Δᵢ be the travel of axis i in a row, vᵢ and aᵢ the greatest velocity and acceleration of the
+    axis, L the length of the row with L² = ΣΔᵢ², and t its time at the programmed feed.  The
+    velocity v and the acceleration a along the row are limited to::
 
         v = min(L / t, vᵢ L / Δᵢ)      a = min aᵢ L / Δᵢ
 
-    On an arc, Δx and Δy are the length of the arc, and v² ≤ a R limits the centripetal
-    acceleration, with the radius R.  At a joint the velocity of axis i jumps by at most aᵢ ·
-    ``JOLT``.  The times agree within 2 % with those of the simulated table.  LinuxCNC took
-    12 to 21 % longer for the sample programs, because its blending of moves is not modelled.
+    On an arc of radius R, Δx and Δy are both the length of the arc, which counts once in L, and
+    v² ≤ a R limits the centripetal acceleration.  At a joint of two rows the velocity of axis i
+    jumps by at most aᵢ · ``JOLT``.
+
+    The times agree within 2 % with those of the simulated table.  LinuxCNC took 12 to 21 % longer
+    for the sample programs, because its blending of moves is not modelled.
     """
     if len(toolpath) == 0:
         return np.zeros(0)
@@ -106,11 +111,10 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
 
 
 def _beam_switching(toolpath: Toolpath, machine: Machine) -> tuple[Bool, F64]:
-    """Return the mask of the rows at whose start a beam is switched on or off, and the piercing
-    times.
+    """Return the mask of the rows at whose start a laser beam is switched, and the piercing times.
 
-    Both arrays have one entry per row of the toolpath, (n,).  The piercing time (s) is 0 unless the
-    beam is switched on at the start of the row.
+    Both arrays have one entry per row of the toolpath, (n,).  The piercing time (s) is the time for
+    which the laser rests at the start of a cut; it is 0 unless the beam is switched on there.
     """
     beams = np.zeros(256, np.bool_)
     pierce = np.zeros(256)

@@ -1,9 +1,10 @@
 """improve: shorten a tour of tracks by local search.
 
-The tour is changed by 2-opt (reverse a section of the tour) and Or-opt (move a section) until
-neither of them improves it.  Then two neighbouring sections of the tour, chosen at random, are
-swapped again and again.  Each swap is followed by the same local search, and undone if the tour is
-not shorter.
+A track is a path that a tool follows without lifting; a tour is an order of all tracks, each with
+its direction.  The tour is changed by 2-opt (reverse a section of the tour) and Or-opt (move a
+section) until neither of them improves it.  Then two neighbouring sections of the tour, chosen at
+random, are swapped again and again.  Each swap is followed by the same local search, and undone if
+the tour is not shorter.
 
 A track is run forwards (side 0) or backwards (side 1).  ``improve_tour`` describes the arrays that
 most functions of this module take.
@@ -42,15 +43,20 @@ def _travel_time(
 ) -> float:
     """Return the time of the air move from the end of one track to the start of another track (s).
 
+    It is the time of the slowest of the axes X, Y and C; C turns by the smaller angle.
+
     Parameters
     ----------
     before, after
-        Numbers of the two tracks.
+        Numbers of the two tracks; the move leads from ``before`` to ``after``.
     side_before, side_after
         0 for a track that is run forwards, 1 for a track that is run backwards.
-    ends, rates
-        Poses of the head at the ends of the tracks, and speed data of the axes; see
-        ``improve_tour``.
+    ends : (2, 2, t + 1, 3)
+        ``ends[s, e, i]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
+        the end (e = 1) of track i, if it is run forwards (s = 0) or backwards (s = 1).
+    rates : (4, 4)
+        Velocities and accelerations of X, Y and C, and the period of C, in the form that
+        ``improve_tour`` documents.
     """
     x = abs(ends[side_after, 0, after, 0] - ends[side_before, 1, before, 0])
     y = abs(ends[side_after, 0, after, 1] - ends[side_before, 1, before, 1])
@@ -88,9 +94,15 @@ def _link_time(
         ``after``.
     flip_before, flip_after
         1 if the track is to be run in the direction opposite to its entry in ``side``, else 0.
-    tour, side, ends, rates
-        Tracks in their order, their directions, the poses of the head at the ends of the tracks,
-        and speed data of the axes; see ``improve_tour``.
+    tour, side : (t + 1,) and (t + 1,)
+        Track at each position of the tour, with the origin (number t, the pose of the head before
+        the first track) at position 0; and 1 if the track at the position is run backwards, else 0.
+    ends : (2, 2, t + 1, 3)
+        ``ends[s, e, i]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
+        the end (e = 1) of track i, if it is run forwards (s = 0) or backwards (s = 1).
+    rates : (4, 4)
+        Velocities and accelerations of X, Y and C, and the period of C, in the form that
+        ``improve_tour`` documents.
     """
     if after >= len(tour):
         return 0.0
@@ -105,8 +117,8 @@ def _inner_change(
 ) -> float:
     """Return the increase of the time inside a section of the tour if the section is reversed (s).
 
-    The time is the sum of the air moves between the tracks of the section.  If ``flip`` is 1, it
-    does not change, and the result is 0.
+    The time is the sum of the air moves between the tracks of the section.  If ``flip`` is 1, the
+    same moves are made in the opposite direction, in the same time, and the result is 0.
 
     Parameters
     ----------
@@ -114,9 +126,15 @@ def _inner_change(
         First and last position of the section in the tour.
     flip
         1 if each track of the section is also run in its other direction, else 0.
-    tour, side, ends, rates
-        Tracks in their order, their directions, the poses of the head at the ends of the tracks,
-        and speed data of the axes; see ``improve_tour``.
+    tour, side : (t + 1,) and (t + 1,)
+        Track at each position of the tour, with the origin (number t, the pose of the head before
+        the first track) at position 0; and 1 if the track at the position is run backwards, else 0.
+    ends : (2, 2, t + 1, 3)
+        ``ends[s, e, i]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
+        the end (e = 1) of track i, if it is run forwards (s = 0) or backwards (s = 1).
+    rates : (4, 4)
+        Velocities and accelerations of X, Y and C, and the period of C, in the form that
+        ``improve_tour`` documents.
     """
     if flip:
         return 0.0
@@ -133,9 +151,11 @@ def _reversal_change(
 ) -> float:
     """Return the increase of the time of the tour if a section of it is reversed (s).
 
-    The section cannot be reversed if it contains the origin, or if ``flip`` is 0 and it is longer
-    than ``_LONGEST_SECTION``; the result is 0 then.  If the two air moves at its ends do not become
-    shorter in total, only these two are counted, not the air moves inside it.
+    If the section must not be reversed, the result is 0.  That is the case if the section contains
+    the origin (position 0), or if it is longer than ``_LONGEST_SECTION`` and ``flip`` is 0.
+
+    If the two air moves at the ends of the section do not become shorter in total, the air moves
+    inside it are not counted: they hardly ever make up for this.
 
     Parameters
     ----------
@@ -143,9 +163,15 @@ def _reversal_change(
         First and last position of the section in the tour.
     flip
         1 if each track of the section is also run in its other direction, else 0.
-    tour, side, ends, rates
-        Tracks in their order, their directions, the poses of the head at the ends of the tracks,
-        and speed data of the axes; see ``improve_tour``.
+    tour, side : (t + 1,) and (t + 1,)
+        Track at each position of the tour, with the origin (number t, the pose of the head before
+        the first track) at position 0; and 1 if the track at the position is run backwards, else 0.
+    ends : (2, 2, t + 1, 3)
+        ``ends[s, e, i]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
+        the end (e = 1) of track i, if it is run forwards (s = 0) or backwards (s = 1).
+    rates : (4, 4)
+        Velocities and accelerations of X, Y and C, and the period of C, in the form that
+        ``improve_tour`` documents.
     """
     if first < 1 or (not flip and last - first > _LONGEST_SECTION):
         return 0.0
@@ -166,15 +192,22 @@ def _removal_gain(
 ) -> float:
     """Return the time saved if a section of the tour is removed (s).
 
-    The result is 0 if the section contains the origin or reaches beyond the end of the tour.
+    The result is 0 if the section contains the origin (position 0) or reaches beyond the end of the
+    tour.
 
     Parameters
     ----------
     first, last
         First and last position of the section in the tour.
-    tour, side, ends, rates
-        Tracks in their order, their directions, the poses of the head at the ends of the tracks,
-        and speed data of the axes; see ``improve_tour``.
+    tour, side : (t + 1,) and (t + 1,)
+        Track at each position of the tour, with the origin (number t, the pose of the head before
+        the first track) at position 0; and 1 if the track at the position is run backwards, else 0.
+    ends : (2, 2, t + 1, 3)
+        ``ends[s, e, i]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
+        the end (e = 1) of track i, if it is run forwards (s = 0) or backwards (s = 1).
+    rates : (4, 4)
+        Velocities and accelerations of X, Y and C, and the period of C, in the form that
+        ``improve_tour`` documents.
     """
     if first < 1 or last >= len(tour):
         return 0.0
@@ -240,13 +273,23 @@ def _improve_track(
     ----------
     track
         The track at which the changed section starts or ends.
-    tour, side
-        Tracks in their order, and their directions; both are changed in place.
-    position
-        Position of each track in the tour; it is updated.
-    ends, rates, reversal, near, least_time
-        Poses of the head at the ends of the tracks, speed data of the axes, permitted directions of
-        tracks, neighbours of each track, and least times to these; see ``improve_tour``.
+    tour, side : (t + 1,) and (t + 1,)
+        Track at each position of the tour, with the origin (number t, the pose of the head before
+        the first track) at position 0; and 1 if the track at the position is run backwards, else 0.
+        Both are changed in place.
+    position : (t + 1,)
+        Position of each track in the tour; updated in place.
+    ends : (2, 2, t + 1, 3)
+        ``ends[s, e, i]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
+        the end (e = 1) of track i, if it is run forwards (s = 0) or backwards (s = 1).
+    rates : (4, 4)
+        Velocities and accelerations of X, Y and C, and the period of C, in the form that
+        ``improve_tour`` documents.
+    reversal
+        ``Reversal``: the ends of a track at which the tool may start.
+    near, least_time : (t, k) and (t, k)
+        k neighbours of each track, nearest first, and lower bounds of the times of the air moves to
+        them (s).
     """
     last = len(tour) - 1
     symmetric = 1 if reversal == 1 else 0
@@ -336,23 +379,35 @@ def _improve_queued(
     """Improve the tour in place at the queued tracks, and at the tracks next to each change.
 
     The search ends when no further change shortens the tour, or after ``limit`` changes.  Returns
-    the total change of the tour's time (s), and the first and last position that changed.
+    the total change of the tour's time (s), and the first and last position that changed; the first
+    position is greater than the last one if there was no change.
 
     Parameters
     ----------
     queue, waiting
-        Tracks in a circular queue, and whether each track is in the queue.
+        Tracks in a circular queue, and whether each track is in the queue; both are changed in
+        place.
     front, size
         Index of the first track in ``queue``, and the number of tracks that are in the queue.
     limit
         Greatest number of changes.
-    tour, side
-        Tracks in their order, and their directions; both are changed in place.
-    position
-        Position of each track in the tour; it is updated.
-    ends, rates, reversal, near, least_time
-        Poses of the head at the ends of the tracks, speed data of the axes, permitted directions of
-        tracks, neighbours of each track, and least times to these; see ``improve_tour``.
+    tour, side : (t + 1,) and (t + 1,)
+        Track at each position of the tour, with the origin (number t, the pose of the head before
+        the first track) at position 0; and 1 if the track at the position is run backwards, else 0.
+        Both are changed in place.
+    position : (t + 1,)
+        Position of each track in the tour; updated in place.
+    ends : (2, 2, t + 1, 3)
+        ``ends[s, e, i]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
+        the end (e = 1) of track i, if it is run forwards (s = 0) or backwards (s = 1).
+    rates : (4, 4)
+        Velocities and accelerations of X, Y and C, and the period of C, in the form that
+        ``improve_tour`` documents.
+    reversal
+        ``Reversal``: the ends of a track at which the tool may start.
+    near, least_time : (t, k) and (t, k)
+        k neighbours of each track, nearest first, and lower bounds of the times of the air moves to
+        them (s).
     """
     count = len(queue)
     gained = 0.0
@@ -422,9 +477,15 @@ def _swap_change(
     first, middle, last
         The first section contains the positions ``first`` to ``middle - 1`` of the tour, the second
         the positions ``middle`` to ``last``.  Neither of them contains the origin.
-    tour, side, ends, rates
-        Tracks in their order, their directions, the poses of the head at the ends of the tracks,
-        and speed data of the axes; see ``improve_tour``.
+    tour, side : (t + 1,) and (t + 1,)
+        Track at each position of the tour, with the origin (number t, the pose of the head before
+        the first track) at position 0; and 1 if the track at the position is run backwards, else 0.
+    ends : (2, 2, t + 1, 3)
+        ``ends[s, e, i]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
+        the end (e = 1) of track i, if it is run forwards (s = 0) or backwards (s = 1).
+    rates : (4, 4)
+        Velocities and accelerations of X, Y and C, and the period of C, in the form that
+        ``improve_tour`` documents.
     """
     change = (
         _link_time(first - 1, 0, middle, 0, tour, side, ends, rates)
@@ -454,15 +515,18 @@ def improve_tour(
     Parameters
     ----------
     tour, side : (t + 1,) and (t + 1,)
-        ``tour`` contains the tracks in their order, with the origin (number t) first.  ``side`` is
-        0 at each position of the tour whose track is run forwards, and 1 if it is run backwards.
+        Track at each position of the tour, with the origin (number t, the pose of the head before
+        the first track) at position 0; and 1 if the track at the position is run backwards, else 0.
+        Both are changed in place.
     ends : (2, 2, t + 1, 3)
-        Poses of the head, x and y in mm and c in degrees.  Axis 0 is the side (0 or 1), axis 1 is
-        the start (0) or the end (1) of the track, and axis 2 is the track or the origin.
+        ``ends[s, e, i]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
+        the end (e = 1) of track i, if it is run forwards (s = 0) or backwards (s = 1).
+        The origin starts and ends in the same pose.
     rates : (4, 4)
-        Rows 0 to 2 are X, Y and C, with velocity v and acceleration a.  The columns are the
-        shortest distance on which the axis reaches v, 4/a, 1/v and v/a.  Entry (3, 0) is the period
-        of C (degrees).
+        Rows 0, 1 and 2 belong to X, Y and C.  For an axis with velocity v and acceleration a, the
+        four entries of its row are v² / a (the shortest distance on which the axis reaches v),
+        4 / a, 1 / v and v / a.  Of row 3 only the first entry is used: the period of C (degrees),
+        which is the rotation after which the tool is the same.
     reversal : int
         ``Reversal``: the ends of a track at which the tool may start.
     near, least_time : (t, k) and (t, k)

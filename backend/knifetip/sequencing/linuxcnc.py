@@ -20,11 +20,12 @@ BLENDED: Final = 0.005
 def halts(toolpath: Toolpath, travel: F64, seconds: F64, machine: Machine) -> F64:
     """Return the time for which LinuxCNC halts after each of n rows of a toolpath, (n,) s.
 
-    At a joint where the turn of C per mm changes by Δκ, the trajectory planner of LinuxCNC overlaps
-    the two rows for a time t, in which the slower axis changes its speed.  The tip then deviates by
-    Δκ (v t)² / 2, where v is the faster of the two feeds (ADR 0008).  The program halts if this
-    deviation is more than ``BLENDED`` and neither row is a rapid.  It also halts between a turn in
-    place and another move, unless both are rapids.
+    A row is one move.  In it the head turns by κ radians per mm of travel.  At a joint of two rows
+    where κ changes by Δκ, the trajectory planner of LinuxCNC overlaps the two rows for the time t
+    that the axes need to change their speeds.  The tip then deviates by Δκ (v t)² / 2, where v is
+    the faster of the two feeds (ADR 0008).  The program halts if this deviation is more than
+    ``BLENDED`` and neither row is a rapid.  It also halts between a turn without travel and a row
+    with travel, unless both are rapids.
 
     Parameters
     ----------

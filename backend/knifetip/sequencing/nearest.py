@@ -35,14 +35,15 @@ def nearest_neighbour(start: F64, end: F64, origin: F64) -> I32:
 def nearest_walk(start: F64, end: F64, origin: F64, count: int) -> Any:
     """Return a nearest-neighbour tour: ``count`` tracks in their order, each in its best direction.
 
-    The result, (count,), contains one candidate of each track: i for track i run forwards, or
-    i + ``count`` for track i run backwards.
+    The result, (count,), contains every track once: as i if track i is run forwards, or as
+    i + ``count`` if it is run backwards.
 
     Parameters
     ----------
     start, end : (count, 2) or (2 count, 2) mm
-        Positions of the head at the start and the end of each candidate; with ``count`` rows all
-        tracks are run forwards.
+        Positions of the head at the start and the end of the tracks.  Row i is track i run
+        forwards, and row i + ``count`` is track i run backwards.  If there are only ``count`` rows,
+        all tracks are run forwards.
     origin : (2,) mm
         Position of the head before the first track.
     """
@@ -74,15 +75,16 @@ def _search_rings(
     """Return a nearest-neighbour tour, (count,); the next track is searched in growing rings round
     the head.
 
-    The entries are candidates: i is track i run forwards, and i + ``count`` is track i run
-    backwards.  The candidates are listed in the cells of a grid.  When a candidate is chosen, all
-    candidates of its track are removed from the grid.
+    The tour consists of candidates: candidate i is track i run forwards, and candidate
+    i + ``count`` is track i run backwards.  The candidates are listed in the cells of a grid by
+    their start points.  When a candidate is chosen, all candidates of its track are removed from
+    the grid.
 
     Parameters
     ----------
     start, end : (count, 2) or (2 count, 2) mm
-        Positions of the head at the start and the end of each candidate; with ``count`` rows all
-        tracks are run forwards.
+        Positions of the head at the start and the end of each candidate.  If there are only
+        ``count`` rows, all tracks are run forwards.
     origin : (2,) mm
         Position of the head before the first track.
     low, size : (2,) and (2,) mm
@@ -90,8 +92,8 @@ def _search_rings(
     side
         Number of columns of the grid, equal to its number of rows.
     listed, first, key
-        Candidates sorted by cell, index in ``listed`` of the first candidate of each cell, and cell
-        of each candidate.
+        Candidates sorted by cell, which is changed in place; index in ``listed`` of the first
+        candidate of each cell; and cell of each candidate.
     count
         Number of tracks.
     """

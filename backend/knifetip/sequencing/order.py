@@ -1,9 +1,9 @@
 """order: choose the order of the tracks, and the end at which each track starts.
 
-A nearest-neighbour tour is shortened by local search.  The number of trials depends only on the
-number of tracks, so that the same tracks always get the same order.  The cost of a link between two
-tracks is the time of the slowest of the axes X, Y and C.  Lifts are left out, since they take the
-same time on every link.
+A track is a path that a tool follows without lifting.  A nearest-neighbour tour is shortened by
+local search.  The number of trials depends only on the number of tracks, so that the same tracks
+always get the same order.  The cost of the air move between two tracks is the time of the slowest
+of the axes X, Y and C.  Lifts are left out, since they take the same time in every air move.
 """
 
 from __future__ import annotations
@@ -28,7 +28,8 @@ _MOST_TRIALS: Final = 3_000
 def greedy_order(entry: F64, leave: F64, origin: F64, reversal: Reversal) -> tuple[I32, Bool]:
     """Return t tracks in nearest-neighbour order, and which of them are run from their far end.
 
-    The first array, (t,), contains the indices of the tracks in their order.  The second, (t,), is
+    The far end of a track is the other one than the end at which it starts as given.  The first
+    returned array, (t,), contains the indices of the tracks in their order.  The second, (t,), is
     a mask with one entry per entry of the first.
 
     Parameters
@@ -56,7 +57,8 @@ def short_order(
 ) -> tuple[I32, Bool]:
     """Return t tracks in a short order, and which of them are run from their far end.
 
-    The first array, (t,), contains the indices of the tracks in their order.  The second, (t,), is
+    The far end of a track is the other one than the end at which it starts as given.  The first
+    returned array, (t,), contains the indices of the tracks in their order.  The second, (t,), is
     a mask with one entry per entry of the first.
 
     Parameters
@@ -67,7 +69,8 @@ def short_order(
     origin : (3,) x y in mm, c in degrees
         Pose of the head before the first track.
     pace : (2, 3)
-        Velocities (row 0) and accelerations (row 1) of X, Y and C.
+        Velocities (row 0) and accelerations (row 1) of X, Y and C, in mm or degrees, per s and per
+        s².
     period : degrees
         Rotation of C after which the tool is the same.
     reversal

@@ -1,9 +1,10 @@
 """sequence: join the toolpaths of all operations into one toolpath.
 
 Toolpaths keep their order, which is the working order of the operations.  The tracks of each
-toolpath are put into a short order, and run from their far end if the tool permits it.  In air
-moves between tracks the head turns while it travels, at the least height that clears the board.  If
-the next track needs another tool, the head travels at the machine's travel height.
+toolpath (paths that the tool follows without lifting) are put into a short order.  If the tool
+permits it, a track may be run from its other end.  In air moves between tracks the head turns while
+it travels, at the least height that clears the board.  If the next track needs another tool, the
+head travels at the machine's travel height.
 """
 
 from __future__ import annotations
@@ -35,8 +36,10 @@ _REVERSED[[Motion.LIFT, Motion.LEAD_IN, Motion.LEAD_OUT]] = (
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Moves:
-    """n moves in columns as in ``Toolpath``, except that ``pose`` has only the pose at each move's
-    end.
+    """n moves in columns.
+
+    The columns are those of ``Toolpath``, except that ``pose``, (n, 4), contains only the pose at
+    the end of each move.
     """
 
     pose: F64
@@ -61,8 +64,9 @@ def sequence(
     machine
         The machine that runs the toolpaths.
     outline : closed Paths, holes included
-        Outline of the whole board on the table, not of the blank.  With an outline, a tool that has
-        left the board turns without a lift; with None, every turn is lifted.
+        Outline of the whole board that lies on the table (a blank is only a part of it).  With an
+        outline, a tool that has left the board turns without a lift; with None, every turn is
+        lifted.
 
     Raises
     ------
@@ -235,8 +239,9 @@ def _lower_turns(toolpath: Toolpath, machine: Machine, outline: Paths | None) ->
     """Return the toolpath with every turn at the least height that clears the board.
 
     A turn is a rapid between a lift and a plunge; in ``toolpath`` it is above the board's top face
-    by the machine's clearance.  Outside the board's ``outline`` the tool only has to clear the mat.
-    If ``outline`` is None, all turns clear the board.
+    by the machine's clearance.  A turn that is entirely outside ``outline``, the outline of the
+    board, is lowered further, because the tool only has to clear the mat under the board.  If
+    ``outline`` is None, all turns clear the board.
     """
     rapid = np.flatnonzero(toolpath.motion[1:-1] == Motion.RAPID) + 1
     turns = rapid[
@@ -278,10 +283,11 @@ def _lower_turns(toolpath: Toolpath, machine: Machine, outline: Paths | None) ->
 
 
 def _has_own_lift(toolpath: Toolpath, turns: I64) -> Bool:
-    """Return the mask of the turns that have their own lift and plunge, (t,).
+    """Return the mask of the turns whose lift and plunge only raise and lower the tool, (t,).
 
-    A turn has its own lift and plunge if the moves before and after it use the turn's tool and
-    leave C unchanged.  ``turns`` are the rows of the t turns in the toolpath, (t,).
+    That is the case if the moves before and after the turn use the same tool as the turn, and do
+    not change C.  Such a lift and plunge can be shortened without a change of any other move.
+    ``turns`` are the rows of the t turns in the toolpath, (t,).
     """
     c, tool = toolpath.pose[:, 3], toolpath.tool
     same: Bool = (tool[turns - 1] == tool[turns]) & (tool[turns + 1] == tool[turns])
