@@ -7,30 +7,32 @@ import zlib
 from dataclasses import dataclass
 from typing import Final
 
+from knifetip.messages import Message
+
 #: Number of bytes that are examined, and the range in which an XML root element must begin.
 _HEAD: Final = 4096
 _ROOT_WITHIN: Final = 1 << 18
 
-#: First bytes of other file formats, and their names for error messages.
+#: First bytes of other file formats, and the codes of their names.
 _FOREIGN: Final = (
-    (b"\x89PNG", "a PNG picture"),
-    (b"\xff\xd8\xff", "a JPEG picture"),
-    (b"GIF8", "a GIF picture"),
-    (b"BM", "a BMP picture"),
-    (b"II*\x00", "a TIFF picture"),
-    (b"MM\x00*", "a TIFF picture"),
-    (b"RIFF", "a picture or a film (RIFF)"),
-    (b"%!PS", "a PostScript or an Illustrator file"),
-    (b"\xc5\xd0\xd3\xc6", "an EPS file"),
-    (b"PK\x03\x04", "a ZIP archive (or an Office or a 3MF file, which are such)"),
-    (b"Rar!", "a RAR archive"),
-    (b"7z\xbc\xaf", "a 7z archive"),
-    (b"AC10", "a DWG drawing"),
-    (b"AC1.", "an old DWG drawing"),
-    (b"\xd0\xcf\x11\xe0", "an old Office file, or a CAD file that is built like one"),
-    (b"ISO-10303-21", "a STEP file"),
-    (b"solid ", "an STL model"),
-    (b"{", "a JSON file"),
+    (b"\x89PNG", "file.png"),
+    (b"\xff\xd8\xff", "file.jpeg"),
+    (b"GIF8", "file.gif"),
+    (b"BM", "file.bmp"),
+    (b"II*\x00", "file.tiff"),
+    (b"MM\x00*", "file.tiff"),
+    (b"RIFF", "file.riff"),
+    (b"%!PS", "file.postscript"),
+    (b"\xc5\xd0\xd3\xc6", "file.eps"),
+    (b"PK\x03\x04", "file.zip"),
+    (b"Rar!", "file.rar"),
+    (b"7z\xbc\xaf", "file.7z"),
+    (b"AC10", "file.dwg"),
+    (b"AC1.", "file.old-dwg"),
+    (b"\xd0\xcf\x11\xe0", "file.compound-file"),
+    (b"ISO-10303-21", "file.step"),
+    (b"solid ", "file.stl"),
+    (b"{", "file.json"),
 )
 
 #: The root element of an XML file, and what may precede it.
@@ -86,18 +88,18 @@ def is_cf2(file: Beginning) -> bool:
     return _CF2.match(file.head) is not None
 
 
-def foreign_kind(file: Beginning) -> str:
+def foreign_kind(file: Beginning) -> Message | None:
     """Return the name of the format of a file that cannot be imported, such as "a PNG picture".
 
-    The result is "" if the format is unknown.
+    The result is None if the format is unknown.
     """
     if file.head.startswith(_GZIP):
-        return "a gzip archive"
+        return Message("file.gzip")
     if file.head.startswith(b"<"):
         root = _root_element(file.data)
         page = root.lower() in ("html", "body")
-        return "an HTML page" if page else f"XML of the kind {root[:40]!r}"
-    return next((name for start, name in _FOREIGN if file.head.startswith(start)), "")
+        return Message("file.html") if page else Message("file.xml", element=root[:40])
+    return next((Message(code) for start, code in _FOREIGN if file.head.startswith(start)), None)
 
 
 def _unpacked(data: bytes) -> bytes:

@@ -25,7 +25,7 @@ class Format:
     """An import format: name, extensions, media type, detection function and reader module."""
 
     name: str  #: "dxf", "svg" …
-    title: str  #: name in messages: "DXF (text or binary, any version)"
+    title: str  #: name in messages, the same in all languages: "DXF"
     extensions: tuple[str, ...]  #: file name extensions with the dot, most common first
     media_type: str  #: media type of downloads
     reader: str  #: module with ``read(data, unit)``; imported on first use
@@ -35,14 +35,7 @@ class Format:
 
 #: All formats, in the order of messages and of the page.
 FORMATS: Final = (
-    Format(
-        "dxf",
-        "DXF (text or binary, any version)",
-        (".dxf",),
-        "image/vnd.dxf",
-        "knifetip.dxf.read",
-        None,
-    ),
+    Format("dxf", "DXF", (".dxf",), "image/vnd.dxf", "knifetip.dxf.read", None),
     Format("cf2", "CF2", (".cf2", ".cff2"), "text/plain", "knifetip.cf2.read", detection.is_cf2),
     Format("svg", "SVG", (".svg", ".svgz"), _BYTES, "knifetip.svg.read", detection.is_svg),
     Format("pdf", "PDF", (".pdf", ".ai"), _BYTES, "knifetip.pdf.read", detection.is_pdf),

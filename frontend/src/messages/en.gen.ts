@@ -756,7 +756,7 @@ export const TEXTS = {
     "hint": "Export the drawing as DXF (text or binary, any version)."
   },
   "dxf.other-kind": {
-    "text": "The file is {kind}, not a DXF file.",
+    "text": "The file has the format {kind}, not DXF.",
     "hint": "Export the drawing as DXF (text or binary, any version)."
   },
   "dxf.too-large-unusual": {
@@ -937,6 +937,86 @@ export const TEXTS = {
   },
   "field.unknown-kind": {
     "text": "{path} has the unknown kind {value!r}; known kinds are {known:, }",
+    "hint": ""
+  },
+  "file.7z": {
+    "text": "a 7z archive",
+    "hint": ""
+  },
+  "file.bmp": {
+    "text": "a BMP picture",
+    "hint": ""
+  },
+  "file.compound-file": {
+    "text": "an old Office file, or a CAD file that is built like one",
+    "hint": ""
+  },
+  "file.dwg": {
+    "text": "a DWG drawing",
+    "hint": ""
+  },
+  "file.eps": {
+    "text": "an EPS file",
+    "hint": ""
+  },
+  "file.gif": {
+    "text": "a GIF picture",
+    "hint": ""
+  },
+  "file.gzip": {
+    "text": "a gzip archive",
+    "hint": ""
+  },
+  "file.html": {
+    "text": "an HTML page",
+    "hint": ""
+  },
+  "file.jpeg": {
+    "text": "a JPEG picture",
+    "hint": ""
+  },
+  "file.json": {
+    "text": "a JSON file",
+    "hint": ""
+  },
+  "file.old-dwg": {
+    "text": "an old DWG drawing",
+    "hint": ""
+  },
+  "file.png": {
+    "text": "a PNG picture",
+    "hint": ""
+  },
+  "file.postscript": {
+    "text": "a PostScript or an Illustrator file",
+    "hint": ""
+  },
+  "file.rar": {
+    "text": "a RAR archive",
+    "hint": ""
+  },
+  "file.riff": {
+    "text": "a picture or a film (RIFF)",
+    "hint": ""
+  },
+  "file.step": {
+    "text": "a STEP file",
+    "hint": ""
+  },
+  "file.stl": {
+    "text": "an STL model",
+    "hint": ""
+  },
+  "file.tiff": {
+    "text": "a TIFF picture",
+    "hint": ""
+  },
+  "file.xml": {
+    "text": "XML of the kind {element!r}",
+    "hint": ""
+  },
+  "file.zip": {
+    "text": "a ZIP archive (or an Office or a 3MF file, which are such)",
     "hint": ""
   },
   "finding.at-edge": {
@@ -2513,7 +2593,7 @@ export const TEXTS = {
   },
   "reading.empty": {
     "text": "The file is empty.",
-    "hint": "Send the drawing as {formats:or}."
+    "hint": "Send the drawing as {formats:or}. A DXF file may be text or binary, of any version."
   },
   "reading.expands-too-far": {
     "text": "The repeated parts of the {format} file expand to more than {limit:,} elements.",
@@ -2553,7 +2633,7 @@ export const TEXTS = {
   },
   "reading.unknown-kind": {
     "text": "The file is {what}, not a drawing of a supported type.",
-    "hint": "Send the drawing as {formats:or}."
+    "hint": "Send the drawing as {formats:or}. A DXF file may be text or binary, of any version."
   },
   "request.body-too-large": {
     "text": "The request is larger than {limit} MB, which is the limit for this URL.",
