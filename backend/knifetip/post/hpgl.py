@@ -296,9 +296,10 @@ def _format_moves(moves: _PlotterMoves, rows: I64, with_speed: Bool) -> tuple[by
 
 
 def _text_columns(text: bytes, has_text: Bool) -> Characters:
-    """Return a matrix of characters, (n, k) bytes, in which the rows of a mask contain a text.
+    """Return a matrix of characters, (n, k) bytes, that contains a text in selected rows.
 
-    ``text`` has k bytes.  All rows that are not in the mask ``has_text``, (n,), contain zero bytes.
+    The selected rows, in the mask ``has_text``, (n,), contain the k bytes of ``text``.  All other
+    rows contain zero bytes.
     """
     result: Characters = np.frombuffer(text, np.uint8) * has_text[:, None]
     return result

@@ -47,7 +47,9 @@ class Findings:
 
     @property
     def full(self) -> bool:
-        """Whether the list contains ``MAX_FINDINGS`` findings, so that later ones are dropped."""
+        """Return whether the list contains ``MAX_FINDINGS`` findings, so that later ones are
+        dropped.
+        """
         return len(self._kept) >= MAX_FINDINGS
 
     def __len__(self) -> int:

@@ -4,8 +4,12 @@ The formulas are derived from the tools' drawings, independently of the compensa
 the direction of travel u = (cos C, sin C) and the direction to its right v = (sin C, -cos C), the
 tip is at
 
-    knife, wheel    head - trail u           (trail is 0 for a tangential knife)
+    knife, wheel    head - trail u
     V-cutter        head - back v - half_width u
+
+``trail`` is the distance of the tip behind the head's axis, 0 for a wheel and a tangential knife.
+``back`` and ``half_width`` are the distances of the tip from the head's axis, to the left and to
+the rear.
 
 The tip of a V-cutter with tilt θ moves along its tilted blade: when it rises by Δz, it also moves
 by Δz tan θ to the right.
@@ -159,19 +163,22 @@ def tip_paths(
 def _path_pieces(
     moves: Moves, tip: TipPoses, rows: I64, point: Bool, machine: Machine
 ) -> tuple[I64, F64, F64]:
-    """Return the k lines and arcs that the tip follows in some of the moves.
+    """Return the k lines and arcs that the tip follows in selected moves.
 
     Parameters
     ----------
+    moves, tip
+        All n moves of the program, and the poses of the tip at their starts and ends.
     rows
-        Indices of these moves.
-    point
-        Mask of these moves: True if the move gives only a point, the end of the move.
+        Indices of the selected moves.
+    point : (n,)
+        Mask of the moves that give only a point, the end of the move.
 
     Returns
     -------
-    Index of the move of each line or arc (k,), the lines and arcs in the format of ``curves.curve``
-    (k, 6), and the start and end of each as fractions of the move (k, 2).
+    Index in ``moves`` of the move of each line or arc (k,); the lines and arcs as rows of six
+    numbers (see ``curves.curve``), (k, 6); and the start and end of each as fractions of the move
+    (k, 2).
     """
     start, end = tip.start[rows, :2], tip.end[rows, :2]
     start = np.where(point[rows][:, None], end, start)
@@ -213,8 +220,10 @@ def _flatten_paths(
 
     Parameters
     ----------
+    moves, tip
+        All moves of the program, and the poses of the tip at their starts and ends.
     rows
-        Indices of moves.
+        Indices of the selected moves in ``moves``.
     bent
         Indices into ``rows`` of the moves whose tip paths are replaced.
     offset
@@ -222,8 +231,8 @@ def _flatten_paths(
 
     Returns
     -------
-    Index into ``rows`` of each chord (k,), the chords in the format of ``curves.curve`` (k, 6), and
-    the start and end of each chord as fractions of the move (k, 2).
+    Index into ``rows`` of the move of each chord (k,); the chords as rows of six numbers (see
+    ``curves.curve``), (k, 6); and the start and end of each chord as fractions of the move (k, 2).
     """
     own = rows[bent]
     turn = np.radians(tip.end[own, 3] - tip.start[own, 3])

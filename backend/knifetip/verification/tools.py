@@ -25,7 +25,7 @@ _ENTRY_RATIO: Final = 1.5
 
 
 class OperationKind(IntEnum):
-    """The kinds of operation of a tool: cut, half-cut, crease, groove or mill."""
+    """Kind of operation of a tool: cut, half-cut, crease, groove or mill."""
 
     CUT = 0  #: knife, through the board
     HALF_CUT = 1  #: knife, part of the way
@@ -35,7 +35,7 @@ class OperationKind(IntEnum):
 
     @property
     def tool(self) -> str:
-        """Name of the tool that makes this operation, for messages; it is a key of
+        """Return the name, for messages, of the tool that makes this operation: a key of
         ``english.TOOLS``.
         """
         return ("knife", "knife", "wheel", "v-cutter", "cutter")[self]
@@ -82,7 +82,15 @@ class ExpectedTool:
     def through_depth(self, caliper: float, into_mat: float) -> float:
         """Return the depth of the tip below the board's top face in a cut through the board (mm).
 
-        For a beam this is the depth of its focus, which is negative above the top face.
+        For a beam, return instead the depth of its focus below the top face; it is negative if the
+        focus is above that face.
+
+        Parameters
+        ----------
+        caliper : mm
+            Thickness of the board.
+        into_mat : mm
+            Depth to which a through cut enters the mat below the board.
         """
         return -self.beam.focus if self.beam else caliper + into_mat
 
@@ -151,8 +159,9 @@ _EXPECTED: Final[Mapping[type[Tool], Callable[[Any], ExpectedTool]]] = {
 
 
 def extra_outputs(machine: Machine) -> tuple[int, ...]:
-    """Return the numbers of the outputs that tools need in addition to their stations' own,
-    ascending.
+    """Return the numbers of the outputs that the tools need besides the output of their station.
+
+    An example is the output for a laser's air.  The numbers are in ascending order.
     """
     return tuple(
         sorted({one for station in machine.stations for one in expected_tool(station.tool).outputs})

@@ -51,8 +51,8 @@ def _shipped_devices() -> Mapping[str, Mapping[str, Any]]:
 def _find_device(value: Any) -> Any:
     """Return the fields of an HPGL device.
 
-    ``value`` is a table with these fields, which is returned unchanged, or the name of a device
-    that knifetip ships.
+    ``value`` is either the table of the fields itself, which is returned unchanged, or the name of
+    a device that knifetip ships.
     """
     if isinstance(value, Mapping):
         return value

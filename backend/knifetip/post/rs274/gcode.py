@@ -104,10 +104,10 @@ def format_lines(
     """Return the program text of rows ``first … last - 1`` of a toolpath, and the toolpath row of
     each program line.
 
-    All rows belong to one station.  The first line has words for all axes: with a new datum from
-    the tool table, an axis without a word would keep its *joint* position, which is another
-    position of the tool.  A move that rounds to zero length and turn gets no line; an arc too large
-    for the controller gets several lines.  Lines that belong to no row have row -1.
+    All rows belong to one station.  The first line has words for all axes: the station change has
+    replaced the datum, and without a word the *joint* of an axis would not move, so the tool would
+    be beside its intended position.  A move that rounds to zero length and turn gets no line; an
+    arc too large for the controller gets several lines.  Lines that belong to no row have row -1.
 
     Parameters
     ----------
@@ -123,7 +123,8 @@ def format_lines(
     Raises
     ------
     ProgramError
-        A swivel does not turn, or a line is longer than the controller can read.
+        A row with the motion "swivel" moves without a turn of C, or a line is longer than the
+        controller can read.
     """
     moves = _convert_arcs(toolpath, first, last, datum, dialect)
     words = _compose_words(moves, machine, dialect, blending)
@@ -294,8 +295,9 @@ def _feed_units(feed: F64) -> I64:
 def _feed_words(feed: I64, inverse: Bool, rapid: Bool) -> Bool:
     """Return the mask of the n program lines that need an F word, (n,).
 
-    Rapids need none.  Another line needs an F word if the feed changes.  In G93 (inverse time)
-    every such line needs an F word, and so does the first line after returning to G94.
+    A rapid needs none.  In G93 (inverse time) every other line needs an F word.  In G94 a line
+    needs an F word if it is the first that is no rapid, if its feed differs from the feed of the
+    previous line that is no rapid, or if that line was in G93.
 
     Parameters
     ----------

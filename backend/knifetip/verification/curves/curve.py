@@ -18,8 +18,8 @@ from knifetip.verification.columns import F64
 def point_at(curve: F64, along: F64) -> F64:
     """Return one point on each of n curves, (n, 2) mm.
 
-    ``curve``, (n, 6), has the format that the module describes.  ``along`` is the distance of each
-    point from the start of its curve, (n,) mm.
+    ``curve`` contains lines and arcs as rows of six numbers (see the module docstring), (n, 6).
+    ``along`` is the distance of each point from the start of its curve, (n,) mm.
     """
     straight = curve[:, 0] == 0.0
     radius = np.where(straight, 1.0, curve[:, 3])
@@ -34,8 +34,8 @@ def azimuth_at(curve: F64, along: F64) -> F64:
     """Return the direction of travel at one point on each of n curves, (n,) degrees from the X
     axis.
 
-    ``curve``, (n, 6), has the format that the module describes.  ``along`` is the distance of each
-    point from the start of its curve, (n,) mm.
+    ``curve`` contains lines and arcs as rows of six numbers (see the module docstring), (n, 6).
+    ``along`` is the distance of each point from the start of its curve, (n,) mm.
     """
     straight = curve[:, 0] == 0.0
     radius = np.where(straight, 1.0, curve[:, 3])
@@ -53,7 +53,8 @@ def left_distance(curve: F64, along: F64, edge: F64) -> F64:
     Parameters
     ----------
     curve, edge : (n, 6)
-        Curves, and for each curve the edge that its point is compared with.
+        The curves, and the edge for each of them: lines and arcs as rows of six numbers (see the
+        module docstring).
     along : (n,) mm
         Distance of each point from the start of its curve.
     """
@@ -65,7 +66,7 @@ def left_distance(curve: F64, along: F64, edge: F64) -> F64:
 
 
 def line_curves(start: F64, end: F64) -> F64:
-    """Return n lines as rows in the format that the module describes, (n, 6).
+    """Return n lines as rows of six numbers, (n, 6), in the format of the module docstring.
 
     Line i leads from the point ``start[i]`` to the point ``end[i]``; the points are (n, 2) mm.  A
     line between equal points has length 0 and the direction of the X axis.
@@ -78,7 +79,7 @@ def line_curves(start: F64, end: F64) -> F64:
 
 
 def arc_curves(centre: F64, start: F64, sweep: F64) -> F64:
-    """Return n arcs as rows in the format that the module describes, (n, 6).
+    """Return n arcs as rows of six numbers, (n, 6), in the format of the module docstring.
 
     ``centre`` and ``start`` are the centres and start points, (n, 2) mm each.  ``sweep`` is the
     angle of each arc, (n,) radians, positive for an anticlockwise arc.

@@ -39,7 +39,8 @@ class Overlaps:
 def sort_overlaps(pairs: I32, spans: F64, curves: F64) -> Overlaps:
     """Return k overlaps of curves with edges, sorted by curve and then by distance from the edge.
 
-    ``best`` of the result marks the overlaps of which a part is on no nearer edge.
+    The field ``best`` of the result is False for an overlap if overlaps of the same curve with
+    nearer edges cover it.
 
     Parameters
     ----------
@@ -49,7 +50,7 @@ def sort_overlaps(pairs: I32, spans: F64, curves: F64) -> Overlaps:
         Five lengths for each overlap: its start and end along the curve, the positions on the edge
         of these two points, and its greatest distance from the edge.
     curves : (n, 6)
-        All curves.
+        All curves: lines and arcs as rows of six numbers (see ``curves.curve``).
     """
     order = np.lexsort((spans[:, 4], pairs[:, 0]))
     pairs, spans = pairs[order], spans[order]
@@ -60,10 +61,20 @@ def sort_overlaps(pairs: I32, spans: F64, curves: F64) -> Overlaps:
 
 
 def mark_nearest(overlaps: Overlaps, curves: F64, considered: F64) -> Overlaps:
-    """Return the overlaps with ``best`` computed again for the first part of each curve only.
+    """Return overlaps whose field ``best`` is computed again, for the first part of each curve
+    only.
 
-    ``best`` marks the overlaps of which a part is on no nearer edge.  ``curves`` are all n curves,
-    and ``considered`` is the length of the first part of each, (n,) mm.
+    ``best`` is False for an overlap if overlaps of the same curve with nearer edges cover it, or if
+    it lies behind the first part of its curve.
+
+    Parameters
+    ----------
+    overlaps
+        Overlaps of curves with edges.
+    curves : (n, 6)
+        All curves: lines and arcs as rows of six numbers (see ``curves.curve``).
+    considered : (n,) mm
+        Length of the first part of each curve.
     """
     spans = np.column_stack([overlaps.along, overlaps.place, overlaps.distance])
     return replace(
@@ -74,8 +85,17 @@ def mark_nearest(overlaps: Overlaps, curves: F64, considered: F64) -> Overlaps:
 def within_limits(overlaps: Overlaps, limit: F64, curves: F64) -> Overlaps:
     """Return the overlaps whose distance from their edge is at most the limit of the edge.
 
-    ``best``, which marks the overlaps of which a part is on no nearer edge, is computed again.
-    ``limit`` is the limit of each of m edges, (m,) mm; ``curves`` are all curves.
+    Their field ``best`` is computed again: it is False for an overlap if overlaps of the same curve
+    with nearer edges cover it.
+
+    Parameters
+    ----------
+    overlaps
+        Overlaps of curves with edges.
+    limit : (m,) mm
+        Greatest distance from each of m edges.
+    curves : (n, 6)
+        All curves: lines and arcs as rows of six numbers (see ``curves.curve``).
     """
     keep = overlaps.distance <= limit[overlaps.edge]
     near_overlaps = Overlaps(
@@ -106,8 +126,8 @@ def uncovered_edges(edge: I64, low: F64, high: F64, size: F64) -> tuple[I64, F64
     Parameters
     ----------
     edge, low, high : (n,)
-        Index of the edge of each interval, and the interval's start and end on that edge (mm), in
-        any order.
+        Index of the edge of each interval, and the start and end of the interval along that edge
+        (mm), with start ≤ end.  The intervals need not be sorted.
     size : (m,) mm
         Length of each edge.
 
@@ -134,7 +154,11 @@ def uncovered_edges(edge: I64, low: F64, high: F64, size: F64) -> tuple[I64, F64
 
 @kernel
 def _nearest_mask(curve_of: I32_1, spans: F64_2, length: F64_1, considered: F64_1) -> Any:
-    """Return the mask of the k overlaps of which a part is on no nearer edge, (k,).
+    """Return the mask of the k overlaps that count because nearer edges do not cover them, (k,).
+
+    An overlap is a stretch of a curve near an edge.  It counts if overlaps of the same curve with
+    nearer edges leave a part of the stretch uncovered.  If an edge is drawn twice, the overlaps
+    with both copies count.
 
     Parameters
     ----------

@@ -1,8 +1,8 @@
 """Find the stretches of curves that lie within a given distance of edges.
 
-Curves and edges are rows as in ``curves.curve``.  The ends of a stretch are computed in closed form
-for lines and arcs; only the greatest distance within it is sampled.  A grid over the edges finds
-the pairs of a curve and an edge that may be near each other.
+Curves and edges are lines and arcs as rows of six numbers (see ``curves.curve``).  The ends of a
+stretch are computed in closed form; only the greatest distance within it is sampled.  A grid over
+the edges finds the pairs of a curve and an edge that may be near each other.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ def find_overlaps(curves: F64, edges: F64, low: F64, high: F64, limit: float) ->
     Parameters
     ----------
     curves : (n, 6)
-        The curves, in the format of ``curves.curve``.  A curve of length 0 is a point; it may lie
-        up to ``limit`` past the ends of an edge.
+        Lines and arcs as rows of six numbers (see ``curves.curve``).  A curve of length 0 is a
+        point; it may lie up to ``limit`` past the ends of an edge.
     edges : (m, 6)
         The edges, in the same format.
     low, high : (m,) mm
@@ -54,9 +54,9 @@ def find_overlaps(curves: F64, edges: F64, low: F64, high: F64, limit: float) ->
 def grid_layout(edges: F64, limit: float) -> tuple[F64, float, tuple[int, int]]:
     """Return the layout of a grid of square cells over edges and their surroundings.
 
-    ``edges`` are curves, (n, 6); the grid extends at least ``limit`` mm past them.  Returns the
-    lower left corner of the grid (2,) mm, the width of its cells (mm), and its numbers of columns
-    and rows.
+    ``edges`` are lines and arcs as rows of six numbers (see ``curves.curve``), (n, 6).  The grid
+    extends at least ``limit`` mm past them.  Returns the lower left corner of the grid (2,) mm, the
+    width of its cells (mm), and its numbers of columns and rows.
     """
     straight = edges[:, 0] == 0.0
     reach = np.where(straight, 0.0, edges[:, 3])
@@ -86,13 +86,15 @@ def cells_near_curve(
     Parameters
     ----------
     curve : (6,)
-        The curve, in the format of ``curves.curve``.
+        A line or arc as six numbers (see ``curves.curve``).
     corner : (2,) mm
         Lower left corner of the grid.
     size : mm
         Width of the square cells.
     wide, high
         Numbers of columns and rows of the grid.
+    out
+        Array that receives the indices from its start on.
     """
     count = 0
     length = curve[5]
@@ -361,8 +363,9 @@ def _arc_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> i
     """Find the stretches of an arc that lie within ``limit`` mm of the line or circle of an edge.
 
     The edge is extended to its infinite line or full circle.  Writes start and end of each stretch
-    along the arc ``curve`` (mm) to the rows of ``near``; returns the number of stretches.  The
-    condition on the distance becomes lowest ≤ sin(angle - shift) ≤ highest.
+    along the arc ``curve`` (mm) to the rows of ``near``; returns the number of stretches.  The sine
+    of the angle of a point on the arc, minus a constant shift, determines the distance of the
+    point; so the limit becomes a lowest and a highest value of that sine.
     """
     radius = curve[3]
     if edge[0] == 0.0:

@@ -117,8 +117,9 @@ def _sub_edges(edges: Edges, row: I64, low: F64, high: F64) -> Edges:
 def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> Edges:
     """Return the gaps between collinear dashes that were made as one crease, as edges.
 
-    Each gap gets the row in the dieline of one of the two dashes beside it.  Dashes were made as
-    one crease if the wheel has creased one of their gaps, or only one of the dashes.
+    Each gap gets the row in the dieline of one of the two dashes beside it.  Dashes count as made
+    as one crease if the wheel has creased one of their gaps, or has touched only one of the dashes,
+    since a short crease is pressed at a single point.
 
     Parameters
     ----------
@@ -128,7 +129,7 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> E
         The cuts.  A dash that touches a cut bounds a slot, not a gap.  A cut through a gap
         separates the dashes on its two sides.
     wheel_paths : (n, 6)
-        Paths of the wheel, in the format of ``curves.curve``.
+        Paths of the wheel: lines and arcs as rows of six numbers (see ``curves.curve``).
     limit : mm
         Greatest distance of the wheel from the dashes.
     """

@@ -31,7 +31,7 @@ def link_ends(edges: Edges, kink: float, ring: Bool | None = None) -> tuple[I64,
 
     Two ends that meet no third end are linked if the path turns by at most ``kink`` degrees there.
     If more ends meet, two collinear ends are linked, unless one of them could also be linked to a
-    third end.  Two edges of a closed contour are always linked.
+    third end.  Where exactly two edges of closed contours meet, they are linked at any angle.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ def link_ends(edges: Edges, kink: float, ring: Bool | None = None) -> tuple[I64,
     Returns
     -------
     Index of the end that each end is linked to, (2n,), -1 for none; and the mask of the ends at
-    which an edge continues straight from another edge, (2n,).
+    which another edge continues straight, whether or not the two are linked, (2n,).
     """
     count = len(edges.ends)
     a, b = pairs_within(edges.ends, edges.ends, TOUCH_DISTANCE)
@@ -111,7 +111,7 @@ class EdgePaths:
         low, high : (c,) mm
             Start and end of the interval of each path, measured from the start of the path.
         curve : (n, 6)
-            The edges, in the format of ``curves.curve``.
+            The edges: lines and arcs as rows of six numbers (see ``curves.curve``).
 
         Returns
         -------
@@ -133,7 +133,7 @@ class EdgePaths:
         path, position : (k,)
             Index of the path of each position, and its distance from the start of that path (mm).
         curve : (n, 6)
-            The edges of the paths, in the format of ``curves.curve``.
+            The edges of the paths: lines and arcs as rows of six numbers (see ``curves.curve``).
 
         Returns
         -------

@@ -47,7 +47,7 @@ class Edges:
         return len(self.row)
 
     def with_types(self, *types: LineType) -> Edges:
-        """Return the edges whose line type is one of the arguments."""
+        """Return the edges that have one of the given line types."""
         return self.select(np.flatnonzero(np.isin(self.line_type, types)))
 
     def select(self, rows: I64) -> Edges:

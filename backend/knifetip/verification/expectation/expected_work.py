@@ -75,7 +75,8 @@ def expected_creases(
     """Return the expected depth of each of n creases, and where the wheel must start and stop on
     it.
 
-    The depth is measured from the board's top face to the wheel's lowest point.
+    The depth is measured from the board's top face to the wheel's lowest point.  An end of a crease
+    is free if no other crease continues there; the wheel stops before a free end.
 
     Parameters
     ----------
@@ -84,10 +85,10 @@ def expected_creases(
     board, wheel
         Board and wheel, whose records determine depths and positions.
     all_creases
-        All creases, including those of other wheels; None for ``edges`` alone.  An end at which one
-        of them continues is not free, so the wheel need not stop before it.
+        All creases that may continue at an end, including those of other wheels; None if these are
+        only ``edges``.
     split_ends : (2n,)
-        Mask of the ends at which a cut splits a crease; they are free.  None for no end.
+        Mask of the ends at which a cut splits a crease, which are always free; None for no end.
     """
     across = np.radians(edges.chord - board.grain)
     depth = board.crease_along + (board.crease_across - board.crease_along) * np.sin(across) ** 2

@@ -99,10 +99,11 @@ def face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
 
 
 def _lowest_connected(one: I64, other: I64, count: int) -> I64:
-    """Return the lowest index that is connected to each of the indices 0 to ``count`` - 1,
+    """For each of the indices 0 to ``count`` - 1, return the lowest index connected to it,
     (count,).
 
-    ``one`` and ``other`` are the two indices of each of k connected pairs, (k,) each.
+    ``one`` and ``other`` are the two indices of each of k connected pairs, (k,) each.  Indices may
+    also be connected through other indices; an index without pairs is its own result.
     """
     name = np.arange(count)
     while True:
@@ -177,9 +178,9 @@ def _nesting_depths(curve: F64, closing: Bool, component: I64) -> I64:
     Parameters
     ----------
     curve : (n, 6)
-        The n cuts, in the format of ``curves.curve``.
+        The n cuts: lines and arcs as rows of six numbers (see ``curves.curve``).
     closing : (n,)
-        Mask of the cuts on the outside of their component.
+        Mask of the cuts that form the outline of their component.
     component : (n,)
         Index of the connected component of each cut.
     """
@@ -232,8 +233,11 @@ def _count_containing(points: F64_2, outlines: F64_2, first: I64_1, boxes: F64_2
     ----------
     points : (n, 2) mm
         The points.
-    outlines, first
-        Curves of all c outlines, outline by outline, and the index of each outline's first curve.
+    outlines : (k, 6)
+        The k curves of all c outlines, outline by outline: lines and arcs as rows of six numbers
+        (see ``curves.curve``).
+    first : (c + 1,)
+        Index of the first curve of each outline, followed by k.
     boxes : (c, 4) mm
         Bounding box of each outline: least x, least y, greatest x, greatest y.
     own
@@ -257,11 +261,11 @@ def _count_containing(points: F64_2, outlines: F64_2, first: I64_1, boxes: F64_2
 
 @kernel(checks_division=True)
 def _ray_crossings(curve: F64_1, x: float, y: float) -> int:
-    """Return how often a curve crosses the ray from the point (x, y) along +X.
+    """Return how often a line or arc crosses the ray from the point (x, y) along +X.
 
-    ``curve`` is one row in the format of ``curves.curve``, (6,).  It is divided into pieces that
-    only rise or only fall.  A piece crosses the ray's line if one of its ends is above y and the
-    other is not (half-open rule).
+    ``curve`` is the line or arc as six numbers (see ``curves.curve``), (6,).  It is divided into
+    pieces that only rise or only fall.  A piece crosses the ray's line if one of its ends is above
+    y and the other is not (half-open rule).
     """
     if curve[0] == 0.0:
         y0 = curve[2]

@@ -98,22 +98,23 @@ def run_outs(grooves: Edges, cuts: Edges, half: float) -> RunOuts:
 
 
 def _distance_to_circle(curve: F64, end: F64, u: F64, aside: F64, straight: F64) -> F64:
-    """Return how far one side of each of n grooves must go past the groove's end to pass an edge,
-    (n,) mm.
+    """Return how far each of n grooves must go past its end until one of its sides has passed the
+    board's edge, (n,) mm.
 
-    If the edge is a line, this is ``straight``.  If it is an arc, this is the distance to the
-    circle of the arc or ``straight``, whichever is less.
+    If the board's edge is a line, this is ``straight``.  If it is an arc, this is the distance to
+    the circle of the arc or ``straight``, whichever is less.
 
     Parameters
     ----------
     curve : (n, 6)
-        The edge that each groove must pass, in the format of ``curves.curve``.
+        Part of the board's edge that each groove must pass: lines and arcs as rows of six numbers
+        (see ``curves.curve``).
     end, u : (n, 2)
         End of each groove (mm) and the groove's unit direction there.
     aside : (n, 2) mm
-        Vector from the groove's line to its side.
+        Vector from the groove's line to the side.
     straight : (n,) mm
-        Distance to the tangent of each edge.
+        Distance to the tangent of the board's edge.
     """
     bent = curve[:, 0] != 0.0
     to = end + aside - curve[:, 1:3]

@@ -413,9 +413,10 @@ def _pen_height(pen: Pen, machine: Machine, board: Board) -> float:
 def _headings(track: _Track, working: Bool) -> F64:
     """Return the heading of the tool in each of n moves, (n,) degrees.
 
-    The moves along X and Y with the tool down, in the mask ``working``, have the direction of their
-    paths.  A lift has the direction of the last working move before it.  Every other move has the
-    direction of the next working move.
+    Working moves run along X and Y with the tool down, and have the direction of their paths;
+    ``working`` is their mask, (n,).  A lift has the direction of the last working move before it.
+    Every other move has the direction of the next working move, or of the last one if none follows.
+    Without any working move, all headings are 0.
     """
     if not working.any():
         return np.zeros(len(working))

@@ -75,11 +75,11 @@ def _check_words(blocks: ProgramBlocks, state: ModalState) -> None:
 
 
 def _settle_times(state: ModalState, machine: Machine) -> F64:
-    """Return the dwell (s) that is required before each block if outputs have been switched,
-    (count,).
+    """Return the dwell (s) that each block requires after the last switching of outputs or spindle.
 
-    The dwell is the settling time of the machine or of the selected tool, whichever is longer.  A
-    beam needs its piercing time after it is switched on, and none after it is switched off.
+    The result has one entry per block.  The dwell is the settling time of the machine or of the
+    selected tool, whichever is longer.  If a laser beam was switched last, the dwell is instead the
+    beam's piercing time if the beam is now on, and 0 if it is off.
     """
     tools = [expected_tool(held.tool) for held in machine.stations]
     settle = np.maximum([*(tool.min_dwell for tool in tools), 0.0], machine.settle)[state.station]
@@ -96,8 +96,8 @@ def _settle_times(state: ModalState, machine: Machine) -> F64:
 def _check_values(blocks: ProgramBlocks, state: ModalState, machine: Machine, settle: F64) -> None:
     """Add faults for wrong values of dwells, feeds, speeds, outputs, stations and line numbers.
 
-    ``settle`` is the dwell that is required between the last switching and each block (s),
-    (count,).
+    ``settle`` is the dwell (s) that each block requires after the last switching of outputs or
+    spindle, one per block.
     """
     fault, has, has_code, number = blocks.fault, blocks.has, blocks.has_code, blocks.number
     timed = has_code(Group.DWELL)
@@ -135,11 +135,11 @@ def _check_values(blocks: ProgramBlocks, state: ModalState, machine: Machine, se
 
 
 def _check_modes(blocks: ProgramBlocks, state: ModalState, settle: F64) -> None:
-    """Add a fault for each move before which a required mode is not set or outputs have not
-    settled.
+    """Add faults for required modes that the program has not set before a move, for moves without a
+    feed, and for moves that start before switched outputs have settled.
 
-    ``settle`` is the dwell that is required between the last switching and each block (s),
-    (count,).
+    ``settle`` is the dwell (s) that each block requires after the last switching of outputs or
+    spindle, one per block.
     """
     fault, has, has_code = blocks.fault, blocks.has, blocks.has_code
     moving = has_code(Group.MOTION)

@@ -123,17 +123,20 @@ class ProgramBlocks:
         self.faults.append((int(self.line[block]), message))
 
     def fault(self, mask: Bool, message: Message) -> None:
-        """Add a fault with this message for each block in ``mask``, but at most a thousand."""
+        """Add a fault with this message for each block in the mask ``mask``, but for at most the
+        first thousand of them.
+        """
         for block in np.flatnonzero(mask)[:1000]:
             self._fault(block, message)
 
     def has(self, letter: str) -> Bool:
-        """Return the mask of the blocks that contain a word with this letter, shape (count,)."""
+        """Return the mask of the blocks with a word of this letter, one entry per block."""
         result: Bool = ~np.isnan(self.number[letter])
         return result
 
     def has_code(self, group: Group, code: int | None = None) -> Bool:
-        """Return the mask of the blocks that have a G or M word of a modal group, shape (count,).
+        """Return the mask of the blocks that have a G or M word of a modal group, one entry per
+        block.
 
         If ``code`` is not None, only blocks whose word has this code are in the mask.  The code of
         a G word is ten times its number; the code of an M word is its number.
@@ -144,25 +147,25 @@ class ProgramBlocks:
 
 
 def latest_block(mask: Bool) -> I64:
-    """Return for each block the index of the last block, up to itself, that is in ``mask``,
-    (count,).
+    """For each of n blocks, return the index of the nearest block in ``mask`` at or before it,
+    (n,).
 
-    The index is -1 if there is none.
+    The index is -1 if there is none.  ``mask`` is a mask of the n blocks.
     """
     rows: I64 = np.maximum.accumulate(np.where(mask, np.arange(len(mask)), -1))
     return rows
 
 
 def value_in_force(values: F64, mask: Bool, initial: float = np.nan) -> F64:
-    """Return the value in force at each block, (count,).
+    """Return the value in force at each of n blocks, (n,).
 
     It is the value that this block or the last one before it has set.
 
     Parameters
     ----------
-    values : (count,)
+    values : (n,)
         Value of each block, if the block sets it.
-    mask : (count,)
+    mask : (n,)
         Mask of the blocks that set the value.
     initial
         Value before the first block that sets it.

@@ -98,17 +98,17 @@ def _make_arcs(blocks: ProgramBlocks, rows: I64, code: U8, start: F64, end: F64)
     """Return the centres of the arcs among n moves, (n, 2) mm, and their signed sweeps, (n,)
     radians.
 
-    A line has centre NaN and sweep 0.  An invalid arc also has centre NaN and sweep 0, and gives a
-    fault.
+    A sweep is positive for an anticlockwise arc.  A line has centre NaN and sweep 0.  An invalid
+    arc also has centre NaN and sweep 0, and gives a fault.
 
     Parameters
     ----------
     rows : (n,)
         Indices of the blocks of the moves.
     code : (n,)
-        Number of the G word of each move.
+        Number of the G word of each move: 0 or 1 for a line, 2 or 3 for an arc.
     start, end : (n, 4)
-        Joint positions at the start and the end of each move.
+        Positions of the joints X, Y, Z (mm) and C (degrees) at the start and the end of each move.
     """
     curved = code >= 2
     from_start = np.stack([blocks.number["I"][rows], blocks.number["J"][rows]], axis=1)
