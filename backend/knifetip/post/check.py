@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
@@ -18,15 +19,37 @@ MIN_FEED: Final = 1e-3
 #: Greatest feed (mm/min, degrees/min).
 MAX_FEED: Final = 1e8
 
+#: Codes of the names of motions.
+_MOTIONS: Final[Mapping[int, str]] = {
+    Motion.RAPID: "motion.rapid",
+    Motion.PLUNGE: "motion.plunge",
+    Motion.LEAD_IN: "motion.lead-in",
+    Motion.FEED: "motion.feed",
+    Motion.SWIVEL: "motion.swivel",
+    Motion.LEAD_OUT: "motion.lead-out",
+    Motion.LIFT: "motion.lift",
+}
+
 
 def describe_row(toolpath: Toolpath, row: int) -> Message:
     """Return a message that names a row of a toolpath, the row's motion and, if any, its edge."""
     edge = int(toolpath.source[row])
-    motion = int(toolpath.motion[row])
-    name = Motion(motion).name if motion in set(Motion) else f"motion {motion}"
+    number = int(toolpath.motion[row])
+    code = _MOTIONS.get(number)
+    motion = Message(code) if code else Message("motion.unknown", number=number)
     if edge < 0:
-        return Message("toolpath.row", row=row, motion=name)
-    return Message("toolpath.row-of-edge", row=row, motion=name, edge=edge)
+        return Message("toolpath.row", row=row, motion=motion)
+    return Message("toolpath.row-of-edge", row=row, motion=motion, edge=edge)
+
+
+def _describe_move(toolpath: Toolpath, row: int) -> Message:
+    """Return a message with the end poses, the bulge and the feed of a row of a toolpath.
+
+    The numbers are texts, because JSON has no number for NaN and infinity.
+    """
+    start, end = ([f"{value:g}" for value in pose] for pose in toolpath.pose[row : row + 2])
+    bulge, feed = f"{toolpath.bulge[row]:g}", f"{toolpath.feed[row]:g}"
+    return Message("toolpath.move", start=start, end=end, bulge=bulge, feed=feed)
 
 
 def check_toolpath(toolpath: Toolpath) -> None:
@@ -51,14 +74,10 @@ def check_toolpath(toolpath: Toolpath) -> None:
         if wrong.any():
             row = int(np.argmax(wrong))
             edge = int(toolpath.source[row])
-            start, end = (
-                ", ".join(f"{value:g}" for value in pose) for pose in toolpath.pose[row : row + 2]
-            )
             raise ProgramError(
                 code,
                 place=describe_row(toolpath, row),
-                move=f"from ({start}) to ({end}), bulge {toolpath.bulge[row]:g}, "
-                f"feed {toolpath.feed[row]:g}",
+                move=_describe_move(toolpath, row),
                 source=[str(edge)] if edge >= 0 else [],
                 **measures,
             )

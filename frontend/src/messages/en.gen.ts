@@ -2295,6 +2295,38 @@ export const TEXTS = {
     "text": "Two parts share edge {edge}, so a cutter of {diameter:g} mm diameter would remove a strip of one of the parts.",
     "hint": "Move the parts at least {diameter:g} mm apart, or choose a machine with a knife."
   },
+  "motion.feed": {
+    "text": "cutting move",
+    "hint": ""
+  },
+  "motion.lead-in": {
+    "text": "lead-in",
+    "hint": ""
+  },
+  "motion.lead-out": {
+    "text": "lead-out",
+    "hint": ""
+  },
+  "motion.lift": {
+    "text": "lift",
+    "hint": ""
+  },
+  "motion.plunge": {
+    "text": "plunge",
+    "hint": ""
+  },
+  "motion.rapid": {
+    "text": "rapid move",
+    "hint": ""
+  },
+  "motion.swivel": {
+    "text": "swivel",
+    "hint": ""
+  },
+  "motion.unknown": {
+    "text": "motion {number}",
+    "hint": ""
+  },
   "offset.bad-distance": {
     "text": "The offset distance is negative or not a number.",
     "hint": "Correct the radius of the tool."
@@ -3090,6 +3122,10 @@ export const TEXTS = {
   "toolpath.feed-too-fast": {
     "text": "{place} has a feed that is too fast for any machine: {move}.",
     "hint": "Correct the feed of the tool in the machine file."
+  },
+  "toolpath.move": {
+    "text": "from ({start:, }) to ({end:, }), bulge {bulge}, feed {feed}",
+    "hint": ""
   },
   "toolpath.no-approach": {
     "text": "Internal error: {place} starts a cut with station {station}, but no rapid move to the start of the cut precedes it.",

@@ -456,7 +456,7 @@ def test_station_names_cannot_contain_commands() -> None:
 @pytest.mark.parametrize(
     ("row", "words"),
     [
-        (feed(float("nan"), 0), "Row 1 of the toolpath .FEED, edge 1. has a value"),
+        (feed(float("nan"), 0), "Row 1 of the toolpath .cutting move, edge 1. has a value"),
         (feed(1, 1, bulge=float("inf")), "has a value that is not a number"),
         (
             (1, Motion.FEED, (1, 1, 1, 1), 0.0, float("nan")),

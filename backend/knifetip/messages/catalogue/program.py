@@ -7,6 +7,14 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
+    "motion.feed": entry("cutting move"),
+    "motion.lead-in": entry("lead-in"),
+    "motion.lead-out": entry("lead-out"),
+    "motion.lift": entry("lift"),
+    "motion.plunge": entry("plunge"),
+    "motion.rapid": entry("rapid move"),
+    "motion.swivel": entry("swivel"),
+    "motion.unknown": entry("motion {number}", number="count"),
     "program.bad-tolerance": entry(
         "A tolerance of {tolerance} mm is too small for the path blending (rounding of "
         "corners) of the controller.",
@@ -86,7 +94,7 @@ MESSAGES: Final[Entries] = {
         "Internal error: {place} is an arc of more than 180°: {move}.",
         "Report the error with the drawing.",
         place="message",
-        move="text",
+        move="message",
     ),
     "toolpath.empty": entry(
         "The toolpath has no moves, so nothing would be cut.",
@@ -96,7 +104,14 @@ MESSAGES: Final[Entries] = {
         "{place} has a feed that is too fast for any machine: {move}.",
         "Correct the feed of the tool in the machine file.",
         place="message",
-        move="text",
+        move="message",
+    ),
+    "toolpath.move": entry(
+        "from ({start:, }) to ({end:, }), bulge {bulge}, feed {feed}",
+        start="texts",
+        end="texts",
+        bulge="text",
+        feed="text",
     ),
     "toolpath.no-approach": entry(
         "Internal error: {place} starts a cut with station {station}, but no rapid move to the "
@@ -109,25 +124,25 @@ MESSAGES: Final[Entries] = {
         "{place} has no feed: {move}.",
         "Set the feed of the tool in the machine file.",
         place="message",
-        move="text",
+        move="message",
     ),
     "toolpath.not-finite": entry(
         "Internal error: {place} has a value that is not a number: {move}.",
         "Report the error with the drawing.",
         place="message",
-        move="text",
+        move="message",
     ),
     "toolpath.rapid-arc": entry(
         "Internal error: {place} is a rapid move along an arc: {move}.",
         "Report the error with the drawing.",
         place="message",
-        move="text",
+        move="message",
     ),
-    "toolpath.row": entry("Row {row} of the toolpath ({motion})", row="count", motion="text"),
+    "toolpath.row": entry("Row {row} of the toolpath ({motion})", row="count", motion="message"),
     "toolpath.row-of-edge": entry(
         "Row {row} of the toolpath ({motion}, edge {edge})",
         row="count",
-        motion="text",
+        motion="message",
         edge="count",
     ),
     "toolpath.swivel-without-turn": entry(
@@ -140,14 +155,14 @@ MESSAGES: Final[Entries] = {
         "{place} is more than {limit:g} mm away from the origin: {move}.",
         "Check the unit of the drawing.",
         place="message",
-        move="text",
+        move="message",
         limit="number",
     ),
     "toolpath.unknown-motion": entry(
         "Internal error: {place} has an unknown motion type: {move}.",
         "Report the error with the drawing.",
         place="message",
-        move="text",
+        move="message",
     ),
     "toolpath.unknown-station": entry(
         "{place} uses station {station}, which {machine} does not have.",
