@@ -43,7 +43,9 @@ class StyleNumbers:
         self._numbers: dict[Style, int] = {}
 
     def number_records(self, layer: str, records: Sequence[Sequence[str]]) -> list[int]:
-        """Return the index in ``styles`` of the style of each record; add the styles that are new.
+        """Return the index of the style of each record in the list ``self.styles``.
+
+        New styles are added to this list.
 
         Parameters
         ----------
@@ -63,7 +65,7 @@ class StyleNumbers:
         return numbers
 
     def _number(self, layer: str, point: str, kind: str, aux: str) -> int:
-        """Return the index of a style in ``styles``; add the style if it is new.
+        """Return the index of a style in the list ``self.styles``; add the style if it is new.
 
         Parameters
         ----------

@@ -23,9 +23,10 @@ _BYLAYER = 256
 
 
 class Layer(NamedTuple):
-    """A layer of a DXF file: the colour and the linetype of BYLAYER entities on it, and its notes.
+    """Colour, linetype and notes of a layer of a DXF file.
 
-    The notes are added to the import report for each entity on the layer.
+    Entities with BYLAYER on the layer have its colour and linetype.  The notes, for example that
+    the layer is frozen, are added to the import report for each entity on the layer.
     """
 
     colour: int
@@ -41,7 +42,7 @@ _SHEET = Style("0", 7, -1, "Continuous")
 
 
 def layer_of(colour: int, true_colour: int | None, linetype: str, flags: int, plot: int) -> Layer:
-    """Return the layer for a row of the layer table, given the values of the row as written.
+    """Return the layer for a row of the layer table of a file, given the values in this row.
 
     Parameters
     ----------

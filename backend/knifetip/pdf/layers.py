@@ -106,7 +106,8 @@ def _key(definition: object) -> object:
 def layer_names(names_of_lines: Iterable[tuple[str, str]]) -> dict[tuple[str, str], str]:
     """Return the layer name of the edges for each pair of PDF layer name and spot colour name.
 
-    ``names_of_lines`` contains the pair of each line on the page.
+    ``names_of_lines`` contains one such pair for each line on the page.  The layer name is one of
+    the two names, or "0" if neither of them can be used.
     """
     pairs = set(names_of_lines)
     spots: dict[str, set[str]] = {}

@@ -131,8 +131,8 @@ class Stream:
             Reason why the object is dropped, None if it is kept.  If the object is on a hidden
             layer, the hidden layer is the reason instead.
         points
-            Points whose bounding box is the location of the object, in the coordinates that the
-            current matrix maps to points on the page.
+            Positions (x, y) whose bounding box is the location of the object, before the current
+            transformation matrix is applied.  If empty, no location is reported.
         """
         mark, lines = self._marks[-1], self._page.drawn
         reason = Message("import.hidden-layer", layer=mark.hidden) if mark.hidden else reason

@@ -165,7 +165,7 @@ class TextObject:
 
     @property
     def begins(self) -> list[tuple[float, float]]:
-        """A list that contains the start point (x, y) of the text, empty if no text was shown.
+        """The start point (x, y) of the text as a list of one point; empty if no text was shown.
 
         The coordinates are those that apply before the operator BT.
         """

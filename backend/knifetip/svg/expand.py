@@ -401,10 +401,10 @@ class _Expansion:
 
 
 def _window(wide: float, high: float) -> shapes.Window:
-    """Return width, height and reference diagonal of a window, to which percentages refer.
+    """Return the lengths to which percentages in the attributes of SVG elements refer.
 
-    The reference diagonal is the diagonal divided by √2.  ``wide`` and ``high`` are the width and
-    the height.
+    They are the width ``wide`` and the height ``high`` of the window that contains the elements,
+    for x and y, and the diagonal of the window divided by √2, for other lengths.
     """
     return wide, high, math.sqrt((wide * wide + high * high) / 2.0)
 

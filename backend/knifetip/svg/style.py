@@ -63,7 +63,7 @@ _COMBINATORS: Final = (" ", ">")
 
 
 class StyleSheet:
-    """The rules of all style sheets of an SVG document, except those that are not supported.
+    """The supported rules of all style sheets of an SVG document.
 
     A rule is supported if its selector depends only on the element and its ancestors.
     """

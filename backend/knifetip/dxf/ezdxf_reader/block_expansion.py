@@ -386,7 +386,7 @@ class BlockExpansion:
 
 
 def _product(outer: F64, inner: F64) -> F64:
-    """Return k linear maps that each apply the map ``inner`` first and then one map of ``outer``.
+    """Return k linear maps; map i applies first the map ``inner`` and then the map ``outer[i]``.
 
     The maps are matrices: ``outer`` and the returned array have the shape (k, 2, 2), ``inner`` has
     the shape (2, 2).

@@ -66,7 +66,7 @@ def _block_name(insert: Any) -> str:
 
 
 def _cells(insert: Any) -> tuple[int, int]:
-    """Return the number of columns and the number of rows in which an INSERT repeats its block."""
+    """Return the number of columns and of rows in which an INSERT places copies of its block."""
     dxf = insert.dxf
     return max(int(dxf.get("column_count", 1)), 1), max(int(dxf.get("row_count", 1)), 1)
 

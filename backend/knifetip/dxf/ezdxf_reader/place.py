@@ -4,9 +4,9 @@ A placement that rotates, mirrors or scales equally in x and y keeps lines and a
 make an arc elliptical.  Ellipses and splines are approximated by arcs, once for all placements that
 differ only by a translation.
 
-The tolerance of the approximation is ``tolerance.CURVE`` mm.  While the unit is unknown it is
-1 / 250,000 of the diagonal of the drawing, which is at most 0.01 mm in every unit in which the
-drawing is smaller than 2.5 m.
+The tolerance of the approximation is ``tolerance.CURVE`` mm.  While the unit of the drawing is
+unknown, the tolerance is 1 / 250,000 of the diagonal of the drawing, and at most
+``tolerance.CURVE`` file units.  For a drawing of up to 2.5 m this is at most 0.01 mm.
 """
 
 from __future__ import annotations
@@ -152,7 +152,8 @@ def _box(ends: F64) -> tuple[F64, F64]:
 def _relative_tolerance(boxes: list[tuple[F64, F64]]) -> float:
     """Return the tolerance for approximating curves in a drawing of unknown unit, in file units.
 
-    ``boxes`` contains the lower and the upper corner of the bounding box of each shape.
+    It is a fixed fraction of the diagonal of the drawing.  ``boxes`` contains the lower and the
+    upper corner of the bounding box of each shape.
     """
     if not boxes:
         return CURVE

@@ -63,8 +63,10 @@ class _Records(NamedTuple):
 def with_markers(data: bytes, *, every: bool = False) -> bytes:
     """Return the DXF file ``data`` with subclass markers added to its LWPOLYLINEs and SPLINEs.
 
-    All tags of such an entity are written before the markers, and the tags that only its kind has
-    are repeated after the markers.  A file that cannot be split into records is returned unchanged.
+    The markers are inserted after the tags of the entity and before its extension data.  They are
+    followed by a copy of the tags that not all kinds of entities have, such as coordinates, because
+    ezdxf expects these after the markers.  A file that cannot be split into records is returned
+    unchanged.
 
     Parameters
     ----------

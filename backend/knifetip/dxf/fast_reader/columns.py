@@ -137,9 +137,8 @@ def distant(ends: F64_3, first: I64_1, reach: float) -> Any:
 def style_keys(entity: I32_2A, rows: I64_1, count: I64_1) -> Any:
     """Return the rows of the d entities that have segments, (d,), and the style key of each, (d,).
 
-    A style key is an integer that is equal for entities with equal styles.  It combines layer,
-    linetype, colour and true colour: there are fewer than 2^15 names, and the colours take 9 and 25
-    bits.
+    A style key is an integer of 64 bits that is equal for entities with equal styles.  It contains
+    layer and linetype (15 bits each), colour (9 bits) and true colour (25 bits).
 
     Parameters
     ----------
@@ -148,7 +147,7 @@ def style_keys(entity: I32_2A, rows: I64_1, count: I64_1) -> Any:
     rows
         Rows in ``entity`` of the entities to examine.
     count : (e,)
-        Number of segments of each entity in ``entity``.
+        Number of segments of each of the e entities in ``entity``.
     """
     with_segments = np.empty(len(rows), np.int64)
     key = np.empty(len(rows), np.int64)
@@ -185,7 +184,7 @@ def inserts(placement: F64_2, base: F64_2, move: OutF64_3) -> None:
 
 
 class SheetRows(NamedTuple):
-    """The k entities of model space in file order, with the positions of their segments."""
+    """The k entities of model space in file order, and where their segments are in the drawing."""
 
     entity: I64_1  #: (k,) row of each entity
     report_row: I64_1  #: (k,) row of each entity in the import report

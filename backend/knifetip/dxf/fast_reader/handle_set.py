@@ -26,7 +26,10 @@ _NUMBER: Final = 12
 
 
 def handles_of(data: bytes, entity: I32, blocks: int, other_handles: I64) -> Spelled | None:
-    """Return the handles of all entities in upper case; None if one is invalid or occurs twice.
+    """Return the handles of all entities of a file, in upper case.
+
+    An entity without a handle gets ``#`` and its number in model space or in its block.  None is
+    returned if a handle is invalid or occurs twice.
 
     Parameters
     ----------

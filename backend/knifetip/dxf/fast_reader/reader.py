@@ -1,11 +1,11 @@
 """reader: read a DXF file that uses only supported features.
 
 The drawing equals the drawing that the ezdxf reader returns, bit by bit, and is read in about a
-hundredth of the time.  Entities in model space, and blocks that INSERTs move, rotate and scale
-equally in x and y, are processed in arrays: all of them together, by compiled kernels.  All other
-entities are expanded one by one by ``BlockExpansion``: curves that must be approximated, blocks
-that are nested, repeated or unequally scaled, and entities that the scan does not support, which
-are read with ezdxf.
+hundredth of the time.  Compiled kernels process most entities together, in arrays: entities in
+model space, and blocks that INSERTs move, rotate and scale equally in x and y.  The other entities
+are expanded one by one by ``BlockExpansion``: curves that must be approximated, blocks that are
+nested, repeated or unequally scaled, and entities that the scan does not support, which are read
+with ezdxf.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ class FastReading(NamedTuple):
 
 
 class _ScannedEntity:
-    """An entity of a scanned file, as ``BlockExpansion`` needs it (interface ``SourceEntity``)."""
+    """An entity of a scanned file that implements the interface ``SourceEntity``."""
 
     hidden = False
 
@@ -209,7 +209,7 @@ class FastReader:
         return simple
 
     def _all_blocks(self) -> dict[str, Block]:
-        """Return all blocks by name in lower case, as ``BlockExpansion`` needs them."""
+        """Return the block definitions for ``BlockExpansion``, by their names in lower case."""
         blocks = {}
         inserts = np.flatnonzero(self.entity[:, f.KIND] == f.INSERT)
         for key, number in self.tables.blocks.items():
@@ -232,7 +232,7 @@ class FastReader:
         return list(map(self._entry, rows))
 
     def _entry(self, row: int) -> Entry:
-        """Return the entity in row ``row`` of ``Scan.entity``, as ``BlockExpansion`` needs it."""
+        """Return the entity in row ``row`` of ``Scan.entity``, for ``BlockExpansion``."""
         line = self.entity[row]
         kind, handle = self.tables.words[int(line[f.WORD])], self.tables.handles[row]
         box = None if line[f.PAPER] else boxes(self.tables, np.array([row]))[0]

@@ -245,11 +245,11 @@ def _merge_parts(data: bytes, parts: _PartScans) -> Scan | None:
 def _move_up(
     entity: OutI32_2F, value: OutF64_2F, row: int, to: int, count: int, numbers: I32_1, gap: int
 ) -> None:
-    """Move ``count`` rows of ``entity`` and ``value`` from index ``row`` to the lower index ``to``.
+    """Close the gap between the rows of one part of a file and the rows of the parts before it.
 
-    The rows belong to one part of the file, and ``to`` is the end of the rows of the parts before
-    it.  Names and vertices are renumbered: ``numbers[i]`` is the new index of name i, and ``gap``
-    is subtracted from the indices of vertices.
+    Moves ``count`` rows of ``entity`` and ``value`` from index ``row`` to the lower index ``to``,
+    and renumbers the names and vertices in them: ``numbers[i]`` is the new index of name i, and
+    ``gap`` is subtracted from the indices of vertices.
     """
     for column in range(f.WIDTH):
         named = column in (f.WORD, f.LAYER, f.LINETYPE, f.REFERENCE)

@@ -240,7 +240,8 @@ def _open_entity(start: int, word: int, name: int, tables: ScanTables, state: Ou
 def pause(start: int, last: int, entity: OutI32_2F, state: OutI64_1) -> bool:
     """Complete the last entity of a part of a file, at the end of the part.
 
-    Returns whether the file may be split at this position.
+    The next part is scanned separately.  Returns whether the file may be split at this position,
+    which is False inside a polyline, for example.
 
     Parameters
     ----------
@@ -248,6 +249,8 @@ def pause(start: int, last: int, entity: OutI32_2F, state: OutI64_1) -> bool:
         Position of the first byte after the part.
     last
         Group code of the last tag of the part.
+    entity, state
+        The entities and the state of the scan; both are updated.
     """
     if state[s.GROUP] == 1 or state[s.SECTION] != w.ENTITIES or g.IS_POINT[last]:
         return False

@@ -2,8 +2,8 @@
 
 They are a tuck-end carton in folding boxboard, a tray with rolled-over end walls in corrugated
 board, and a grooved blank for a rigid box in greyboard.  Each is a list of layers with paths, which
-``write`` converts to a DXF file.  The cartons close when they are folded: every allowance for the
-caliper is given here with its reason.
+``write`` converts to a DXF file.  The cartons close when they are folded, because the dimensions
+include allowances for the caliper; comments give the reason for each allowance.
 """
 
 from __future__ import annotations
