@@ -49,7 +49,10 @@ class Chains:
 
 
 def outward_directions(ends: F64, bulge: F64) -> F64:
-    """Return the unit directions from both ends of each edge into the edge, (n, 2, 2).
+    """Return the unit directions in which each edge leaves its start and its end, (n, 2, 2).
+
+    Both directions point into the edge: from its start towards its end along the edge, and from its
+    end backwards along the edge.
 
     Parameters
     ----------
@@ -161,7 +164,7 @@ def _cluster_points(points: F64_2, cell: I64_2, order: OutI64_1, gap: float) -> 
     """Return for each point the least index of all points of its cluster, (n,).
 
     Points within ``gap`` of each other are merged into clusters by union-find.  Near points are
-    found in a grid of cells, by bisection in ``order``.
+    found in a grid of cells, by bisection in ``order``.  No argument is changed.
 
     Parameters
     ----------
@@ -256,12 +259,15 @@ def _link_ends(
 
 @kernel
 def _continues_straight(outward: F64_2, by_node: I64_1, bounds: I64_1, straight: float) -> Any:
-    """Return the mask of ends of n edges from whose vertex another edge continues straight, (2n,).
+    """Return the mask of ends of n edges beyond which another edge continues straight, (2n,).
+
+    The other edge has an end at the same vertex, and its direction there is nearly the same.
 
     Parameters
     ----------
     outward : (2n, 2)
-        Unit directions from the ends into the edges; end 2i is the start of edge i.
+        Unit directions from the ends into the edges; end 2i is the start of edge i, end 2i + 1 its
+        end.
     by_node : (2n,)
         The ends, sorted by vertex.
     bounds : (v + 1,)

@@ -2,8 +2,9 @@
 
 Each piece of a curve becomes a biarc: two tangent arcs with the curve's points and directions at
 the ends of the piece, so a smooth curve gives a smooth result.  The deviation of a biarc of length
-h grows with |κ′| h³, so pieces are distributed with a density of |κ′|^⅓.  Every biarc is then
-measured against the curve, and its piece is halved if the deviation is too large.
+h grows with |κ′| h³, where κ′ is the derivative of the curve's curvature by its length.  Therefore
+pieces are distributed with a density of |κ′|^⅓.  Every biarc is then measured against the curve,
+and its piece is halved if the deviation is too large.
 
 Source: biarc with equal tangent lengths, Bolton, "Biarc curves", Computer-Aided Design 7 (1975);
 order of its error, Meek & Walton, "Approximating smooth planar curves by arc splines", J. Comput.
@@ -54,10 +55,11 @@ def fit(
     Parameters
     ----------
     point, tangent
-        Functions from parameters (m,) to points (m, 2) and to derivatives (m, 2) of any length.
+        Functions from parameters (m,) to points (m, 2) mm and to derivatives (m, 2) of any length.
     breaks : (k,), increasing
-        Parameters at which the curve may have a corner or jump in curvature, both ends included.
-        Segments meet there exactly on the curve, unless they are one straight line.
+        Parameters of the start and the end of the curve, and of points between at which the curve
+        may have a corner or a jump in curvature.  A segment ends exactly at each of these points,
+        unless the curve is straight there.
     tolerance : float, mm
         Largest distance of a point of the curve from the segments.
 
@@ -65,7 +67,8 @@ def fit(
     -------
     start, end : (n, 2) float64, mm
     bulge : (n,) float64, |bulge| ≤ 0.5
-        Segment i ends where segment i + 1 starts, to the bit.
+        The segments, lines or arcs.  The end of segment i and the start of segment i + 1 have equal
+        coordinates.
 
     Raises
     ------
@@ -134,9 +137,23 @@ def _fit_block(
 ) -> tuple[F64, F64, F64, I64]:
     """Return lines and arcs that approximate the curves ``low`` … ``low + count - 1``.
 
-    Arguments and results are those of ``fit_many``.  The curves are joined into one curve and
-    fitted together: the parameters 2i to 2i + 1 of the joined curve belong to the curve ``low +
-    i``.
+    The curves are joined into one curve and fitted together: the parameters 2i to 2i + 1 of the
+    joined curve belong to the curve ``low + i``.
+
+    Parameters
+    ----------
+    point, tangent
+        Functions from the numbers of curves (m,) and parameters on them (m,), 0 … 1, to points (m,
+        2) mm and to derivatives (m, 2).
+    low, count
+        Number of the first curve, and how many curves are fitted.
+    tolerance : mm
+        Largest distance of a point of a curve from its segments.
+
+    Returns
+    -------
+    start, end, bulge, curve : (n, 2) mm, (n, 2) mm, (n,) and (n,)
+        Ends and bulge of each line or arc, and the number of the curve that it approximates.
     """
 
     def curve_and_parameter(t: F64) -> tuple[I64, F64]:
@@ -251,12 +268,15 @@ def _merge_collinear(
 def _spread_breaks(point: Evaluate, tangent: Evaluate, knots: F64, tolerance: float) -> F64:
     """Return parameters that divide a curve into pieces whose biarcs have nearly equal errors.
 
+    The result, (m,), is increasing and contains all ``knots``.
+
     Parameters
     ----------
     point, tangent
         Functions from parameters of the curve to its points and to its derivatives.
     knots : (k,)
-        Parameters that must be among the returned ones.
+        Parameters of the start and the end of the curve, and of points between at which a piece
+        must end; increasing.
     tolerance : mm
         Largest distance of a biarc from the curve.
     """

@@ -69,8 +69,10 @@ def _intersect_pairs(
     """Write the common points of n pairs of segments to ``points``, and how many to ``count``.
 
     Pair i consists of the segments in row i of ``one`` and in row i of ``two``, which are (x0, y0,
-    x1, y1, bulge).  ``points[i]`` has one row per common point of pair i, and ``count[i]`` is their
-    number.  ``touch`` is the largest distance (mm) at which two segments count as touching.
+    x1, y1, bulge).  ``count[i]`` is the number of their common points.  Each of the first
+    ``count[i]`` rows of ``points[i]`` gets x and y of one common point, and its parameters on the
+    first and on the second segment (0 … 1).  ``touch`` is the largest distance (mm) at which two
+    segments count as touching.
     """
     for i in range(len(one)):
         count[i] = intersect_rows(one, i, two, i, touch, points[i])
@@ -206,10 +208,23 @@ def _add_point(
     points: OutF64_2,
     count: int,
 ) -> int:
-    """Append (x, y) to ``points`` if it is on both segments and not in ``points`` yet.
+    """Append (x, y) to ``points`` if it is on both segments; return the new number of points.
 
-    The segments are row i of ``one`` and row j of ``two``.  ``touch`` is the largest distance (mm)
-    of equal points.  ``count`` is the number of points in ``points``; returns the new number.
+    The point must be on the lines or circles of both segments.  It is not appended if ``points``
+    has a point within ``touch`` mm of it, or has no free row.
+
+    Parameters
+    ----------
+    one, i, two, j
+        The segments are row i of ``one`` and row j of ``two``: x0, y0, x1, y1, bulge.
+    x, y : mm
+        The point.
+    touch : mm
+        Distance beyond an end of a segment up to which the point still counts as on the segment.
+    points
+        Receives in one row x, y, and the parameters on the first and on the second segment (0 … 1).
+    count
+        Number of points in ``points`` before the call.
     """
     for k in range(count):
         if abs(points[k, 0] - x) <= touch and abs(points[k, 1] - y) <= touch:
@@ -231,8 +246,10 @@ def _add_point(
 def _add_common_ends(one: F64_2, i: int, two: F64_2, j: int, touch: float, points: OutF64_2) -> int:
     """Write each end of two segments that is on the other segment to ``points``; return the number.
 
-    The segments are row i of ``one`` and row j of ``two``.  ``touch`` is the largest distance (mm)
-    of an end from the other segment at which the end still counts as on it.
+    The segments are row i of ``one`` and row j of ``two``; a row is (x0, y0, x1, y1, bulge).  They
+    must be on one line or on one circle.  A row of ``points`` gets x, y, and the parameters on the
+    first and on the second segment (0 … 1).  ``touch`` is the largest distance (mm) of an end from
+    the other segment at which the end still counts as on it.
     """
     count = _add_point(one, i, two, j, one[i, 0], one[i, 1], touch, points, 0)
     count = _add_point(one, i, two, j, one[i, 2], one[i, 3], touch, points, count)
@@ -280,8 +297,9 @@ def intersect_rows(one: F64_2, i: int, two: F64_2, j: int, touch: float, points:
 def _intersect_lines(one: F64_2, i: int, two: F64_2, j: int, touch: float, points: OutF64_2) -> int:
     """Write the common points of two lines to ``points`` and return the number of the points.
 
-    The lines are row i of ``one`` and row j of ``two``; a row is (x0, y0, x1, y1, bulge).
-    ``touch`` is the largest distance (mm) at which two lines count as touching.
+    The lines are row i of ``one`` and row j of ``two``; a row is (x0, y0, x1, y1, bulge).  A row of
+    ``points`` gets x, y, and the parameters on the first and on the second line (0 … 1).  ``touch``
+    is the largest distance (mm) at which two lines count as touching.
     """
     ax = one[i, 2] - one[i, 0]
     ay = one[i, 3] - one[i, 1]
@@ -328,9 +346,10 @@ def _intersect_line_arc(
 ) -> int:
     """Write the common points of a line and an arc to ``points`` and return the number of points.
 
-    The two segments are row i of ``one`` and row j of ``two``; ``flat`` is True if the line is row
-    i of ``one``, and False if it is row j of ``two``.  ``touch`` is the largest distance (mm) at
-    which the two count as touching.
+    The two segments are row i of ``one`` and row j of ``two``; a row is (x0, y0, x1, y1, bulge).
+    ``flat`` is True if the line is row i of ``one``, and False if it is row j of ``two``.  A row of
+    ``points`` gets x, y, and the parameters on the first and on the second segment (0 … 1).
+    ``touch`` is the largest distance (mm) at which the two count as touching.
     """
     if flat:
         x0, y0, dx, dy = one[i, 0], one[i, 1], one[i, 2] - one[i, 0], one[i, 3] - one[i, 1]

@@ -20,14 +20,19 @@ _PLAIN = {float: types.float64, int: types.int64, bool: types.boolean}
 
 
 class Group(types.NamedTuple):
-    """Numba type of a named tuple in a kernel's signature; accepts a tuple if its fields convert.
+    """Numba type of a named tuple in a kernel's signature.
 
-    numba itself converts no named tuples: it would refuse a named tuple with a writable array if a
-    read-only array is declared.
+    A tuple is accepted for it if the type of each field can be converted.  numba itself converts no
+    named tuples: it would refuse a named tuple with a writable array if a read-only array is
+    declared.
     """
 
     def can_convert_from(self, typingctx: Any, other: Any) -> Any:
-        """Return how numba converts a value of type ``other`` to this type; None if it cannot."""
+        """Return how numba converts a value of type ``other`` to this type; None if it cannot.
+
+        The result is a numba ``Conversion``: that of the field whose conversion loses most, at
+        least ``Conversion.safe``.
+        """
         if getattr(other, "instance_class", None) is not self.instance_class:
             return None
         kinds = [typingctx.can_convert(a, b) for a, b in zip(other, self, strict=True)]

@@ -28,7 +28,8 @@ def offset_on_all_cores(
 ) -> Any:
     """Return the offsets of all groups of paths as a tuple of columns, computed on all cores.
 
-    The result equals that of ``groups.offset_groups``, which runs on one core.
+    The paths of a group bound one region, such as an outline with its holes.  The result equals
+    that of ``groups.offset_groups``, which runs on one core.
 
     Parameters
     ----------
@@ -37,10 +38,10 @@ def offset_on_all_cores(
     member : (p,)
         Path numbers in the order of their groups.
     group_first : (g + 1,)
-        Position in ``member`` at which each group begins; the last entry is p.
+        Position in ``member`` at which each of g groups begins; the last entry is p.
     signed : (p,) mm
         Radius of the tool for each path, positive if the tool is left of travel.
-    corner, k : (n,) or (1,)
+    corner, k : (n,) each, or (1,) each if all corners are equal
         Type of the transition at the start of each segment, and the parameter k of type D.
     refuse
         Whether a position where the tool does not fit is a failure.
@@ -50,12 +51,13 @@ def offset_on_all_cores(
     start, end, bulge, source, inserted : (m, 2), (m, 2) mm, (m,) each
         Segments of the offsets, as in ``OffsetPaths``.
     first, owner : (q + 1,), (q,)
-        First segment of each offset path, and its input path.
+        First segment of each of q offset paths, and its input path.
     unreached : (p,) mm²
         Area beside each input path that the tool cannot reach.
     failure
-        Failure code (a constant of ``raw_segments``), the two contour segments concerned, and the
-        depth by which the tool would cut into the contour (mm), of the first region that failed.
+        Failure code, the two contour segments concerned, and the depth by which the tool would cut
+        into the contour (mm), of the first region that failed.  The code is a constant of
+        ``raw_segments``, ``NO_FAILURE`` if all regions were offset.
     """
     runs = _split_groups(paths.first, member, group_first, core_count())
 

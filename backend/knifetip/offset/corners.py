@@ -39,8 +39,9 @@ def classify_corner(
 ) -> tuple[int, float, float]:
     """Return the kind of a corner, and the sine and cosine of the angle by which it turns left.
 
-    The kind is ``SMOOTH`` if the moved segments meet within the tolerance of a point, ``CONVEX`` if
-    they leave a gap, or if the path turns back, and ``CONCAVE`` if they overlap.
+    The kind is ``SMOOTH`` if the ends of the moved segments coincide within the tolerance of a
+    point, ``CONVEX`` if there is a gap between them, or if the path turns back, and ``CONCAVE`` if
+    the moved segments overlap.
 
     Parameters
     ----------
@@ -82,10 +83,11 @@ def line_crossing(
 
 @inline_kernel
 def smooth_joint(table: F64_2, row: int, x: float, y: float) -> int:
-    """Return the kind of a joint at a smooth corner whose moved segments are joined at (x, y).
+    """Return the kind of a smooth corner whose moved segments are joined at the point (x, y).
 
-    The kind is ``SHIFTED`` if (x, y) is farther than rounding errors from the start of the moved
-    segment in row ``row`` of ``table``, else ``SMOOTH``.
+    The kind is ``SHIFTED`` if joining moves the start of the segment after the corner by more than
+    rounding errors, so that its bulge must be computed again, else ``SMOOTH``.  That segment is row
+    ``row`` of ``table``, the moved segments.
     """
     shift = abs(x - table[row, SX]) + abs(y - table[row, SY])
     return SHIFTED if shift > NEGLIGIBLE_SHIFT else SMOOTH
@@ -227,6 +229,8 @@ def concave_crossing(
 
     Parameters
     ----------
+    contours
+        The input contours.
     last, next_
         Contour segments before and after the corner.
     table, row_before, row_after
@@ -239,13 +243,14 @@ def concave_crossing(
     hits
         Number of intersections; the other results are valid only if it is 1.
     x, y : mm
-        The intersection.
+        The intersection, which is the centre of the tool's disc when it touches both contour
+        segments.
     cosine, sine
-        Cosine and sine of the angle, at the centre of a disc at the intersection, between the two
-        points at which the disc touches the contour segments.
+        Cosine and sine of the angle at the centre of this disc between its two contact points.
     twice : mm²
-        Twice the area between corner and contact points that the disc cannot reach, plus twice the
-        area of the disc's sector between the contact points.
+        Twice the area bounded by the contour from one contact point over the corner to the other,
+        and by the radii to the contact points.  It is the area that the disc cannot reach, plus the
+        disc's sector, which ``trim_path`` subtracts for all corners at once.
     """
     start, end = contours.start, contours.end
     x, y = start[next_, 0], start[next_, 1]

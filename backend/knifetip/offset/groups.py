@@ -83,8 +83,8 @@ def _copy_paths(
 
     Parameters
     ----------
-    paths
-        Indices of the paths in ``contours``.
+    contours, paths
+        Input contours, and the indices in them of the paths to append.
     segments
         Scratch rows for the moved segments of one path.
     out, segment_count
@@ -95,9 +95,10 @@ def _copy_paths(
     Returns
     -------
     segment_count, chain_count
-        Number of segments and number of chains that are written.
+        Number of segments and number of chains written so far, including those before the call.
     code, segment
-        Failure code (a constant of ``raw_segments``), and the contour segment that failed.
+        ``NO_FAILURE`` or another failure code of ``raw_segments``, and the contour segment that
+        failed.
     """
     for path in paths:
         low, high = contours.first[path], contours.first[path + 1]
@@ -169,6 +170,8 @@ def offset_groups(
 ) -> Any:
     """Return the offsets of all groups of contours as columns, and the first failure.
 
+    The contours of a group bound one region, such as an outline with its holes.
+
     Parameters
     ----------
     contours
@@ -190,8 +193,9 @@ def offset_groups(
     unreached : (p,) mm²
         Area beside each input path that the tool cannot reach.
     failure
-        Failure code (a constant of ``raw_segments``), the two contour segments concerned, and the
-        depth by which the tool would cut into the contour (mm).
+        Failure code, the two contour segments concerned, and the depth by which the tool would cut
+        into the contour (mm).  The code is a constant of ``raw_segments``, ``NO_FAILURE`` if all
+        groups were offset.
     """
     first, member, members, signed = contours.first, groups.member, groups.bounds, groups.signed
     path_count = len(first) - 1

@@ -40,9 +40,13 @@ def offset_paths(
 ) -> OffsetPaths:
     """Return the paths of a tool's centre at a distance from contours.
 
-    With P a point of a contour, n the left normal, σ the side and κ the signed curvature::
+    The point P of a contour is moved by the radius r of the tool to the side σ along the left
+    normal n::
 
-        P_e = P + σ r n                     lines are shifted, arcs get the radius R (1 - σ r κ)
+        P_e = P + σ r n
+
+    Lines are shifted; an arc with the radius R and the signed curvature κ gets the radius R (1 - σ
+    r κ).
 
     Parameters
     ----------
@@ -78,10 +82,12 @@ def offset_paths(
         ``interference`` is "refuse", and the tool would cut into a contour; ``source`` has the rows
         of the two segments, the message has the depth.
 
-    Notes ----- ``OffsetPaths.unreached`` is the area between the contour and the area that the disc
-    sweeps.  The edge of the swept area is the offset curve moved back by r, with an arc of radius r
-    around every corner that the offset curve turns towards the contour.  The area of a group is
-    stored with its first path.  For an open path whose offset lost an end, the area is an estimate.
+    Notes
+    -----
+    ``OffsetPaths.unreached`` is the area between the contour and the area that the disc sweeps.
+    The edge of the swept area is the offset curve moved back by r, with an arc of radius r around
+    every corner that the offset curve turns towards the contour.  The area of a group is stored
+    with its first path.  For an open path whose offset lost an end, the area is an estimate.
 
     Cost: n log n in the number of segments; the tree of boxes over the segments uses their order
     along the path.  Large batches are processed on all cores.

@@ -111,14 +111,14 @@ def remaining_bulge(
     Parameters
     ----------
     table, row
-        Moved segments, and the row of the arc in them; the start of the arc in this row is the
-        start of the remaining part.
+        Moved segments, and the row of the arc in them.  The start of the arc in the table is
+        already the start of the remaining part.
     dx, dy : mm
         Chord of the remaining part.
     bulge
         Bulge of the whole arc.
     x, y : mm
-        Start of the arc before it was moved.
+        Start of the contour's arc, before it was moved by the tool's radius.
     """
     beside = table[row, MOVED]
     # The ray from the centre to the start, perpendicular to the tangent there.

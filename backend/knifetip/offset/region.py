@@ -180,7 +180,7 @@ def _swept_area(
     chains: int,
     scratch: Scratch,
 ) -> tuple[float, bool, int, float]:
-    """Return the area inside the edge that a tool leaves when its centre follows chains.
+    """Return twice the area inside the edge that a tool leaves when its centre follows chains.
 
     Parameters
     ----------
@@ -196,12 +196,12 @@ def _swept_area(
     Returns
     -------
     swept : mm²
-        Twice the signed area between the coordinate origin and the edge beside all chains.
+        Twice the signed area, summed over all chains; 0 if ``torn`` is not -1.
     overlaps
         Whether a part of the area is counted twice.
     torn, length
         Index of a chain that is open although its path is closed, and its length (mm).  If there is
-        no such chain, ``torn`` is -1.
+        no such chain, ``torn`` is -1 and ``length`` is 0.
     """
     line, tag, bounds, ring = out
     count = len(paths.member)

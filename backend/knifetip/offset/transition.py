@@ -51,12 +51,16 @@ def transitions(
 ) -> Paths:
     """Return the path of the tool's centre around each of m corners.
 
-    With φ the angle of the corner, relative to the tool, and r the radius::
+    With φ the angle of the corner, r the radius of the tool and L the length of the path, for the
+    types B, C and D::
 
         B   L = r φ
         C   L = 2 r tan(φ/2)          φ ≤ 90°, else 2 r (1 + sin(φ/2) - cos(φ/2))
         D   l = k r tan(φ/2)          φ ≤ 90°, else k (L_C - L_B) / (2 - φ cot(φ/2))
             r′ = r - l cot(φ/2),  L = 2 l + r′ φ = (1 - k) L_B + k L_C
+
+    Type D has two straight parts of the length l and an arc of the radius r′ between them; L_B and
+    L_C are the lengths of the types B and C.
 
     Parameters
     ----------

@@ -74,10 +74,11 @@ def _trim_corners(contours: Contours, path: MovedPath) -> tuple[int, int, float,
     Returns
     -------
     code, segment
-        Failure code (a constant of ``raw_segments``), and the contour segment that failed.
+        ``NO_FAILURE`` or another failure code of ``raw_segments``, and the contour segment that
+        failed.
     twice : mm²
         Twice the area that the tool cannot reach at concave corners, plus twice the area of the
-        disc's sectors between its contact points there.
+        disc's sectors between its contact points there.  ``trim_path`` subtracts the sectors.
     angle : radians
         Sum of the angles of these sectors.
     """
@@ -233,8 +234,10 @@ def trim_path(
 
     Parameters
     ----------
-    path
-        The path; its moved segments are trimmed in place.
+    contours, path
+        The input contours, and the path; its moved segments are trimmed in place.
+    corners
+        Types of the transitions at the corners.
     out, next_row
         Output columns, written from row ``next_row`` on.
     rows
@@ -245,7 +248,8 @@ def trim_path(
     next_row
         Next free row of the output.
     code, segment
-        Failure code (a constant of ``raw_segments``), and the contour segment that failed.
+        ``NO_FAILURE`` or another failure code of ``raw_segments``, and the contour segment that
+        failed.
     lost : mm²
         Area that the tool cannot reach at concave corners.
     """

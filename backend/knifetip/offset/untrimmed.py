@@ -135,14 +135,15 @@ def raw_offset(
 
     Parameters
     ----------
-    path
-        The path; its moved segments are trimmed in place.
+    contours, path
+        The input contours, and the path; its moved segments are trimmed in place.
     corners
         Types of the transitions at the corners.
     raw, next_row
         Output rows, and the index of the first row to write.
     member
-        Number of the path in the region, or -1.
+        Number of the path in the region; -1 for rows that only split other rows and are not part of
+        the offset.
 
     Returns
     -------

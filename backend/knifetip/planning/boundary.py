@@ -1,15 +1,18 @@
 """boundary: find the grooves that end on the board's edge, and how far they must run out past it.
 
-A tool of width W cuts a strip that extends W/2 to the left and W/2 to the right of the
-groove's line.  Across the direction of travel, the tool is a line from the left border of this
-strip to the right border.  The tool has left the board when both ends of this line are outside.
+A tool of width W cuts a strip that extends W/2 to the left and W/2 to the right of the groove's
+line.  Across the direction of travel, the tool is a line from the left border of this strip to the
+right border.  The tool has left the board when both ends of this line are outside.
+
 At a straight edge of the board this takes a run-out of (W/2) |n·m| / (u·m), where m is the edge's
 outward normal, u the direction of the groove and n the groove's normal.  At a round edge the
-sagitta of the edge is added.  At an outer corner of the outline the tool has left the board once
-it is past one of the two edges.  At an inner corner (a notch) each half of the tool must be past
-both edges.  A groove that continues into the board, or runs along its edge within 5°, gets no
-run-out.  The end of such a groove counts as inside the board; there the board's ``groove_overcut``
-limits how far the blade may cut beyond the end.
+sagitta of the edge is added.  At an outer corner of the outline the tool has left the board once it
+is past one of the two edges.  At an inner corner (a notch) each half of the tool must be past both
+edges.
+
+A groove that continues into the board, or runs along its edge within 5°, gets no run-out.  The end
+of such a groove counts as inside the board; there the board's ``groove_overcut`` limits how far the
+blade may cut beyond the end.
 
 Source of the run-out at a straight edge: "A new method of turning processing in multi axis linkage
 NC machining", section 1.  The formulas for corners and round edges were derived for knifetip.

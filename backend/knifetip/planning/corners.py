@@ -72,21 +72,21 @@ def check_choices(corners: Corners) -> None:
 
 
 def distances_to_corners(corners: Corners, contours: list[Bends]) -> F64:
-    """Return the distance between each position that the user chose and the nearest corner, mm.
+    """Return the distance (mm) from each position that the user chose to the nearest corner, (m,).
 
-    The result has one entry for each of ``corners.at``.
+    The m positions are those in ``corners.at``.  Only corners that are convex for the tool count.
 
     Parameters
     ----------
     corners
         Corner types that the user chose; ``at`` contains the choices for single positions.
     contours
-        Bends of every operation in which the cutter runs beside the edges.
+        Bends of the contours of every operation in which the cutter runs beside the edges.
 
     Raises
     ------
     PlanError
-        There is no corner within ``NEAR`` of a position; the error lists the nearest corners.
+        There is no corner within ``NEAR`` mm of a position; the error lists the nearest corners.
     """
     position = np.concatenate([np.zeros((0, 2)), *(bends.position for bends in contours)])
     turn = np.concatenate([np.zeros(0), *(bends.turn for bends in contours)])
@@ -117,11 +117,11 @@ def distances_to_corners(corners: Corners, contours: list[Bends]) -> F64:
 
 
 def choices_at_bends(corners: Corners, nearest: F64, bends: Bends) -> tuple[U8, F64]:
-    """Return the corner type and the type's parameter k that the user chose for the bend at the
-    start of each of n segments, (n,) each.
+    """Return the corner type and its parameter k that the user chose for each bend, (n,) each.
 
-    Segments without a choice get ``AS_OTHERS`` and NaN.  A choice applies to all corners at its
-    point, for instance if two contours touch there.
+    Bend i is at the start of segment i.  Without a choice for a bend, its type is ``AS_OTHERS``,
+    the type of all other corners, and its k is NaN.  A choice applies to all corners at its point,
+    for instance if two contours touch there.
 
     Parameters
     ----------
@@ -130,7 +130,7 @@ def choices_at_bends(corners: Corners, nearest: F64, bends: Bends) -> tuple[U8, 
     nearest : mm
         Distance between each position in ``corners.at`` and the nearest corner.
     bends
-        Bends of one operation, one for each segment.
+        Bends of one operation, one for each of n segments.
     """
     kind = np.full(len(bends.turn), AS_OTHERS, np.uint8)
     k = np.full(len(bends.turn), np.nan)

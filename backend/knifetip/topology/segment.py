@@ -125,10 +125,11 @@ def outward_direction(ends: F64_3, bulge: F64_1, half: int) -> tuple[float, floa
 def crossing_parameters(
     ax: float, ay: float, ux: float, uy: float, ends: F64_3, j: int
 ) -> tuple[float, float]:
-    """Return the parameters, 0 … 1, at which two lines cross, or NaN twice if they do not cross.
+    """Return the parameters, 0 … 1, of the point at which two straight segments cross.
 
-    The first line runs from (``ax``, ``ay``) to (``ax + ux``, ``ay + uy``), the second line from
-    ``ends[j, 0]`` to ``ends[j, 1]``.
+    Returns NaN twice if the segments do not cross between their ends.  The first segment runs from
+    (``ax``, ``ay``) to (``ax + ux``, ``ay + uy``), the second from ``ends[j, 0]`` to ``ends[j,
+    1]``; the result has one parameter for each of the two.
     """
     vx, vy = ends[j, 1, 0] - ends[j, 0, 0], ends[j, 1, 1] - ends[j, 0, 1]
     ox, oy = ends[j, 0, 0] - ax, ends[j, 0, 1] - ay

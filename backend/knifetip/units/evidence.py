@@ -116,10 +116,13 @@ def _contradictions(drawing: Drawing, lengths: Lengths, best: str, lead: float) 
     """Return a warning for each contradiction to the unit in which the drawing was read.
 
     There may be one warning that the header states a different unit, and one that the evidence
-    supports a unit that is neither of the two.  The list is empty if the drawing has no unit.
+    supports a third unit, which is neither the unit of the drawing nor the unit in the header.  The
+    list is empty if the drawing has no unit.
 
     Parameters
     ----------
+    drawing
+        The drawing.
     lengths
         Lengths of the edges, and size, of the drawing.
     best

@@ -172,8 +172,8 @@ def _drawn_in(key: tuple[str, str]) -> Message:
 def _component_roots(node: OutI64_1, count: int) -> Any:
     """Return the number of the union-find root of each of ``count`` graph nodes, shape (count,).
 
-    ``node`` contains two node numbers per edge: edge i joins ``node[2 i]`` and ``node[2 i + 1]``.
-    Nodes that are connected by edges have the same root.
+    Each graph edge connects two nodes: edge i connects ``node[2 i]`` with ``node[2 i + 1]``.  Nodes
+    that are connected by a series of edges have the same root.
     """
     root = np.arange(count)
     for edge in range(len(node) // 2):

@@ -59,7 +59,7 @@ _UNIT_OF_SIGN: Final = {'"': "in", "inch": "in", "inches": "in", "'": "ft"}
 
 @dataclass(frozen=True, slots=True)
 class TextEvidence:
-    """What the texts of a drawing contribute: evidence for units, and warnings."""
+    """The evidence for units found in the texts of a drawing, and warnings about scales."""
 
     evidence: tuple[UnitEvidence, ...]
     warnings: tuple[Message, ...]
@@ -67,10 +67,11 @@ class TextEvidence:
 
 @dataclass(frozen=True, slots=True)
 class _Number:
-    """A length written in a text on the sheet, and the length that its dimension measures.
+    """A length that is written in a text on the sheet.
 
-    The text of a dimension normally states the length that the dimension measures.  The measured
-    length is NaN for other texts.
+    If the text belongs to a dimension, the record also contains the length that the dimension
+    measures in the drawing, which is normally the written length.  Otherwise the measured length is
+    NaN.
     """
 
     written: WrittenLength

@@ -37,7 +37,10 @@ _STACK_LENGTH: Final = 16 * NODE_SIZE
 
 
 class BoxTree(NamedTuple):
-    """A packed tree over n bounding boxes; it has t boxes in total, with those of its nodes."""
+    """A packed tree over n bounding boxes.
+
+    It has t boxes: the n given ones, and those of the nodes of the tree.
+    """
 
     boxes: F64_2  #: (t, 4) x0, y0, x1, y1 of the n given boxes, then of the nodes above them
     level: I64_1  #: (24,) row in ``boxes`` of the first box of each level
@@ -104,15 +107,20 @@ def _fill_levels(nodes: OutF64_2, count: int, level: OutI64_1) -> int:
 
 @kernel
 def new_stack() -> Any:
-    """Return an empty stack for queries; the same stack may be used for one query after another."""
+    """Return an empty stack for searches in a ``BoxTree``, a two-column array of integers.
+
+    During a search it contains the nodes that are still to be visited.  The same stack may be used
+    for one search after another.
+    """
     return np.empty((_STACK_LENGTH, 2), np.int64)
 
 
 @kernel(allocates=False)
 def start_query(tree: BoxTree, stack: OutI64_2) -> int:
-    """Write the root of a tree to a stack; return the depth of the stack for ``next_overlap``.
+    """Begin a search in a tree, and return the depth of ``stack``.
 
-    The depth is the number of nodes on the stack.
+    ``next_overlap`` continues the search.  The depth is the number of nodes on the stack, which is
+    1: the function writes the root of the tree to ``stack``, an array from ``new_stack``.
     """
     stack[0, 0] = tree.height
     stack[0, 1] = 0
@@ -131,23 +139,27 @@ def next_overlap(
     y1: float,
     previous: int,
 ) -> tuple[int, int]:
-    """Return the next box that overlaps a given box, in ascending order of the row numbers.
+    """Return the next result of a search for the bounding boxes that overlap a given box.
+
+    ``start_query`` begins the search.  Each call returns one box, in ascending order of row
+    numbers.
 
     Parameters
     ----------
     boxes, level
         Arrays of the ``BoxTree``, passed separately because a named tuple takes time in each call.
     stack, depth
-        State of the query, from ``start_query`` or the previous call.
+        Nodes still to be visited, and their number, from ``start_query`` or the previous call.  The
+        function overwrites ``stack``.
     x0, y0, x1, y1
-        The given box; it may shrink from call to call.
+        The given box: x min, y min, x max, y max.  It may shrink from call to call.
     previous
         Only boxes with a greater row number are returned; -1 for all.
 
     Returns
     -------
     box, depth
-        Row number of the box, -1 if there are no more, and the new depth of the stack.
+        Row number of the box in ``boxes``, -1 if there are no more, and the new depth of the stack.
     """
     while depth > 0:
         depth -= 1
