@@ -89,7 +89,10 @@ class _State:
     cached_end_points: EndPoints | None = None
 
     def end_points(self) -> EndPoints:
-        """Return the points at which current edges meet, and pairs of ends near each other."""
+        """Return the points at which current edges meet, and pairs of ends within ``GAP`` mm.
+
+        The result is computed again only if the ends have changed since the last call.
+        """
         if self.cached_end_points is None or self.cached_end_points.ends is not self.ends:
             self.cached_end_points = find_end_points(self.ends, GAP)
         return self.cached_end_points

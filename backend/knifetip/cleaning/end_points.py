@@ -23,9 +23,11 @@ CROWD: Final = 64
 
 @dataclass(frozen=True, eq=False, slots=True)
 class EndPoints:
-    """The points at which ends of k edges meet, and pairs of ends near each other.
+    """The points at which ends of k edges meet, and pairs of ends that are near each other.
 
-    Edge i has the ends 2i (start) and 2i + 1 (end).
+    Ends that are connected by distances of at most ``JOIN`` share one point.  The ends of a pair
+    have different points and are within the distance for which the pairs were searched.  Edge i has
+    the ends 2i (start) and 2i + 1 (end).
     """
 
     ends: F64  #: (k, 2, 2) ends of the edges (mm)

@@ -12,7 +12,10 @@ from knifetip.compensation import deflection
 
 @dataclass(frozen=True, slots=True)
 class Calibration:
-    """Deflection of a cutter in a board along X and Y, fitted to a test cut, and its error."""
+    """Deflection of a cutter in a board along X and Y, fitted to a test cut.
+
+    Also contains the largest difference between the test cut and the fit.
+    """
 
     x: float  #: δx, deflection along X (mm)
     y: float  #: δy, deflection along Y (mm)
@@ -31,13 +34,14 @@ def calibrate(
     measured : (m,) pairs (ΔX, ΔY), mm
         Measured position of the cut contour at each point minus its position in the drawing.
     side
-        +1 if the cutter ran on the left of travel, as in knifetip's programs; -1 if on the right.
+        +1 if the cutter ran on the left of the contour in the direction of travel, as in knifetip's
+        programs; -1 if on the right.
 
     Raises
     ------
     CompensationError
-        The points do not determine the deflection; the hint names the points to measure in
-        addition.
+        There are no points, a value is not finite, or the points do not determine the deflection or
+        give it a wrong sign.  The hint states what to measure or to check.
     """
     angle = np.radians(np.array(azimuth, np.float64))
     tangent = np.stack([np.cos(angle), np.sin(angle)], axis=1)

@@ -43,7 +43,8 @@ def knife_toolpath(operation: Operation) -> Toolpath:
     Raises
     ------
     EdgeTooShort
-        A cut that ends inside a panel is shorter than the lead of the blade.
+        A cut that ends inside a panel or at a bridge is not longer than the length by which the
+        slanted blade cuts the top face ahead of its tip.
     """
     blade = operation.tool
     assert isinstance(blade, Knife)
@@ -77,8 +78,9 @@ def knife_toolpath(operation: Operation) -> Toolpath:
 def _head(tip: F64, c: F64, blade: Knife) -> F64:
     """Return the positions of the head, (n, 2) mm, from n positions of the tip and n headings.
 
-    ``tip`` are the positions of the tip, (n, 2) mm; ``c`` are the headings of the blade, (n,)
-    degrees.
+    The head of a drag knife is ahead of the tip by the blade's ``trail``; otherwise it is at the
+    position of the tip.  ``tip`` are the positions of the tip, (n, 2) mm; ``c`` are the headings of
+    the blade, (n,) degrees.
     """
     ahead = np.column_stack([np.cos(np.radians(c)), np.sin(np.radians(c))])
     head: F64 = tip + blade.trail * ahead
@@ -88,7 +90,8 @@ def _head(tip: F64, c: F64, blade: Knife) -> F64:
 def _adjust_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
     """Return the paths of an operation with adjusted ends, and with lead-ins and lead-outs.
 
-    The ends are shortened or extended to the slant of the blade.
+    The ends are shortened or extended, because the slanted blade cuts the top face ahead of its
+    tip.
 
     Returns
     -------
@@ -103,7 +106,8 @@ def _adjust_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
     Raises
     ------
     EdgeTooShort
-        A path that ends inside a panel or at a bridge is not longer than the lead of the blade.
+        A path that ends inside a panel or at a bridge is not longer than the length by which it
+        would be shortened.
     """
     paths, finish = operation.paths, operation.finish
     last = paths.first[1:] - 1

@@ -164,8 +164,8 @@ def radius_toolpath(operation: Operation) -> Toolpath:
     Raises
     ------
     CompensationError
-        A contour cannot be offset (see ``centre_paths``), or the cutter's ``lead`` is not longer
-        than its radius.
+        A contour cannot be offset (see ``centre_paths``), no path runs beside a bridge, or the
+        lead-in of the cutter is not longer than its radius.
     """
     cutter = operation.tool
     assert isinstance(cutter, DiscTool)

@@ -329,8 +329,8 @@ class _GatewayLoop:
     def _head(self, progress: Progress) -> Pose:
         """Return the position of the head on the sheet, as heartbeats report it.
 
-        It is the position of the axes minus the tool offset (datum) of the station in use, or the
-        position of the axes if no station is in use.
+        It is the position of the axes, x, y, z (mm) and c (degrees), minus the tool offset (datum)
+        of the station in use.  If no station is in use, nothing is subtracted.
 
         Parameters
         ----------

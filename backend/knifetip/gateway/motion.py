@@ -98,7 +98,9 @@ class Move:
         return x, y, z + fraction * (end[2] - z), c + fraction * (end[3] - c)
 
     def heading(self, fraction: float) -> Pose:
-        """Return the derivative of each axis position with respect to the length covered.
+        """Return the direction of the move at one of its points.
+
+        It is the derivative of each axis position with respect to the length covered.
 
         Parameters
         ----------
@@ -330,7 +332,7 @@ class Planner:
     ) -> tuple[float, float, float]:
         """Return the time used (s), the length covered and the new speed of the point.
 
-        The speed follows the trapezoidal profile of the move.
+        The speed follows the trapezoidal profile of the move.  Lengths are in mm and degrees alike.
 
         Parameters
         ----------
@@ -367,14 +369,17 @@ def _brake(
 ) -> tuple[float, float, float]:
     """Return the time used (s), the length covered and the new speed of a decelerating point.
 
+    Lengths are in mm and degrees alike.  The time used is less than ``seconds`` if the point comes
+    to rest, or reaches the end of its move, before.
+
     Parameters
     ----------
     remaining
         Length from the point to the end of its move.
     speed
-        Present speed (1/s).
+        Present speed (length per s).
     deceleration
-        Deceleration (1/s²).
+        Deceleration (length per s²).
     seconds
         Available time (s).
     """

@@ -244,7 +244,10 @@ async def _feed(text: bytes, controller: Controller, corridor: Corridor, check: 
 
 
 async def _give_up(task: asyncio.Task[None]) -> None:
-    """Cancel the task that sends the program, and ignore its error, which is reported already."""
+    """Cancel the task that sends the program, and ignore the error with which the task ends.
+
+    That error has been reported already.
+    """
     task.cancel()
     await asyncio.gather(task, return_exceptions=True)
 
@@ -266,8 +269,8 @@ def _progress(
 class _Clock:
     """Estimates the remaining time of a program.
 
-    The estimate is the nominal duration of the rest, times the ratio of real time to nominal time
-    so far.
+    The estimate is the nominal duration of the part that is not executed yet, multiplied by the
+    real duration of the executed part and divided by its nominal duration.
     """
 
     def __init__(self, total: float) -> None:

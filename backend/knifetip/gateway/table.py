@@ -43,7 +43,7 @@ BANNER = "GrblHAL 1.1f ['$' or '$HELP' for help]"
 
 
 def discard_answer(line: str) -> None:
-    """Discard an answer: no client is connected."""
+    """Discard an answer of the simulated table; used while no client is connected."""
 
 
 @dataclass(frozen=True, slots=True)

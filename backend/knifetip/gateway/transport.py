@@ -1,8 +1,8 @@
 """transport: byte connections to controllers.
 
 An address is ``tcp://192.168.1.20:23`` or ``192.168.1.20:23``.  A transport does not interpret the
-bytes.  Other kinds of connection are classes with the same four methods, selected in ``connect``
-by the scheme of the address.
+bytes.  Other kinds of connection can be added as classes with the members of ``Transport``; the
+function ``connect`` selects the class by the scheme of the address, such as ``tcp``.
 """
 
 from __future__ import annotations

@@ -307,8 +307,8 @@ def _turns_outside(
     radius, aside : mm
         Radius of the circle that contains every point of the tool's tip, and distance of its centre
         to the left of the head's axis.
-    first, last, bulge
-        Start points, end points (mm) and bulges of the edges of the board's outline.
+    first, last, bulge : (e, 2) mm, (e, 2) mm and (e,)
+        Start points, end points and bulges of the e edges of the board's outline.
     """
     clear = np.zeros(len(start), np.bool_)
     for row in range(len(start)):

@@ -129,7 +129,8 @@ def _beam_switching(toolpath: Toolpath, machine: Machine) -> tuple[Bool, F64]:
 def _feed_times(toolpath: Toolpath, travel: F64, degrees: F64) -> F64:
     """Return the time of each row of a toolpath at its programmed feed, (n,) s; 0 for rapids.
 
-    ``travel`` is the length of each row along XYZ, (n,) mm, and ``degrees`` its turn of C, (n,).
+    A row is one move.  ``travel`` (n,) is the length of each row along XYZ in mm, and ``degrees``
+    (n,) is the angle by which C turns in it.
     """
     swivel = toolpath.motion == Motion.SWIVEL
     feed = np.where(toolpath.feed > 0.0, toolpath.feed, np.inf)

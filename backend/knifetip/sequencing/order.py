@@ -122,7 +122,8 @@ def link_times(entry: F64, leave: F64, origin: F64, pace: F64, period: float) ->
     origin : (3,) x y in mm, c in degrees
         Pose of the head before the first track.
     pace : (2, 3)
-        Velocities (row 0) and accelerations (row 1) of X, Y and C.
+        Velocities (row 0) and accelerations (row 1) of X, Y and C, in mm or degrees, per s and per
+        s².
     period : degrees
         Rotation of C after which the tool is the same.
 

@@ -173,7 +173,9 @@ def report(line: str, rotary: int = 3) -> Report | None:
 
 
 def _pose(value: str, rotary: int) -> Pose:
-    """Return the pose in a position field of a status report; axes that are not reported are 0.
+    """Return the pose in a position field of a status report: x, y, z (mm) and c (degrees).
+
+    Axes that are not reported are 0.
 
     Parameters
     ----------
@@ -181,6 +183,11 @@ def _pose(value: str, rotary: int) -> Pose:
         Axis positions separated by commas, such as ``1.000,2.000,0.000,90.000``.
     rotary
         Index of the axis that rotates the tool.
+
+    Raises
+    ------
+    ValueError
+        A position is not a finite number.
     """
     axes = [float(part) for part in value.split(",")]
     if not all(map(math.isfinite, axes)):

@@ -161,7 +161,10 @@ async def secure(machine: Recoverable, safe: SafeState | None, silence: float) -
 
 
 async def _hold(machine: Recoverable, silence: float) -> None:
-    """Send a feed hold; wait until no axis moves, at most ``silence`` seconds."""
+    """Send a feed hold; return when no axis moves, but at latest after ``silence`` seconds.
+
+    No error is raised if the machine still moves then, or does not answer.
+    """
     await machine.realtime(b"!")
     still = 0
     with suppress(TimeoutError, ControllerSilent):

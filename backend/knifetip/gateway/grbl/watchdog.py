@@ -151,7 +151,10 @@ class Watchdog:
             )
 
     def _interval(self) -> float:
-        """Return the longest time between two status requests in the present state (s)."""
+        """Return the longest time between two status requests (s).
+
+        It is greater than usual while the machine is idle and no line is unanswered.
+        """
         connection = self._connection
         idle = connection.status is not None and connection.status.state is State.IDLE
         if idle and connection.buffer.first is None and not connection.recovering:
