@@ -1,8 +1,8 @@
 """language: the record that describes one controller language (HPGL or a dialect of RS274/NGC).
 
 A record names its components as "module:attribute"; a component is imported when it is first used.
-Protocols define the interfaces of the components.  The protocols use types of ``model``; only the
-moves that the verifier reads are types of ``verification``.
+Each component has an interface that is defined as a protocol in the package of the component, for
+example ``post.emit.Emitter`` for the emitter.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ class Language:
         return self.load_part("driver")
 
     def read_settings(self, fields: Mapping[str, Any], machine: Machine) -> object:
-        """Return the validated controller settings of a machine, None if the language has no
+        """Return the validated controller settings of a machine, or None if the language has no
         settings.
 
         ``fields`` is the table ``[controller]`` of the machine's TOML file.

@@ -56,7 +56,9 @@ class TipPoses:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class TipPaths:
-    """n paths of the tip in the board: lines and arcs at constant depth, and ends of plunges."""
+    """n paths of the tip in the board: lines and arcs at constant depth, and the points at which
+    plunges end.
+    """
 
     curve: F64  #: (n, 6) rows as in ``curves.curve``
     z: F64  #: (n,) height of the tip above the table, mm

@@ -52,7 +52,8 @@ def _find_device(value: Any) -> Any:
     """Return the fields of an HPGL device.
 
     ``value`` is either the table of the fields itself, which is returned unchanged, or the name of
-    a device that knifetip ships.
+    a device that knifetip ships.  A name that is not the name of such a device raises a field
+    error.
     """
     if isinstance(value, Mapping):
         return value

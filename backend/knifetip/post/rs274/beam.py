@@ -65,5 +65,5 @@ def switch_beam(
 
 
 def _encode(lines: list[str]) -> bytes:
-    """Return program lines as ASCII bytes, with a newline after each line."""
+    """Return the program lines ``lines`` as ASCII bytes, with a newline after each line."""
     return "".join(f"{line}\n" for line in lines).encode("ascii")

@@ -45,7 +45,10 @@ BATCH: Final = 1 << 15
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Moves:
-    """n moves between n + 1 poses, without arcs that the controller cannot follow."""
+    """n moves between n + 1 poses.
+
+    Arcs that the controller could not follow have been replaced by chords or lines.
+    """
 
     pose: F64  #: (n + 1, 4) mm and degrees, including the datum if the numbers need it
     bulge: F64  #: (n,)
@@ -172,10 +175,10 @@ def _convert_arcs(
 def _compose_words(
     moves: _Moves, machine: Machine, dialect: Dialect, blending: float
 ) -> _LineWords:
-    """Return the G-code words of the program lines of moves.
+    """Return the G-code words of the program lines for n moves.
 
-    Moves that round to zero length and turn get no line.  ``blending`` is the greatest deviation
-    that the controller may make between two moves (mm).
+    A move other than the first gets no line if its length and its turn are both 0 after rounding.
+    ``blending`` is the greatest deviation that the controller may make between two moves (mm).
     """
     scale = 10.0**dialect.decimals
     units = np.rint(moves.pose * scale).astype(np.int64)

@@ -52,10 +52,12 @@ def find_bridges(
     ----------
     overlaps
         Overlaps of the paths of the knife's tip with the edges.
-    paths, edges
-        The c paths that the edges form, and the edges.
+    paths
+        The c paths that the edges form.
     searched : (c,)
-        Mask of the paths that are searched for bridges.
+        Mask of the closed paths that are searched for bridges.
+    edges
+        The edges.
     lead : mm
         Length by which the blade cuts the top face ahead of its tip.
     """

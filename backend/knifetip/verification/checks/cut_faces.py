@@ -49,7 +49,8 @@ class CutFaces:
     """The f faces into which p pieces of cuts and links divide the sheet; face 0 is outside all
     cuts.
 
-    The links close small gaps in contours; their rows follow the rows of the pieces of cuts.
+    A link is a straight line that closes a small gap in a contour.  In arrays with one row for each
+    piece, the pieces of cuts come first, and then the links.
     """
 
     curve: F64  #: (p, 6)
@@ -270,8 +271,9 @@ def _enclosing_faces(
     order : (c,)
         Indices of the components, sorted by their leftmost points from left to right.
     beside : (c,)
-        Index of a cycle of half-edges for each component: the cycle on the right-hand side of the
-        nearest curve to the left of the component's leftmost point.  -1 if there is no such curve.
+        Index of a cycle of half-edges for each component: the cycle that borders the face between
+        the component's leftmost point and the nearest curve to its left, -1 if there is no such
+        curve.
     outside, component_of, face_of : (w,)
         For each of w cycles: whether it runs round the outside of a component, the index of its
         component, and the index of its face.

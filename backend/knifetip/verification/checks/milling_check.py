@@ -44,7 +44,9 @@ PRINT_ROUNDING: Final = 1e-4
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CentrePaths:
-    """n paths of the cutter's centre in the board, with the columns of ``kinematics.TipPaths``."""
+    """n paths of the cutter's centre in the board: lines and arcs, with the height, track, program
+    line and permitted corner rounding of each path.
+    """
 
     curve: F64
     z: F64
@@ -141,9 +143,9 @@ class _MillingCheck:
         """Add a finding for each pass that is deeper than the passes before it by more than one
         step.
 
-        ``deep`` is the depth of each of the centre's n paths below the board's top face, (n,) mm.
-        The step is the greatest depth of one pass in the cutter's record; 0 there permits any
-        depth.
+        ``deep`` is the depth of the tip below the board's top face in each of the n paths of the
+        cutter's centre, (n,) mm.  The step is the greatest depth of one pass in the cutter's
+        record; 0 there permits any depth.
         """
         if self.tool.step == 0.0:
             return

@@ -202,9 +202,9 @@ def check_board_moves(
 ) -> None:
     """Check the moves of a tool in the board.
 
-    Adds a finding for each rapid, slanted plunge or lift, and too wide turn of C in the board, and
-    for each feed move from or to an unknown position.  ``tolerance`` is the greatest sideways
-    deviation of the tip in a plunge or lift (mm).
+    Adds a finding for each rapid in the board, each plunge or lift that is slanted, and each turn
+    of C in the board that is too wide.  A feed move from or to an unknown position gives a finding
+    too.  ``tolerance`` is the greatest sideways deviation of the tip in a plunge or lift (mm).
     """
     lowest = np.fmin(tip.start[:, 2], tip.end[:, 2])
     beam = beam_moves(moves, machine)
@@ -240,7 +240,8 @@ def check_board_moves(
 
 
 def _check_beam(moves: Moves, tip: TipPoses, beam: Bool, findings: Findings) -> None:
-    """Check that a laser beam is off in rapids, and that the head keeps its height while it is on.
+    """Check that a laser beam is off in rapids, and that the head keeps its height while the beam
+    is on.
 
     Adds findings.  ``beam`` is the mask of the n moves whose station carries a laser, (n,).
     """

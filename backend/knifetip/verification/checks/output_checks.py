@@ -122,7 +122,7 @@ def _check_heights(
 
 
 def _check_lowered_alone(moves: Moves, machine: Machine, findings: Findings) -> None:
-    """Add a finding for each program line that lowers a station while another one is lowered."""
+    """Add a finding for each line of the program that lowers a station while another is lowered."""
     switches = moves.switches
     output = np.array([station.output for station in machine.stations])
     beside = switches.beside & (output != output[switches.lowers][:, None])

@@ -127,10 +127,11 @@ def _following_stretches(stop: F64, ahead: F64, inward: F64, start: F64, reach: 
 
 @kernel
 def _trace_loops(onward: I64_1) -> Any:
-    """Return the indices of the lines and arcs of all closed loops, loop by loop.
+    """Return the indices of the lines and arcs of all l closed loops, loop by loop, and the
+    position in that array at which each loop begins, (l + 1,).
 
-    Also returns where each loop begins in that array, followed by the array's length.  ``onward``
-    is the index of the line or arc that follows each of n lines and arcs, (n,), -1 for none.
+    The last position is the length of the array.  ``onward`` is the index of the line or arc that
+    follows each of n lines and arcs, (n,), -1 for none.  Chains that do not close are left out.
     """
     count = len(onward)
     order = np.empty(count, np.int64)

@@ -91,7 +91,7 @@ def _cut_crossings(curve: F64, cuts: Edges) -> tuple[I64, F64]:
 
 
 def _sub_edges(edges: Edges, row: I64, low: F64, high: F64) -> Edges:
-    """Return k parts of edges.
+    """Return k parts of edges, as edges.
 
     Part i reaches from position ``low[i]`` to position ``high[i]`` (mm) on the edge with index
     ``row[i]``.

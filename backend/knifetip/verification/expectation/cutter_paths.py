@@ -91,11 +91,12 @@ def cutter_paths(bounds: CutOutlines, reach: F64) -> CutterPaths:
 
 
 def _elliptic_path(edges: Edges, row: int, sign: float, reach: F64) -> CutterPaths:
-    """Return chords that replace the offset of one arc by an elliptic disc.
+    """Return chords that replace the path of the centre of an elliptic disc along one arc.
 
-    ``row`` is the index of the arc in ``edges``.  ``sign`` is 1 if the offset lies outside the
-    circle of the arc, and -1 if it lies inside.  ``reach`` are the half-axes of the disc along X
-    and Y, (2,) mm.
+    The disc touches the arc with its rim.  ``row`` is the index of the arc in ``edges``.  ``sign``
+    is 1 if the centre is outside the circle of the arc, and -1 if it is inside.  ``reach`` are the
+    half-axes of the disc along X and Y, (2,) mm.  No chords are returned if the disc does not fit
+    into the circle.
     """
     curve = edges.curve[row]
     axes = curve[3] + sign * reach

@@ -136,14 +136,15 @@ def _swept_areas(edges: Edges) -> F64:
 def _trace_cycles(order: I64_1, node: I64_1, swept: F64_1) -> Any:
     """Return the index of the cycle of each half-edge (2n,), and twice each cycle's area (w,) mm².
 
-    The area is signed: positive for an anticlockwise cycle.
+    The area is signed: positive for an anticlockwise cycle.  Half-edge 2i runs from the start to
+    the end of edge i, and half-edge 2i + 1 runs back.
 
     Parameters
     ----------
     order : (2n,)
-        The half-edges of n edges, sorted anticlockwise about their start vertices.
+        Indices of the half-edges, sorted by start vertex and then anticlockwise about it.
     node : (2n,)
-        Start vertex of each half-edge of ``order``.
+        Index of the start vertex of each half-edge, in the order of ``order``.
     swept : (n,)
         Twice the signed area between each edge and a common origin (mm²).
     """

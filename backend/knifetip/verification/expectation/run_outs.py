@@ -135,8 +135,9 @@ def _convex_corners(bounds: CutOutlines, outer: I64, end: I64, edge: I64, count:
     ----------
     bounds, outer
         Outlines of the cuts, and the indices of the cuts on outer contours.
-    end, edge
-        Pairs of an end of a groove and a cut that it touches; ``edge`` are indices into ``outer``.
+    end, edge : (k,)
+        k pairs of an end of a groove and a cut that this end touches: the index of the end, and the
+        index of the cut in ``outer``.
     count
         Number of ends of grooves.
     """

@@ -16,7 +16,9 @@ from knifetip.verification.tools import extra_outputs
 
 
 class ModalState:
-    """The modal state of the controller after each block (program line with words), in columns."""
+    """The modal state of the controller after each block (program line with words): one array for
+    each mode or value, with one entry per block.
+    """
 
     def __init__(self, blocks: ProgramBlocks, machine: Machine) -> None:
         count = blocks.count
