@@ -11,11 +11,11 @@ A record is one text line with fields between commas::
     C, subroutine, x, y, angle, x scale, y scale
 
 L is a line, A an arc, T a text and C a call of a subroutine.  Pointage is the thickness of the
-steel rule in points, aux an auxiliary type of the line, and bridges the number of gaps of the rule,
-each of which has the given width.  The text of a T record is the next line of the file.  Direction
-is 1 for a counter-clockwise arc and -1 for a clockwise arc; an arc that ends at its start is a
-whole circle.  Programs may omit the last fields, the end mark ($EOF) and the ORDER section.  They
-also use blanks and capitals differently.
+steel rule in points, and aux an auxiliary type of the line.  In L and A, bridges is the number of
+gaps in the rule, and width the width of each gap.  The text of a T record is the next line of the
+file.  Direction is 1 for a counter-clockwise arc and -1 for a clockwise arc; an arc that ends at
+its start is a whole circle.  Programs may omit the last fields, the end mark ($EOF) and the ORDER
+section.  They also use blanks and capitals differently.
 """
 
 from __future__ import annotations

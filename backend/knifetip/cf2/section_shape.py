@@ -43,7 +43,7 @@ class StyleNumbers:
         self._numbers: dict[Style, int] = {}
 
     def number_records(self, layer: str, records: Sequence[Sequence[str]]) -> list[int]:
-        """Return the index of the style of each record in the list ``self.styles``.
+        """Return for each record the index into ``self.styles`` of the style of the record.
 
         New styles are added to this list.
 
@@ -65,7 +65,7 @@ class StyleNumbers:
         return numbers
 
     def _number(self, layer: str, point: str, kind: str, aux: str) -> int:
-        """Return the index of a style in the list ``self.styles``; add the style if it is new.
+        """Return the index of one style in ``self.styles``; the style is added if it is new.
 
         Parameters
         ----------

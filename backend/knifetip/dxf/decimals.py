@@ -178,12 +178,12 @@ def number(data: U8_1, first: U64, last: U64) -> tuple[float, Any, int]:
     Returns
     -------
     value
-        The number if it is ``EXACT``, otherwise undefined.
+        The number; undefined if ``sure`` is not ``EXACT``.
     after
-        Position of the line's end, LF or CR; undefined for ``WRONG``.
+        Position of the line's end, LF or CR; undefined if ``sure`` is ``WRONG``.
     sure
-        ``EXACT``; ``UNSURE`` if the caller must parse the number with ``float``; ``WRONG`` if the
-        line is not a finite number.
+        ``EXACT`` if the number is correctly rounded; ``UNSURE`` if the caller must parse the number
+        with ``float``; ``WRONG`` if the line is not a finite number.
     """
     position, end = first, last
     while position < end and (data[position] == 32 or data[position] == 9):

@@ -89,7 +89,7 @@ def is_cf2(file: Beginning) -> bool:
 
 
 def foreign_kind(file: Beginning) -> Message | None:
-    """Return the name of the format of a file that cannot be imported, such as "a PNG picture".
+    """Return a message that names the format of a file that cannot be imported, such as PNG.
 
     The result is None if the format is unknown.
     """

@@ -83,8 +83,8 @@ class DrawnPaths:
     def drop_fills(self, report: ReportWriter) -> None:
         """If any path has a stroke, drop the paths that have only a fill; otherwise keep all paths.
 
-        Import outcomes are added to ``report``: the reason for each dropped path, or a note for
-        each filled path that is kept.  Dropped paths are moved to the list ``omitted``.
+        The reason for each dropped path, or a note for each filled path that is kept, is added to
+        the import report ``report``.  Dropped paths are moved to the list ``omitted``.
         """
         for number in self._fills:
             row = self.row[number]

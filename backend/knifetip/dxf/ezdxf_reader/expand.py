@@ -102,8 +102,8 @@ def _match(
     counted, entities
         Entities as written in the file, and ezdxf entities.
     paper
-        Whether ``entities`` include entities in paper space.  If not, an entity of ``counted`` in
-        paper space is not paired with an ezdxf entity only because their kinds are equal.
+        Whether ``entities`` include entities in paper space.  If False, entities of ``counted`` in
+        paper space are matched only by kind and handle.
     """
     by_handle: dict[tuple[str, str], deque[DXFEntity]] = defaultdict(deque)
     for entity in entities:

@@ -152,8 +152,8 @@ def _box(ends: F64) -> tuple[F64, F64]:
 def _relative_tolerance(boxes: list[tuple[F64, F64]]) -> float:
     """Return the tolerance for approximating curves in a drawing of unknown unit, in file units.
 
-    It is a fixed fraction of the diagonal of the drawing.  ``boxes`` contains the lower and the
-    upper corner of the bounding box of each shape.
+    It is a fixed fraction of the diagonal of the drawing, and at most ``tolerance.CURVE``.
+    ``boxes`` contains the lower and the upper corner of the bounding box of each shape.
     """
     if not boxes:
         return CURVE

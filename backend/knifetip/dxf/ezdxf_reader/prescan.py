@@ -145,7 +145,7 @@ def prescan(data: bytes) -> Prescan:
 
 
 def _index_after(kind: str, number: int, starts: list[int], values: Sequence[Any]) -> int:
-    """Return the index in ``starts`` of the entity after the entity number ``number``.
+    """Return the index in ``starts`` of the entity that follows the entity with index ``number``.
 
     The VERTEX entities after a POLYLINE are skipped, because they belong to the POLYLINE.
 

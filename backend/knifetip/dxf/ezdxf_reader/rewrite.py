@@ -1,12 +1,12 @@
-"""rewrite: change the lines of a DXF file so that ezdxf reads all of its geometry.
+"""rewrite: change the text lines of a DXF file so that ezdxf reads all of its geometry.
 
 ``with_markers`` adds subclass markers to LWPOLYLINE and SPLINE, ``lines_only`` removes entities
 that have no geometry to cut, and ``as_text`` converts the tags of a binary DXF file to lines.
 
-ezdxf expects the geometry of LWPOLYLINE and SPLINE after their subclass markers, and in R12 files,
-which do not define these entities, it expects layer, colour and the closed flag before the markers.
-Many programs write both entities without markers and into R12 files.  ezdxf also refuses a whole
-file because of one hatch or image that it cannot parse.
+ezdxf expects the geometry of LWPOLYLINE and SPLINE after their subclass markers.  In files of
+version R12, which does not define these entities, it expects layer, colour and the closed flag
+before the markers.  Many programs write LWPOLYLINE and SPLINE without markers, or into R12 files.
+ezdxf also refuses a whole file because of one hatch or image that it cannot parse.
 """
 
 from __future__ import annotations
@@ -63,10 +63,10 @@ class _Records(NamedTuple):
 def with_markers(data: bytes, *, every: bool = False) -> bytes:
     """Return the DXF file ``data`` with subclass markers added to its LWPOLYLINEs and SPLINEs.
 
-    The markers are inserted after the tags of the entity and before its extension data.  They are
-    followed by a copy of the tags that not all kinds of entities have, such as coordinates, because
-    ezdxf expects these after the markers.  A file that cannot be split into records is returned
-    unchanged.
+    The markers are inserted after the tags of each such entity and before its extension data.  They
+    are followed by a copy of the tags that not all kinds of entities have, such as coordinates,
+    because ezdxf expects these after the markers.  A file that cannot be split into records is
+    returned unchanged.
 
     Parameters
     ----------

@@ -113,7 +113,7 @@ def draw(
 def distant(ends: F64_3, first: I64_1, reach: float) -> Any:
     """Return the mask of the entities with a coordinate that is NaN or too large, shape (e,).
 
-    The fast reader does not process these entities in arrays.
+    The fast reader expands these entities one by one, and not together with the other entities.
 
     Parameters
     ----------
@@ -122,7 +122,7 @@ def distant(ends: F64_3, first: I64_1, reach: float) -> Any:
     first : (e + 1,)
         Index of the first segment of each entity; the last element is the number n of segments.
     reach
-        Largest permitted absolute value of x and of y (file units).
+        Largest absolute value of x and of y that is not too large (file units).
     """
     result = np.zeros(len(first) - 1, np.bool_)
     for row in range(len(result)):

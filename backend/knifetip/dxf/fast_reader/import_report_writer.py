@@ -170,9 +170,9 @@ def _sheet_outcomes(
 ) -> Iterator[SharedOutcome]:
     """Yield the import outcomes of the entities in model space.
 
-    An outcome is the reason for dropping entities, None if they are kept, and notes; it applies to
-    all entities of model space that have the same reason and notes.  ``dropped`` contains the
-    indices, among the entities of model space, of the entities that are dropped.
+    An outcome is the reason for dropping entities, None if they are kept, and notes.  It is yielded
+    once for several entities with the same reason and notes.  ``dropped`` contains the indices,
+    among the entities of model space, of the entities that are dropped.
     """
     entity, rows = tables.scan.entity, order.rows
     paper, sort, word, count = (
