@@ -100,8 +100,9 @@ class _State:
     def remove_overlaps(self, drawn: Dieline) -> bool:
         """Replace the current edges by pieces that do not overlap each other.
 
-        ``drawn`` contains the drawn edges of the stretches.  Returns whether any current edge was
-        divided because only a part of it overlaps another edge.
+        Also divides the stretches, the parts of drawn edges that each belong to one current edge.
+        ``drawn`` contains the drawn edges.  Returns whether any current edge was divided because
+        only a part of it overlaps another edge.
         """
         pieces = remove_overlaps(self.ends, self.bulge, self.kind)
         if not pieces.is_foreign.any():
@@ -148,9 +149,10 @@ class _State:
         return split
 
     def ensure_owned(self) -> None:
-        """Ensure that each current edge has a stretch that overlaps no other edge.
+        """Ensure that each current edge has a stretch that is not marked as overlapping.
 
-        If all stretches of an edge are marked as overlapping, their marks are removed.  An edge
+        A stretch is a part of a drawn edge that belongs to one current edge.  If all stretches of a
+        current edge are marked as overlapping another edge, the marks are removed.  A current edge
         without any stretch is removed.
         """
         live = self.edge >= 0
@@ -166,9 +168,10 @@ class _State:
         self.moved, self.fitted = self.moved[keep], self.fitted[keep]
 
     def merge(self, *, curves_only: bool = False) -> None:
-        """Merge current edges that continue each other, and update the stretches.
+        """Merge current edges that continue each other.
 
-        If ``curves_only`` is True, only the segments of flattened curves are merged.
+        The parts of drawn edges that belonged to the merged edges then belong to the new edge.  If
+        ``curves_only`` is True, only the segments of flattened curves are merged.
         """
         merged = merge_collinear(
             self.ends, self.bulge, self.kind, self.end_points(), curves_only=curves_only
@@ -359,8 +362,9 @@ def _report(dieline: Dieline, length: F64, at_work: Bool, state: _State) -> Clea
 def _main_row(row: I64, size: F64, target: I64, overlapping: Bool, count: int) -> I32:
     """Return the row of the cleaned edge that replaces each of n drawn edges, (n,); -1 if dropped.
 
-    It is the cleaned edge of the longest stretch of the drawn edge; stretches that overlap another
-    edge are used only if the drawn edge has no other stretch.
+    A stretch is a part of a drawn edge that belongs to one cleaned edge or is debris.  The returned
+    row is that of the longest stretch; stretches that overlap another edge are used only if the
+    drawn edge has no other stretch.
 
     Parameters
     ----------

@@ -26,7 +26,8 @@ _LENGTHS: Final = ("uncut", "setback", "unreached", "bottom_uncut")
 def map_to_drawn(verdict: Verdict, cleaned: Cleaned, drawn: Dieline) -> Verdict:
     """Return the verdict on the drawn edges, converted from a verdict on the cleaned edges.
 
-    ``cleaned`` contains the cleaned edges, and which drawn edges each of them replaces.
+    A verdict contains the verifier's measurements of a program for each edge.  ``cleaned`` contains
+    the cleaned edges, and which drawn edges each of them replaces.
     """
     count = len(drawn)
     parts = cleaned.stretches
@@ -61,8 +62,9 @@ def map_to_drawn(verdict: Verdict, cleaned: Cleaned, drawn: Dieline) -> Verdict:
 def _samples(samples: Samples, cleaned: Cleaned, drawn: Dieline, is_owned: Bool) -> Samples:
     """Return the samples of a verdict with positions on drawn edges instead of cleaned edges.
 
-    A sample is the deviation of the tip at a position of an edge.  ``is_owned`` is the mask of the
-    stretches of drawn edges that belong to a cleaned edge and do not overlap another edge.
+    A sample is the deviation of the tip at a position of an edge.  ``is_owned`` has one entry per
+    stretch, which is a part of a drawn edge.  It marks the stretches that belong to a cleaned edge
+    and do not overlap another edge.
     """
     parts = cleaned.stretches
     if len(samples.edge) == 0 or not cleaned.changed.any():

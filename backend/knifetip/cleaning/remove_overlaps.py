@@ -1,8 +1,9 @@
 """remove_overlaps: keep one edge where several edges overlap, and shorten the other edges.
 
 Edges are processed in the order of the priority of their line types; edges of one priority from the
-longest to the shortest.  Each edge loses the stretches that overlap an edge processed before it, so
-a stretch is removed only at a position at which another edge remains.
+longest to the shortest.  Each edge loses the parts that overlap an edge processed before it, if the
+line type of that edge covers its own line type (``priority``).  So a part is removed only at a
+position at which another edge remains.
 """
 
 from __future__ import annotations

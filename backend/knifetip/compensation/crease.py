@@ -45,6 +45,7 @@ def depth_at_contact(half_length: F64, wheel: CreaseWheel) -> F64:
 def crease_toolpath(operation: Operation) -> Toolpath:
     """Return the toolpath of a crease wheel along every path, set back at free ends.
 
+    A free end is one at which no other path continues, so that the wheel must not crease beyond it.
     A path too short for the setback is pressed in one position at a smaller depth, or refused,
     depending on the ``short_crease`` setting of the board.
 
@@ -94,8 +95,14 @@ def crease_toolpath(operation: Operation) -> Toolpath:
 def _presses(operation: Operation, wheel: CreaseWheel, short_paths: I32) -> Strokes:
     """Return one press of the wheel for each path that is too short for its setback.
 
-    ``short_paths`` are the numbers of these paths in the operation.  A path is pressed midway
-    between its ends if both are free, otherwise at the end that is not free.
+    A press lowers and lifts the wheel without travel.  It is midway between the ends of the path if
+    the wheel must not crease beyond either of them, otherwise at the end beyond which it may.
+    ``short_paths`` are the numbers of these paths in the operation.
+
+    Raises
+    ------
+    EdgeTooShort
+        The board refuses short creases, or a path is not longer than its end clearances.
     """
     paths, _ = select_paths(operation.paths, short_paths)
     free_start = operation.start[short_paths] == End.FREE

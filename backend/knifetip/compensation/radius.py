@@ -1,13 +1,15 @@
 """radius: offset the centre of a cutter by its radius, so that its disc touches the part.
 
-The engine is the same for a router and for a laser, with r = kerf / 2.  The offset is set up on a
-straight lead-in longer than r and cancelled on a lead-out, so that the tool plunges and lifts in
-the waste; without room for leads it plunges on the offset path.  The last pass of a hole cuts its
-waste loose, so the tool lifts from there without a lead-out.  Contours are milled in several
-passes; a cut without a side is milled on its centre line, forth and back.
+The computation is the same for a router and for a laser, with the radius r = kerf / 2.  The tool
+plunges and lifts in the waste: on a straight lead-in that is longer than r the centre moves from
+the contour's line to the offset path, and on a lead-out back.  Without room for leads the tool
+plunges on the offset path.  The last pass of a hole cuts its waste loose, so the tool lifts from
+there without a lead-out.  Contours are milled in several passes; a cut without a side is milled on
+its centre line, forth and back.
 
 Source: the paper "Tool radius compensation", eqs 1–5, in the offset engine.  The offset is set up
-and cancelled as controllers do, to the perpendicular (type A) or around the outside (type B).
+and cancelled as controllers do: straight to the point beside the start of the contour (type A), or
+on an arc around the start (type B).
 """
 
 from __future__ import annotations
@@ -93,9 +95,10 @@ def centre_paths(operation: Operation) -> CentrePaths:
 
 
 def _check_every_path_fits(operation: Operation, cutter: DiscTool, segment: I32) -> None:
-    """Raise an error if a path of the operation has no offset, since the cutter does not fit.
+    """Raise ``CompensationError`` if the cutter does not fit into a path of the operation.
 
-    ``segment`` is the segment of the operation from which each segment of the offset comes.
+    Such a path has no offset.  ``segment`` contains, for each segment of the offset, the segment of
+    the operation from which it comes.
     """
     owner = operation.paths.path_of
     missing = np.setdiff1d(np.arange(len(operation.paths)), owner[segment])

@@ -59,7 +59,11 @@ class JobServer:
         return urljoin(self._api, path)
 
     async def claim(self) -> Lease | None:
-        """Claim the next job of the machine; return None if there is no job or no answer."""
+        """Claim the next job of the machine, and return it with its lease.
+
+        Returns None if the server has no job within the ``wait`` seconds of the settings, or does
+        not answer.
+        """
         body = {
             "gateway": self._settings.name,
             "machine": self._settings.machine.name,

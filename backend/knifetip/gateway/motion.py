@@ -1,10 +1,11 @@
 """motion: moves of four axes, and a planner that computes the motion along them over time.
 
-A pose is x, y, z in mm and c in degrees.  The simulated table moves as the planner computes.  The
-gateway computes from the same moves the nearest point to a reported position, and nominal
-durations.
+A pose is x, y, z in mm and c in degrees.  The simulated table moves as the planner computes.  For a
+real machine, the gateway uses the same moves to find the point that is nearest to a reported
+position, and to estimate durations.
 
-Length, and so the G94 feed, is measured over all four axes, mm and degrees alike, as in grblHAL.
+Lengths are measured over all four axes, mm and degrees alike, as in grblHAL; the feed (G94) is such
+a length per minute.
 """
 
 from __future__ import annotations
@@ -300,10 +301,8 @@ class Planner:
     def advance(self, seconds: float) -> float:
         """Advance the point for at most ``seconds``; return the time used (s).
 
-        The point stops advancing at the end of the current move.
-
-        The planned motion depends only on position and speed, so that many short steps and one
-        long step reach the same pose.
+        The point stops advancing at the end of the current move.  The same pose is reached by many
+        calls with short times as by one call with their sum.
         """
         if not self.moving:
             return 0.0

@@ -189,7 +189,10 @@ class ProgramFollower:
             self._drop(1)
 
     def _skip(self) -> None:
-        """Count the stored lines before the first stored move as executed; they do not move."""
+        """Count the stored lines before the first stored move as executed.
+
+        These lines do not move the machine.
+        """
         while self._window and not _moves(self._window[0].block):
             self._drop(1)
 

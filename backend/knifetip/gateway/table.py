@@ -447,7 +447,7 @@ class Table:
         self._read()
 
     def _move(self, seconds: float) -> float:
-        """Move along the current block for at most ``seconds``; return the time used.
+        """Move the axes along the current move for at most ``seconds``; return the time used.
 
         Both times are simulated seconds.
         """

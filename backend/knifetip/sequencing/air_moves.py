@@ -162,11 +162,12 @@ def turns_outside_board(start: F64, end: F64, circle: TipCircle, outline: Paths)
 
 
 def with_full_retracts(toolpath: Toolpath, machine: Machine) -> Toolpath:
-    """Return the toolpath with every rapid below the machine's travel height replaced by three
-    moves.
+    """Return the toolpath with every rapid below the machine's travel height split into moves.
 
-    The moves are a lift to the travel height, a move at that height, and a descent.  The source in
-    the module's docstring lifts the head in this way; the result serves to compare the times.
+    These are a lift to the travel height, a move at that height, and a descent; the lift or the
+    descent is left out if the rapid starts or ends at the travel height.  The source in the
+    module's docstring lifts the head in this way.  The result is only used to compare its duration
+    with that of the toolpath.
     """
     rapid = toolpath.motion == Motion.RAPID
     height = machine.travel_z

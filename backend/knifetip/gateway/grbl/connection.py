@@ -91,7 +91,7 @@ class GrblConnection:
     # -- opening and closing ----------------------------------------------------------------------
 
     def start(self) -> None:
-        """Clear the fault, and start the tasks that read answers and request status reports.
+        """Clear the recorded fault, and start the tasks that read answers and request reports.
 
         Tasks that run already continue.
         """
@@ -101,12 +101,12 @@ class GrblConnection:
         self._watchdog.restart()
 
     async def reach(self) -> None:
-        """Clear the fault; reconnect if the connection is lost.
+        """Clear the recorded fault of the connection; reconnect if the connection is lost.
 
         Raises
         ------
         ControllerError
-            The connection was closed, or a new transport cannot be opened.
+            The connection was closed by ``close``, or a new transport cannot be opened.
         """
         if self._closed:
             raise ControllerError("controller.closed", name=self.name)
@@ -152,7 +152,7 @@ class GrblConnection:
         Raises
         ------
         ControllerError
-            The fault of the connection, if there is one.
+            The fault of the connection, if one is recorded before or while the method waits.
         """
         async with self._sending:
             await self.wait_until(lambda: self.buffer.has_room_for(line))

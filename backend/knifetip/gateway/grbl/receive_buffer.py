@@ -87,7 +87,10 @@ class ReceiveBuffer:
         self._longest = max(self._longest, line.size)
 
     def release_reserve(self) -> None:
-        """Delete the reserve of free bytes; called when all answers have been matched to lines."""
+        """Set the number of bytes that are always kept free to 0.
+
+        Called when all answers have been matched to lines: no line was answered twice.
+        """
         self._longest = 0
 
     def has_room_for(self, line: PendingLine) -> bool:

@@ -44,7 +44,7 @@ class Recoverable(Protocol):
         ...
 
     async def reach(self) -> None:
-        """Clear the fault; reconnect if the connection is lost."""
+        """Clear the recorded fault of the connection; reconnect if the connection is lost."""
         ...
 
     async def realtime(self, byte: bytes) -> None:
@@ -60,7 +60,10 @@ class Recoverable(Protocol):
         ...
 
     async def command(self, text: bytes) -> list[str]:
-        """Send a command of the driver; return the lines that the controller sent before ``ok``."""
+        """Send a command that is no program line, such as ``$X``, and wait for its answer.
+
+        Returns the lines that the controller sent before the ``ok`` for the command.
+        """
         ...
 
 
