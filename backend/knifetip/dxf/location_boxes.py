@@ -1,8 +1,9 @@
 """location_boxes: bounding boxes that show the positions of entities without geometry to cut.
 
-A box contains the points at which the entity is located, in its own coordinates: the vertices of a
-hatch or a solid, the corner of an image.  Directions, scales and seed points are not included,
-although DXF writes them with the same group codes.
+A box contains the points at which an entity is located, for example the vertices of a hatch or a
+solid, or the corner of an image.  It is in the coordinates of model space, or of the block that
+contains the entity.  Directions, scales and seed points are not included, although DXF writes them
+with the same group codes.
 """
 
 from __future__ import annotations

@@ -62,10 +62,10 @@ def evaluate_tint(file: PdfFile, function: object, tint: float) -> list[float]:
 
 
 def _look_up(file: PdfFile, function: StreamObject, tint: float) -> list[float]:
-    """Return the colour components in the row of a table that is nearest to a tint.
+    """Return the colour components of a tint (0…1) from the nearest row of a table.
 
-    ``function`` is the PDF function with the table.  The list is empty if the table is invalid or
-    not supported.
+    ``function`` is the PDF function that contains the table.  The list is empty if the table is
+    invalid or not supported.
     """
     size = [number(file.resolve(one)) for one in file.array(function, "/Size")]
     output_range = [number(file.resolve(one)) for one in file.array(function, "/Range")]

@@ -202,10 +202,11 @@ class _Expansion:
                 stack.append(use_target)
 
     def _visit(self, node: Node, context: _Context) -> _Context | None:
-        """Return the context that the children of a group inherit; None for all other elements.
+        """Return the properties that the children of a group inherit; None for all other elements.
 
         An element that is not a group is added to the import report, unless it is a ``use`` element
-        or an element that is never drawn.  ``context`` is the context that ``node`` inherits.
+        or an element that is never drawn.  ``context`` is the set of properties that ``node``
+        inherits.
         """
         if node.tag in _NOT_DRAWN or node.tag == "use":
             return None
@@ -269,9 +270,10 @@ class _Expansion:
             )
 
     def _context_of(self, node: Node, context: _Context) -> _Context:
-        """Return the properties that apply to an element, given those that it inherits.
+        """Return the properties that apply to an element.
 
-        The inherited properties, ``context``, are changed by the attributes of the element.
+        They are the properties that the element inherits, ``context``, with those replaced that the
+        attributes of the element change.
         """
         appearance = self._cascade.appearance(node, context.appearance)
         left_out = context.left_out or (None if appearance.shown else _HIDDEN)
@@ -287,9 +289,9 @@ class _Expansion:
         )
 
     def _enter_window(self, node: Node, sizes: Node, context: _Context) -> _Context:
-        """Return the context that the children of an ``svg`` or ``symbol`` element inherit.
+        """Return the properties that the children of an ``svg`` or ``symbol`` element inherit.
 
-        The matrix of the returned context maps the coordinates of the children to file units.
+        Their matrix maps the coordinates of the children to file units.
 
         Parameters
         ----------
@@ -299,7 +301,7 @@ class _Expansion:
             The element whose attributes ``width`` and ``height`` are used: ``node``, or the ``use``
             element that copies ``node``.
         context
-            The context of ``node``.
+            Properties that apply to ``node``.
         """
         try:
             x, y = (
