@@ -146,9 +146,10 @@ def _best_rule(
 
 
 def _trait_codes(styles: StyleTable, trait: str) -> I64:
-    """Return an integer for each of c styles, (c,), which is equal for styles with the same trait.
+    """Return integers, (c,), that are equal for styles with the same value of an attribute.
 
-    ``trait`` is the name of a column of ``StyleTable``, such as ``layer``.
+    ``trait`` is the name of the attribute, a column of ``StyleTable`` such as ``layer``, and c is
+    the number of styles.
     """
     if trait == "colour":
         values: list[object] = list(

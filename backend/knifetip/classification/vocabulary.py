@@ -32,7 +32,11 @@ _GROOVE_WORDS: Final = ("groove", "grooves", "nut", "nuten")
 
 @dataclass(frozen=True, slots=True)
 class NameMeaning:
-    """The line type that the name of a layer or linetype suggests, and the words for it."""
+    """The line type that the name of a layer or linetype suggests, and the part of the name for it.
+
+    The line type is None if the name suggests none.  The record also states whether the name
+    contains a negating word.
+    """
 
     kind: LineType | None  #: None if no word has a meaning, or if two words contradict each other
     word: str  #: the part of the name that has this meaning
@@ -97,9 +101,11 @@ def _by_line_type(table: Mapping[str, str]) -> list[tuple[str, LineType]]:
 
 @lru_cache(maxsize=4096)
 def name_meaning(name: str) -> NameMeaning:
-    """Return the line type that the name of a layer or linetype suggests, if any.
+    """Return the line type that the name of a layer or linetype suggests.
 
-    The result also contains the part of the name that suggests the line type.
+    The line type is None if the name suggests none, or if its words contradict each other.  The
+    result also contains the part of the name that suggests the line type, and whether the name
+    contains a negating word, such as "no" in "no cut".
     """
     vocabulary = _vocabulary()
     folded = name.casefold()

@@ -39,8 +39,8 @@ class Ellipse:
         """Return lines and arcs within a tolerance (mm) of the ellipse: starts, ends and bulges.
 
         A circle becomes exact arcs.  Otherwise each quarter between the ends of the axes is
-        approximated.  If u and v are parallel, the result consists of lines, which a full ellipse
-        passes forth and back.
+        approximated.  If u and v are parallel, the ellipse is flat and becomes lines; a full flat
+        ellipse runs along them forth and back.
 
         Raises
         ------

@@ -12,7 +12,8 @@ from knifetip.kernels import OutI64_1, kernel
 def find(parent: OutI64_1, i: int) -> int:
     """Return the root of the set that contains index ``i``.
 
-    ``parent`` has the parent of each index; the function shortens the path to the root in it.
+    ``parent`` has the parent of each index.  The function changes it: it shortens the path from
+    ``i`` to the root, so that later calls are faster.
     """
     while parent[i] != i:
         parent[i] = parent[parent[i]]

@@ -133,8 +133,8 @@ def _segments_meet(
 ) -> bool:
     """Return whether segments i and j, whose bounding boxes overlap, have a common point.
 
-    ``round_corner`` states whether there is one segment between i and j, and this segment is a
-    transition at a convex corner.
+    ``round_corner`` states whether exactly one segment is between i and j, and this segment is a
+    transition at a convex corner.  Then two lines cannot meet.  ``scratch`` are scratch arrays.
     """
     start, end, bulge, pair = segments.start, segments.end, segments.bulge, scratch.pair
     b, other_bulge = bulge[i], bulge[j]

@@ -2,10 +2,11 @@
 
 Bridges are first spaced equally around the contour.  Then each is moved to the nearest permitted
 position: on a straight segment, 5 mm away from sharp corners, or in the middle of a segment that is
-too short for this.  Arcs are used only if the straight segments do not suffice.  A narrow slot that
-the cutter clears completely while it cuts the slot's other side gets no bridge.  At a point at
-which a slit opens into the contour, or a crease ends on it, the board is weak.  Bridges stay 5 mm
-away from such points, if possible.
+too short for this.  Arcs are used only if the straight segments do not suffice.  A slot so narrow
+that the cutter clears it completely while it cuts one side gets no bridge.
+
+The board is weak at a point at which a slit opens into the contour, or a crease ends on it.
+Bridges stay 5 mm away from such points, if possible.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ _TRIES = 16
 
 
 class Spacing(NamedTuple):
-    """Length of the bridges, and the greatest distance between neighbouring bridges."""
+    """Length of bridges along a path, and the greatest distance between two neighbouring ones."""
 
     gap: float  #: mm of the path that a bridge takes
     most: float  #: greatest distance between the middles of two neighbouring bridges (mm)
@@ -125,7 +126,10 @@ def _positions_along(paths: Paths, selected: Bool, points: F64) -> tuple[I32, F6
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _FreeRanges:
-    """Ranges along a contour, in ascending order, in which the middle of a bridge may lie."""
+    """Ranges along a closed contour, in ascending order, in which the middle of a bridge may lie.
+
+    Positions are measured in mm from the start of the contour.
+    """
 
     low: F64  #: mm
     high: F64  #: mm

@@ -120,15 +120,15 @@ def choices_at_bends(corners: Corners, nearest: F64, bends: Bends) -> tuple[U8, 
     """Return the corner type and its parameter k that the user chose for each bend, (n,) each.
 
     Bend i is at the start of segment i.  Without a choice for a bend, its type is ``AS_OTHERS``,
-    the type of all other corners, and its k is NaN.  A choice applies to all corners at its point,
-    for instance if two contours touch there.
+    the type of all other corners, and its k is NaN; k is also NaN if the user gave none.  A choice
+    applies to all corners at its point, for instance if two contours touch there.
 
     Parameters
     ----------
     corners
         Corner types that the user chose; ``at`` contains the choices for single positions.
-    nearest : mm
-        Distance between each position in ``corners.at`` and the nearest corner.
+    nearest : (m,) mm
+        Distance between each of m positions in ``corners.at`` and the nearest corner.
     bends
         Bends of one operation, one for each of n segments.
     """

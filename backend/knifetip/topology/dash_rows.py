@@ -105,7 +105,7 @@ def _form_rows(
     links : (t, 2)
         Pairs of vertices; a link closes the gap between the two vertices of a pair.
     gap_of : (2n,)
-        Largest distance from each end to another edge that it may be linked to.
+        Search distance of each end: within it, another edge is searched later to close a gap.
     """
     n = len(twin)
     link = np.empty((64, 2), np.int32)
@@ -178,6 +178,8 @@ def _find_dangling_ends(
         Vertex of each end, and the first edge that coincides with each edge.
     loose : (q,)
         Whether only one edge ends at each vertex.
+    grid
+        Grid of side × side cells over the drawing.
     cell : (2n,)
         Number of the cell of the start and of the end of each edge.
     """
@@ -207,6 +209,8 @@ def _find_facing_ends(
         Largest distance between ends that became one vertex (drawing units).
     unit
         Number of drawing units in a millimetre.
+    grid
+        Grid of side × side cells over the drawing.
     begins : (side² + 1,)
         Index in ``tips`` of the first dangling end in each cell of the grid.
     tips, position : (t,) and (t, 2)
@@ -214,6 +218,8 @@ def _find_facing_ends(
     facing : (2n,)
         Receives for each end the nearest dangling end that is straight ahead of it and points back
         at it; unchanged if there is none.
+    begin, end
+        Range of indices in ``tips``.
     """
     low, size, side, _, _ = grid
     for number in range(begin, end):

@@ -283,6 +283,8 @@ def _find_crossed(
         Start vertex and end vertex of each link.
     point : (q, 2)
         Positions of the vertices.
+    grid
+        Grid that lists the edges in each cell.
     is_crossed : (t,)
         Receives the result for each link.
     """
@@ -422,7 +424,8 @@ def _has_line_ahead(ends: F64_3, bulge: F64_1, half: int, reach: float, grid: Ed
     """Return whether another edge is straight ahead of an end of an edge, at most ``reach`` away.
 
     ``half`` is 2 i for the start of edge i and 2 i + 1 for its end.  ``ends`` (n, 2, 2) and
-    ``bulge`` (n,) are the end points and bulges of the edges.
+    ``bulge`` (n,) are the end points and bulges of the edges; ``grid`` lists the edges in each
+    cell.
     """
     low, size, side, first, listed = grid
     i = half // 2

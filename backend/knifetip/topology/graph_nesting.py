@@ -109,6 +109,8 @@ def _find_left(
     ----------
     ends, bulge : (n, 2, 2) and (n,)
         Start and end points and bulges of the edges.
+    grid
+        Grid that lists the edges in each cell.
     position : (q, 2)
         Positions of the vertices.
     first_piece, parameter : (n + 1,) and (p,)
@@ -119,7 +121,7 @@ def _find_left(
         Largest distance between ends that became one vertex.
     piece, upward : (c,)
         Receive the piece that the ray of each component meets first, and whether this piece runs
-        upwards there.
+        upwards there.  Not changed for a component whose ray meets no piece.
     """
     low, size, side, first, listed = grid
     for c in range(begin, end):

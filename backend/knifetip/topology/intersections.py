@@ -165,6 +165,8 @@ def _split_by_ends(
         Vertex of the start and the end of each edge; no edge is split at these two vertices.
     point : (q, 2)
         Positions of the vertices.
+    grid
+        Grid that lists the edges in each cell.
 
     Returns
     -------
@@ -265,11 +267,12 @@ def _merge_crossings(
     vertices: VertexTable,
     crossing_vertex: OutI32_1,
 ) -> int:
-    """Write the vertex of each crossing to ``crossing_vertex``; return the number of vertices.
+    """Write the vertex of each crossing to ``crossing_vertex``, and return the number of vertices.
 
-    A crossing within the tolerance of a vertex gets this vertex; otherwise a vertex is added to
-    ``vertices``.  ``pair`` (c, 2) are the two edges of each crossing, and ``parameter`` (c, 2) the
-    parameters of the crossing on them.  ``ends`` (n, 2, 2) are the end points of the edges.
+    A crossing within ``tolerance`` of a vertex gets this vertex; otherwise a vertex is added to the
+    table ``vertices``.  ``pair`` (c, 2) are the two edges of each crossing, and ``parameter`` (c,
+    2) the parameters of the crossing on them.  ``ends`` (n, 2, 2) are the end points of the edges;
+    ``crossing_vertex`` has the shape (c,).
     """
     count = vertices.vertex_count
     for k in range(len(pair)):

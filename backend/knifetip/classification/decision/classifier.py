@@ -86,7 +86,10 @@ class Decision:
 
 
 class _Guess:
-    """The likeliest line type of some edges, with confidence and reasons; evidence changes it."""
+    """The likeliest line type of some edges, with confidence, reasons and alternatives.
+
+    Each kind of evidence, such as a layer name, may change the guess.
+    """
 
     def __init__(self, kind: LineType, confidence: float) -> None:
         self.kind = kind
@@ -202,10 +205,11 @@ class Classifier:
     # ── styles with a rule in the profile ────────────────────────────────────────────────────────
 
     def _decide_by_rule(self, style: int, role: Role) -> Decision:
-        """Return the decision of a style's profile rule, less certain if the shape contradicts it.
+        """Return the decision that follows from a style's profile rule and the role of its edges.
 
-        ``style`` is the index of the style, and ``role`` the role of the edges in the drawing's
-        shape.
+        If the shape contradicts the rule, the decision has a low confidence, or a different line
+        type with the line type of the rule as an alternative.  ``style`` is the index of the style,
+        and ``role`` the role of the edges in the drawing's shape.
         """
         kind = LineType(int(self.matches.line_type[style]))
         confidence = float(self.matches.confidence[style])

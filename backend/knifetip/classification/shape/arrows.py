@@ -37,7 +37,10 @@ _MAX_DEGREE: Final = 24
 
 
 class _Graph(NamedTuple):
-    """The columns of a ``PlanarGraph`` by which arrows are found: q vertices, p pieces, n edges."""
+    """The vertices and pieces of a planar graph of n edges, as needed to find arrows.
+
+    The graph has q vertices and p pieces.
+    """
 
     vertex: F64_2  #: (q, 2) position of each vertex
     start: I32_1  #: (p,) vertex at which each piece starts

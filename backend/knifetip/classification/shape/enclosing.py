@@ -173,7 +173,7 @@ def _find_bleeds(
 
 
 class _Lines(NamedTuple):
-    """The columns of a ``PlanarGraph`` that the search for bleeds needs: q vertices, p pieces."""
+    """The vertices and pieces of a planar graph, as needed to find bleeds: q vertices, p pieces."""
 
     vertex: F64_2  #: (q, 2) position of each vertex
     start: I32_1  #: (p,) vertex at which each piece starts

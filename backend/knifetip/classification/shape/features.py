@@ -197,8 +197,8 @@ class _Extraction(NamedTuple):
     def _graph(self) -> PlanarGraph | None:
         """Return the planar graph of the edges.
 
-        Returns None if there are no edges, or if they are too crowded or cross too often to be
-        analysed in reasonable time.
+        Returns None if there are no edges, or if the graph would take too long to build because the
+        edges are too crowded or cross too often.
         """
         return build_graph(self.ends, self.bulge, GAP * self.unit, _REACH * self.unit)
 

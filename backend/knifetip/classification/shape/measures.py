@@ -32,7 +32,10 @@ _MIN_PAIRS: Final = 300_000
 
 
 class ComponentBoxes(NamedTuple):
-    """Bounding boxes of c connected components."""
+    """Bounding boxes of c connected components, and whether each component is rectilinear.
+
+    A rectilinear component consists of horizontal and vertical lines.
+    """
 
     box: F64  #: (c, 4) x min, y min, x max, y max; of arcs only their ends and middles count
     rectilinear: Bool  #: (c,) whether all pieces are horizontal or vertical lines

@@ -36,7 +36,11 @@ _MIN_PAIRS: Final = 300_000
 
 @dataclass(frozen=True, eq=False, slots=True)
 class PartKinds:
-    """The kinds of c connected components, one mask for each kind; a blank is in no mask."""
+    """The kinds of c connected components, as one mask for each kind, such as frame or letter.
+
+    A component may be of several kinds; a blank is of none.  A further mask states which components
+    are near a text.
+    """
 
     inside: Bool  #: (c,) inside a face of a blank
     frame: Bool  #: (c,) a rectangle round blanks
