@@ -55,9 +55,7 @@ def read_points(name: str, data: bytes) -> tuple[list[float], list[tuple[float, 
     azimuths, offsets = [], []
     for line, row in enumerate(rows, 2):
         if missing := [column for column in _COLUMNS if row.get(column) is None]:
-            raise LibraryError(
-                "calibration.missing-column", file=name, line=line, columns=" or ".join(missing)
-            )
+            raise LibraryError("calibration.missing-column", file=name, line=line, columns=missing)
         try:
             azimuth, dx, dy = (float(row[column]) for column in _COLUMNS)
         except ValueError as reason:

@@ -3493,7 +3493,7 @@ export interface components {
             arguments: {
                 file: string;
                 line: number;
-                columns: string;
+                columns: string[];
             };
         } | {
             /** @constant */

@@ -44,7 +44,7 @@ export const TEXTS = {
     "hint": "Choose one of {cutters:, }."
   },
   "calibration.missing-column": {
-    "text": "Line {line} of {file} has no value for {columns}.",
+    "text": "Line {line} of {file} has no value for {columns:or}.",
     "hint": "Write the heading azimuth,dx,dy on the first line. Write three numbers, in degrees, mm and mm, on each other line, for example 45,-0.05,0.06."
   },
   "calibration.not-a-number": {

@@ -125,12 +125,12 @@ MESSAGES: Final[Entries] = {
         cutters="texts",
     ),
     "calibration.missing-column": entry(
-        "Line {line} of {file} has no value for {columns}.",
+        "Line {line} of {file} has no value for {columns:or}.",
         "Write the heading azimuth,dx,dy on the first line. Write three numbers, in degrees, "
         "mm and mm, on each other line, for example 45,-0.05,0.06.",
         file="text",
         line="count",
-        columns="text",
+        columns="texts",
     ),
     "calibration.not-a-number": entry(
         "Line {line} of {file} has a value that is not a number: {values:, }.",
