@@ -50,8 +50,8 @@ _MNEMONICS: Final = np.frombuffer(b"\0\0PUPDPDPU", np.uint8).reshape(5, 2)
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _PlotterMoves:
-    """n straight moves of a plotter between n + 1 points, with the pen, speed and kind of each
-    move.
+    """n straight moves of a plotter between n + 1 points, with the pen, the speed and the kind of
+    instruction of each move.
     """
 
     point: I64  #: (n + 1, 2) plotter units
@@ -142,7 +142,11 @@ def _speed_changes(speed: I64) -> Bool:
 
 
 def _check_motions(toolpath: Toolpath) -> None:
-    """Raise ``ProgramError`` for the first row of a toolpath that HPGL cannot express."""
+    """Raise ``ProgramError`` for the first row of a toolpath that HPGL cannot express.
+
+    HPGL cannot express a station that does not begin with a rapid, a slanted plunge or lift, a
+    change of depth within a cut, a swivel that also travels, or a lift directly after a plunge.
+    """
     motion, change = toolpath.motion, np.diff(toolpath.pose, axis=0)
     beside = np.hypot(change[:, 0], change[:, 1]) > HEIGHT_TOLERANCE
     upright = np.isin(motion, (Motion.PLUNGE, Motion.LIFT))

@@ -159,9 +159,10 @@ _EXPECTED: Final[Mapping[type[Tool], Callable[[Any], ExpectedTool]]] = {
 
 
 def extra_outputs(machine: Machine) -> tuple[int, ...]:
-    """Return the numbers of the outputs that the tools need besides the output of their station.
+    """Return the numbers of the outputs that tools need besides the outputs of their stations,
+    ascending.
 
-    An example is the output for a laser's air.  The numbers are in ascending order.
+    Such an output is, for example, the air supply of a laser.
     """
     return tuple(
         sorted({one for station in machine.stations for one in expected_tool(station.tool).outputs})

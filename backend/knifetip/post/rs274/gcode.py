@@ -284,7 +284,7 @@ def _exact_stops(
 
 
 def _feed_units(feed: F64) -> I64:
-    """Return n feeds as integers, (n,), in units of 10^-FEED_DECIMALS.
+    """Return n feeds, (n,), as integers in units of the last decimal place of the F word.
 
     ``feed`` are the feeds in the unit of the program.  They are rounded to six significant digits.
     """

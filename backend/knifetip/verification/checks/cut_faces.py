@@ -75,7 +75,9 @@ class CutFaces:
 
 
 def find_cut_faces(cuts: Edges) -> CutFaces:
-    """Return the faces into which cuts divide the sheet, after links have closed small gaps."""
+    """Return the faces into which cuts divide the sheet, after small gaps between the cuts are
+    closed.
+    """
     links = _gap_links(cuts)
     curve = np.concatenate([cuts.curve, links])
     piece, edge, begin = _split_curves(curve)

@@ -31,7 +31,7 @@ from knifetip.verification.tools import OperationKind
 
 
 class KnifeCheck(StationCheck):
-    """Check that compares the cuts of a knife, through the board or half-cuts, with the edges."""
+    """Check that compares the cuts and half-cuts of a knife with the edges."""
 
     def check(self) -> None:
         if self.operation == OperationKind.CUT:
@@ -160,9 +160,10 @@ class KnifeCheck(StationCheck):
         )
 
     def _paths_with_bridges(self, solid_edges: Edges, paths: EdgePaths) -> Bool:
-        """Return the mask of the closed paths of edges that must have bridges, shape (c,).
+        """Return the mask of the paths that must have bridges, (c,).
 
-        ``paths`` are c paths, and ``solid_edges`` are the edges that form them.
+        If this check needs bridges, these are the closed paths on outer contours; otherwise there
+        are none.  ``paths`` are the c paths, and ``solid_edges`` are the edges that form them.
         """
         result = np.zeros(len(paths.length), np.bool_)
         if self._needs_bridges:

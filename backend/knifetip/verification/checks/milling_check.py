@@ -55,7 +55,7 @@ class CentrePaths:
     blend: F64
 
     def select(self, rows: I64 | Bool) -> CentrePaths:
-        """Return some of the paths; ``rows`` are their indices or their mask."""
+        """Return the selected paths; ``rows`` are their indices or their mask."""
         return CentrePaths(
             self.curve[rows], self.z[rows], self.track[rows], self.line[rows], self.blend[rows]
         )
@@ -371,8 +371,10 @@ class _MillingCheck:
     # -- the paths of the centre -----------------------------------------------------------------
 
     def _check_parts(self) -> None:
-        """Add a finding for each cut of the disc into a part; record its depth as the overcut of
-        the edge.
+        """Add a finding for each path on which the disc cuts into a part.
+
+        The distance by which the disc extends past an edge into the part is recorded as the overcut
+        of the edge.
         """
         closing = np.flatnonzero(self.bounds.closing)
         curve = self.edges.curve[closing]

@@ -97,9 +97,8 @@ def _check_cuts(
     """Add a finding for each cut that is made on loose board.
 
     A long cut consists of several pieces, each beside its own faces of the sheet.  The board under
-    a stretch that is cut counts as loose after the last of the pieces on which the stretch lies is
-    released.  Pieces shorter than ``GAP_LENGTH`` are ignored if the stretch also lies on a longer
-    piece.
+    a cut stretch counts as loose once all pieces on which the stretch lies are released.  Pieces
+    shorter than ``GAP_LENGTH`` are ignored if the stretch also lies on a longer piece.
 
     Parameters
     ----------
@@ -341,9 +340,9 @@ def _held_until(
     """Return the program line at which the board under each of k stretches of cuts is released,
     (k,).
 
-    A stretch lies on one or more pieces of its cut, and the piece that is released last determines
-    the line.  Pieces shorter than ``GAP_LENGTH`` are ignored if the stretch also lies on a longer
-    piece.  The line is infinite for a stretch that lies on no piece.
+    A cut consists of pieces.  The board under a stretch is released once all pieces on which the
+    stretch lies are released.  Pieces shorter than ``GAP_LENGTH`` are ignored if the stretch also
+    lies on a longer piece.  The line is infinite for a stretch that lies on no piece.
 
     Parameters
     ----------

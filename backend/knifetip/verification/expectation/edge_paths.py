@@ -150,8 +150,9 @@ class EdgePaths:
 def joined_ends(edges: Edges) -> I64:
     """Return the index of the end to which each of the 2n ends of n edges is linked, (2n,).
 
-    The index is -1 for none.  Ends are linked at any angle.  End 2i is the start of edge i, and end
-    2i + 1 is its end.
+    Two ends that meet no third end are linked, at any angle.  If more ends meet, two collinear ends
+    are linked, unless one of them could also be linked to a third end.  The index is -1 for an end
+    without a link.  End 2i is the start of edge i, and end 2i + 1 is its end.
     """
     return link_ends(edges, 180.0)[0]
 

@@ -4,8 +4,8 @@ The rules are derived from the records of board and tools:
 
 * A wheel of radius R at depth δ touches the board over a length s on both sides of its lowest
   point, s² = δ(2R − δ).  At an end at which no other crease continues, it stops before the end by s
-  and the board's end clearance.  A crease that is too short for that is pressed at one point, at
-  the depth at which the contact fits.
+  and the board's end clearance.  A crease that is too short for that is pressed at one point, with
+  a smaller depth, so that the wheel touches the board only within the crease.
 * A blade slanted by α cuts the top face ahead of its tip by h tan α at depth h.  A cut that ends
   inside a panel stops where the cut in the top face reaches the end.  A cut that ends on another
   cut, or at its own start, runs past its end.

@@ -20,7 +20,7 @@ _LETTERS: Final = "CFIJNPQSTXYZ"
 
 
 class Group(IntEnum):
-    """Modal groups of the G and M words; a line may contain one word of each group."""
+    """Modal group of a G or M word; a line may contain at most one word of each group."""
 
     MOTION = 0
     DWELL = 1

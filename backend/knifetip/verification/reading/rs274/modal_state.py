@@ -1,4 +1,7 @@
-"""Compute the modal state of the controller after each line of a program, in columns."""
+"""Compute the modal state of the controller after each line of a program.
+
+Each mode or value is an array with one entry per program line that has words.
+"""
 
 from __future__ import annotations
 

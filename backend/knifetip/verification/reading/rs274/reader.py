@@ -14,7 +14,9 @@ from knifetip.verification.reading.rs274.parse import comment_placement, parse_w
 
 
 class Rs274Reader:
-    """Reader of RS274/NGC programs, for LinuxCNC (with T words) and grblHAL (without them)."""
+    """Reader of RS274/NGC programs for LinuxCNC, which contain T words, and for grblHAL, which
+    contain none.
+    """
 
     def placement(self, text: bytes) -> tuple[float, float] | None:
         """Return the placement that the program's comments state, or None if they state none.
