@@ -44,16 +44,20 @@ def list_questions(drawing: Drawing, dieline: Dieline) -> list[Question]:
 
 
 def _question(drawing: Drawing, dieline: Dieline, rows: I64, lengths: F64, bounds: F64) -> Question:
-    """Return the question about unclassified edges, which have one style and one reason.
+    """Return the question that asks the user for the line type of some unclassified edges.
+
+    These edges have one style, and one reason why they are unclassified.
 
     Parameters
     ----------
     drawing, dieline
         The drawing and its dieline, with the same n edges.
     rows : (k,)
-        Rows of the unclassified edges.
-    lengths, bounds : (n,) and (4,)
-        Length of each edge of the drawing, and bounding box of the drawing.
+        Indices of the unclassified edges.
+    lengths : (n,)
+        Length of each edge of the drawing.
+    bounds : (4,)
+        Bounding box of the drawing: x min, y min, x max, y max.
     """
     example = rows[0]
     layer = drawing.layers[drawing.layer[example]]

@@ -90,9 +90,9 @@ def _all_words(languages: Mapping[str, str]) -> list[str]:
 
 
 def _by_line_type(table: Mapping[str, str]) -> list[tuple[str, LineType]]:
-    """Return pairs of a word and its line type, in the order of the table.
+    """Return pairs of a word and the line type that it means, in the order of ``table``.
 
-    ``table`` contains for each line type its words, separated by spaces.
+    ``table`` contains for each name of a line type its words, separated by spaces.
     """
     return [
         (word, LineType.from_word(kind)) for kind, line in table.items() for word in line.split()

@@ -18,7 +18,7 @@ _SLOTS: Final = 1024
 
 
 def unique_rows(*columns: ArrayLike) -> tuple[I64, I64]:
-    """Return the distinct rows of integer columns, and for each row the equal distinct row.
+    """Return the distinct rows of integer columns, and which of them each row equals.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ def unique_rows(*columns: ArrayLike) -> tuple[I64, I64]:
 
 @kernel
 def _distinct_rows(table: I64_2) -> Any:
-    """Return the distinct rows of a table, and for each row of the table the equal distinct row.
+    """Return the distinct rows of a table, and which of them each row of the table equals.
 
     Parameters
     ----------

@@ -74,9 +74,9 @@ def _in_transition(
     Parameters
     ----------
     kind, k
-        Type of the transition, and the parameter k of type D.
+        Type of the transition, and the parameter k of type D, 0 … 1.
     table, row_before, row_after
-        ``MovedSegments.table``, and its rows for the segments before and after the corner.
+        Table of the moved segments, and its rows for the segments before and after the corner.
     vx, vy : mm
         Position of the point relative to the corner's vertex.
     signed : mm

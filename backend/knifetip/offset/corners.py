@@ -124,6 +124,8 @@ def write_corner_transition(
 
     Parameters
     ----------
+    contours, i
+        The input contours, and the index of the segment after the corner.
     table, row_before, row_after
         Moved segments, and the rows of the segments before and after the corner.
     signed : mm
@@ -175,9 +177,10 @@ def _twice_circular_segment(x: float, y: float, radius: float) -> float:
 def _contains_point(
     table: F64_2, row: int, sx: float, sy: float, ex: float, ey: float, x: float, y: float
 ) -> bool:
-    """Return whether a moved segment contains a point (x, y), given that its line or circle does.
+    """Return whether a point (x, y) on the line or circle of a moved segment is on the segment.
 
-    The segment goes from (sx, sy) to (ex, ey); row ``row`` of ``table`` has its radius.
+    The segment goes from (sx, sy) to (ex, ey).  The column ``RADIUS`` in row ``row`` of ``table``
+    is its radius, 0 for a line.
     """
     dx, dy = ex - sx, ey - sy
     slack = TOUCH * (abs(dx) + abs(dy))

@@ -171,8 +171,9 @@ def _failure_error(
     Parameters
     ----------
     failure
-        Failure code (a constant of ``raw_segments``), the two contour segments concerned, and the
-        depth by which the tool would cut into the contour (mm).
+        Failure code, the two contour segments concerned, and the depth by which the tool would cut
+        into the contour (mm).  The code is a constant of ``raw_segments`` other than
+        ``NO_FAILURE``.
     radius : (p,) mm
         Radius of the tool for each path.
     paths

@@ -196,7 +196,7 @@ def write_raw_region(
     raw
         Gets the moved segments after trimming, and the transitions between them.
     follow
-        Gets the successor of each row of ``raw``, -1 for none.
+        Gets for each row of ``raw`` the row that continues it, -1 for none.
     rows
         Scratch rows for one transition.
 
@@ -208,7 +208,8 @@ def write_raw_region(
         A contour segment that has no offset at all, because its arc is too small for the tool; -1
         if there is none.
     code, segment
-        Failure code (a constant of ``raw_segments``), and the contour segment that failed.
+        ``NO_FAILURE`` or another failure code of ``raw_segments``, and the contour segment that
+        failed.
     """
     longest = 0
     for m in range(len(paths.member)):

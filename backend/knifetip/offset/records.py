@@ -51,7 +51,7 @@ class MovedSegments(NamedTuple):
 
 
 class MovedPath(NamedTuple):
-    """One input path, and the rows of its segments in the table of moved segments."""
+    """One input path, and where its segments are in the table of moved segments."""
 
     low: int  #: first contour segment of the path
     high: int  #: contour segment after the last one of the path

@@ -257,7 +257,7 @@ def offset_region(
     refuse: bool,
     scratch: Scratch,
 ) -> RegionOffset:
-    """Return the offset of one region with all its contours, or its failure.
+    """Return the offset of one region with all its contours, or why it could not be offset.
 
     Parameters
     ----------
@@ -270,7 +270,8 @@ def offset_region(
     corners
         Types of the transitions at the corners.
     refuse
-        Whether a position where the tool does not fit is a failure.
+        Whether a position where the tool does not fit is a failure; otherwise the parts of the
+        offset where the tool does not fit are left out.
     scratch
         Scratch arrays.
     """

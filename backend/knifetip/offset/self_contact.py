@@ -1,8 +1,9 @@
 """self_contact: find segments of an offset path that have a common point.
 
-Segments are compared if their bounding boxes overlap.  In a short path, all boxes are compared with
-the boxes two rows later, then three rows later and so on, since comparing whole columns takes few
-instructions.  In a long path, a tree of the boxes finds the overlaps.
+Segments are compared only if their bounding boxes overlap.  In a short path, each box is compared
+with the box two rows later, then with the box three rows later, and so on; each of these steps
+compares whole columns, which takes few instructions.  In a long path, a tree of the boxes finds the
+overlaps.
 """
 
 from __future__ import annotations

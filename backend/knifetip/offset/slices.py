@@ -135,8 +135,14 @@ def split_rows(
     ----------
     rows : (m, 5)
         Segments: x0, y0, x1, y1, bulge.
-    cut_row, cut_point, cuts
-        Row, position and number of the split points, as ``find_cuts`` returns them.
+    real
+        Number of rows to split.
+    cut_row : (n,)
+        Row of each split point.
+    cut_point : (n, 3)
+        Parameter of each split point on its row (0 … 1), and its x and y (mm).
+    cuts
+        Number of split points; the arrays may be longer.
 
     Returns
     -------
@@ -360,15 +366,19 @@ def _finish_chain(
 ) -> int:
     """Set the bulges of a chain's segments, remove tiny segments, and close rounding gaps.
 
-    Before the call, the last column of ``line`` has the length of each segment as a fraction of the
-    raw row that it is part of; afterwards it has the bulge.
+    The function changes ``line`` and ``tag``; the remaining segments are moved to the first rows of
+    the chain.
 
     Parameters
     ----------
     rows : (m, 5)
-        The raw rows: x0, y0, x1, y1, bulge.
-    line, tag
-        Segments of all chains, as in ``ResultChains``.
+        The raw rows of which the segments are parts: x0, y0, x1, y1, bulge.
+    line : (r, 5)
+        Segments of all chains: x0, y0, x1, y1, and in the last column the length of the segment as
+        a fraction of its raw row.  The function replaces this fraction by the bulge.
+    tag : (r, 4)
+        For each segment its contour segment, whether it belongs to a transition, its path, and its
+        raw row.
     low, high
         The chain has the segments low … high - 1.
     closed

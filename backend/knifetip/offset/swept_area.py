@@ -62,8 +62,11 @@ def area_under_edge(
 
     Parameters
     ----------
-    line, tag
-        Rows of all chains, as in ``ResultChains``; the chain has the rows low … high - 1.
+    line : (r, 5)
+        Segments of all chains: x0, y0, x1, y1, bulge.  The chain has the rows low … high - 1.
+    tag : (r, 4)
+        For each segment its contour segment, whether it belongs to a transition, its path, and its
+        raw row.
     closed
         Whether the chain is closed.
     start
@@ -73,7 +76,8 @@ def area_under_edge(
     from_x, from_y : mm
         Point at which the edge of an open chain starts.
     corner_arcs, arc_row
-        Rows for arcs of the edge around the corners of the chain, and the first free row.
+        Rows that receive the arcs of the edge around the corners of the chain, and the first free
+        row.
 
     Returns
     -------

@@ -136,10 +136,12 @@ def _write_transitions(
 ) -> None:
     """Write the transitions at m corners to ``rows`` (x0, y0, x1, y1, bulge).
 
+    A transition is the path of the tool's centre round a convex corner.
+
     Parameters
     ----------
     kind, k : (m,)
-        ``Corner`` type of each corner, and the parameter of type D.
+        ``Corner`` type of each corner, and the parameter of type D, 0 … 1.
     u1, u2 : (m, 2)
         Unit tangents into and out of each corner.
     vertex : (m, 2) mm

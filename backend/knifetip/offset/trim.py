@@ -183,14 +183,16 @@ def _write_corner(
 
     Parameters
     ----------
+    contours, i
+        The input contours, and the index of the segment after the corner.
     table, row_before, row_after
         Moved segments, and the rows of the segments before and after the corner.
     signed : mm
         Radius of the tool, positive left of travel.
     corners
         Types of the transitions of all corners.
-    next_row
-        First row of ``out`` to write.
+    out, next_row
+        Output columns, and the first row of them to write.
     rows
         Scratch rows for one transition.
     """

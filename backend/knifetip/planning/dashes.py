@@ -150,8 +150,8 @@ def _group_by_line(ends: F64, rows: I64) -> tuple[I64, F64, F64]:
 def _cluster(group: I64, value: F64, gap: float) -> I64:
     """Return the number of the cluster of each value, counted from 0, (n,).
 
-    The values of a cluster belong to one group; its greatest value exceeds its least value by at
-    most ``gap``.  ``group`` is the number of the group of each value, (n,).
+    A cluster contains values of one group; its greatest value exceeds its least value by at most
+    ``gap``.  ``group`` is the number of the group of each value, (n,).
     """
     order = np.lexsort((value, group))
     number = np.empty(len(order), np.int64)

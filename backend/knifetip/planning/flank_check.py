@@ -49,12 +49,11 @@ class _NearbyChords:
         return _NearbyChords(*(getattr(self, name)[rows] for name in self.__slots__))
 
     def clip(self, column: F64, least: F64 | float, greatest: F64 | float) -> _NearbyChords:
-        """Return the parts of chords on which a coordinate lies between ``least`` and ``greatest``
-        mm.
+        """Return only those parts of the chords on which a coordinate is in a range.
 
-        ``column`` has this coordinate at the two ends of each chord, (k, 2) mm: ``self.along`` or
-        ``self.offset``.  A chord without such a part is left out, and so is a chord whose ``least``
-        exceeds its ``greatest``.
+        The range is ``least`` … ``greatest`` (mm), for all chords or for each one.  ``column`` is
+        ``self.along`` or ``self.offset``: the coordinate at the two ends of each chord, (k, 2) mm.
+        A chord without a part in the range is left out, also if ``least`` exceeds ``greatest``.
         """
         first, step = column[:, 0], column[:, 1] - column[:, 0]
         level = np.abs(step) < 1e-12

@@ -79,8 +79,8 @@ def _assign_layers(
 ) -> Any:
     """Return the layer of each of ``count`` units of work, and whether no cycle was found.
 
-    A unit of work is a closed contour or a single edge; it consists of stretches between faces.  A
-    cycle is a set of units each of which would have to be cut before another one of the set.
+    A unit of work is a closed contour or a single edge; it consists of stretches between faces.
+    The units of a cycle would each have to be cut before another unit of the cycle.
 
     Parameters
     ----------

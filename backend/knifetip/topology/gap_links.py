@@ -227,6 +227,8 @@ def _make_links(
 def split_links(lines: Lines, link: I32, vertices: VertexTable) -> tuple[Splits, I32, VertexTable]:
     """Split links at the edges that run through the gaps that the links close.
 
+    A link is a straight connection of two vertices.  The edges are split at the same points.
+
     Parameters
     ----------
     lines

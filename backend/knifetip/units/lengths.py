@@ -196,7 +196,7 @@ def evidence_of_units(
     Parameters
     ----------
     kind
-        Kind of the evidence, as in ``UnitEvidence``.
+        Name of the kind of evidence, which is stored in each record.
     weight
         For each unit, the logarithm of its likelihood; ``relative_weights`` converts these to the
         weights of the evidence.

@@ -218,10 +218,10 @@ def first_match(patterns: Sequence[str], names: Sequence[str]) -> I32:
 
 
 def rule_confidence(rule: LineRule) -> float:
-    """Return the confidence of a rule, 0.5 … 1, by the attributes that its patterns restrict.
+    """Return the confidence of a rule, which depends on the attributes for which it has patterns.
 
-    It is 1 for layer (or block) and colour, 0.95 for layer or block without colour, 0.8 for colour
-    or linetype without layer and block, and 0.5 for all other rules.
+    The confidence is 1 for a rule with layer (or block) and colour, 0.95 for layer or block without
+    colour, 0.8 for colour or linetype without layer and block, and 0.5 for all other rules.
     """
     coloured = bool(rule.colour or rule.true_colour)
     if rule.layer or rule.block:

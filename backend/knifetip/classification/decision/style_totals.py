@@ -1,7 +1,8 @@
 """style_totals: sum up lengths and numbers of edges by style and role.
 
-The module also computes decision keys, numbers that combine style, role and flags of an edge: edges
-with equal keys get the same decision.
+The module also computes decision keys.  A decision key is an integer that combines the style and
+the role of an edge with flags, such as whether a text is near it.  Edges with equal keys get the
+same decision.
 """
 
 from __future__ import annotations

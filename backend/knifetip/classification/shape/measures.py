@@ -84,7 +84,7 @@ class Measures(NamedTuple):
         annotations: Sequence[Annotation],
         unit: float,
     ) -> Measures:
-        """Return the measures of a graph's components.
+        """Return areas, lengths, nearby texts and other measures of a graph's components.
 
         Parameters
         ----------

@@ -241,7 +241,7 @@ class _Panels(NamedTuple):
     at_rim: Bool  #: (m,) whether each panel is at the outline of a blank
 
     def take(self, rows: I64) -> _Panels:
-        """Return the measures of the panels with the indices ``rows``."""
+        """Return the record of the faces with the indices ``rows``, in the order of ``rows``."""
         area, centre, box, at_rim = self
         return _Panels(area[rows], centre[rows], box[rows], at_rim[rows])
 
@@ -278,10 +278,10 @@ def _find_single_cartons(
 
 
 def _measure_faces(graph: PlanarGraph, faces: Faces, length: F64, at_rim: Bool) -> _Panels:
-    """Return the measures of all faces of a graph; coincident pieces count once.
+    """Return area, centre, bounding box and location of all faces of a graph.
 
-    ``length`` (p,) is the length of each piece; ``at_rim`` (f,) is whether each face is at the
-    outline of a blank.
+    Coincident pieces count once.  ``length`` (p,) is the length of each piece; ``at_rim`` (f,) is
+    whether each face is at the outline of a blank.
     """
     count = len(faces.area)
     own = np.flatnonzero(graph.twin_piece == np.arange(len(graph.twin_piece)))
