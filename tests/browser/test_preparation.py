@@ -35,7 +35,7 @@ def test_the_banner_shows_the_progress_and_disappears_when_the_server_is_prepare
 
     page.route("**/api/service", answer)
     page.reload()
-    expect(banner).to_contain_text("First start of the server: 60 of 240 parts")
+    expect(banner).to_contain_text("First start of the server: 60 of 240 software modules")
     expect(banner.get_by_role("progressbar")).to_have_attribute("aria-valuenow", "25")
     page.screenshot(path=screenshots / "preparation.png")
 

@@ -213,8 +213,8 @@ def _plotter_moves(
                 place=describe_row(toolpath, at),
                 feed=toolpath.feed[at],
                 device=device.title,
-                slowest=device.speed[0],
-                fastest=device.speed[1],
+                slowest=round(device.speed[0] * CM_PER_SECOND),
+                fastest=round(device.speed[1] * CM_PER_SECOND),
                 step=CM_PER_SECOND,
             )
     pen = _pens_of_rows(toolpath, machine, plotter)[row]

@@ -9,8 +9,8 @@ export function WebGlError({ why }: { why: string }) {
       <div className={css.welcome} data-testid="no-webgl">
         <h1>The drawing cannot be displayed</h1>
         <p>
-          {why} Turn on hardware acceleration in the browser settings, or use a current Firefox,
-          Chrome, Edge or Safari. The rest of this page works without hardware acceleration.
+          {why} To see the drawing, turn on hardware acceleration in the browser settings, or use a
+          current Firefox, Chrome, Edge or Safari. The rest of this page works without it.
         </p>
         <Button variant="default" onClick={() => window.location.reload()}>
           Reload the page

@@ -56,11 +56,11 @@ export const TEXTS = {
     "hint": "Save the file as CSV in UTF-8."
   },
   "calibration.undetermined": {
-    "text": "The contour runs along {along} at every measured point, so the deflection {other} of the cutter cannot be determined. The measured points have a total weight of {weight:.4f} for {other}, but at least {least} is needed.",
+    "text": "At every measured point the contour runs nearly along {along}, so the deflection {other} of the cutter cannot be determined. The sum of sin² of the angles between the contour and the {along} axis is {weight:.4f}, but must be at least {least}.",
     "hint": "Measure one more point where the contour runs along {direction}, or at 45°."
   },
   "calibration.wrong-sign": {
-    "text": "The measured points give a deflection of {x:.3f} mm in X and {y:.3f} mm in Y, which would mean that the board pulls the tool towards itself. This is not possible.",
+    "text": "The measured points give a deflection of {x:.3f} mm in X and {y:.3f} mm in Y. A negative value means that the cutter moves towards the contour, although the board normally pushes it away from the contour, so a sign or the side is probably wrong.",
     "hint": "Check the signs of dx and dy, and check on which side of the contour the tool moves."
   },
   "cf2.cut-short": {
@@ -96,7 +96,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.as-its-style": {
-    "text": "the edge is treated like all edges of the same layer, colour and linetype",
+    "text": "the edge is treated like all edges with the same layer, colour and line style",
     "hint": ""
   },
   "classification.bleed": {
@@ -104,7 +104,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.board-ends": {
-    "text": ", which must be cut unless the outline is open",
+    "text": ", so the edge should be cut",
     "hint": ""
   },
   "classification.closes-nothing": {
@@ -120,7 +120,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.cuts-panel-off": {
-    "text": "a cut there would separate a panel from its blank",
+    "text": "a cut at the position of the edge would separate a panel from its blank",
     "hint": ""
   },
   "classification.dashed": {
@@ -132,7 +132,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.divides-panels": {
-    "text": ", but edges of type {type} divide panels",
+    "text": ", whereas an edge of type {type} divides two panels",
     "hint": ""
   },
   "classification.frame": {
@@ -152,7 +152,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.layer-denies": {
-    "text": "but the name of the layer of the edge, \"{layer}\", suggests another line type",
+    "text": "the name of the layer of the edge, \"{layer}\", suggests another line type",
     "hint": ""
   },
   "classification.layer-name": {
@@ -168,15 +168,15 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.like-outline": {
-    "text": "the edge has the layer, colour and linetype of the outline",
+    "text": "the edge has the layer, colour and line style of the outline",
     "hint": ""
   },
   "classification.like-outline-not-folds": {
-    "text": "the edge has the layer, colour and linetype of the outline, which differ from those of the folds",
+    "text": "the edge has the layer, colour and line style of the outline, which differ from those of the folds",
     "hint": ""
   },
   "classification.linetype-name": {
-    "text": "the name of the linetype of the edge contains \"{word}\"",
+    "text": "the name of the line style of the edge contains \"{word}\"",
     "hint": ""
   },
   "classification.mark": {
@@ -212,7 +212,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.none-closes": {
-    "text": ", and so do all edges with the same layer, colour and linetype, none of which closes an outline",
+    "text": ", and no edge with the same layer, colour and line style closes an outline",
     "hint": ""
   },
   "classification.not-made": {
@@ -228,7 +228,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.other-style-closes": {
-    "text": "edges of another layer, colour or linetype close most of this outline",
+    "text": "most of the outline of the blank consists of edges with another layer, colour or line style",
     "hint": ""
   },
   "classification.outline": {
@@ -280,11 +280,11 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.swapped": {
-    "text": "this rule makes edges of the closed outline creases, so cut and crease may be swapped",
+    "text": "this rule turns edges of the closed outline into creases, so cut and crease may be swapped",
     "hint": ""
   },
   "classification.swapped-both": {
-    "text": "this rule makes edges of the closed outline creases and edges between panels cuts, so cut and crease may be swapped",
+    "text": "this rule turns edges of the closed outline into creases and edges between panels into cuts, so cut and crease may be swapped",
     "hint": ""
   },
   "classification.swapped-like": {
@@ -344,7 +344,7 @@ export const TEXTS = {
     "hint": ""
   },
   "cleaning.kept-changed": {
-    "text": "the edge was kept; {changes:; }",
+    "text": "the edge was kept, with these changes: {changes:; }",
     "hint": ""
   },
   "cleaning.length-on-others": {
@@ -716,7 +716,7 @@ export const TEXTS = {
     "hint": ""
   },
   "drawing.unit-for-cleaning": {
-    "text": "The drawing has no unit, so the lengths of its short edges and gaps cannot be compared with the limits of the cleaning, which are in mm.",
+    "text": "The drawing has no unit, so the lengths of its short edges and gaps cannot be compared with the limits of cleaning, which are in mm.",
     "hint": "Set the unit of the drawing on the page, or with PATCH /api/drawings/ID."
   },
   "drawing.unit-unknown": {
@@ -768,7 +768,7 @@ export const TEXTS = {
     "hint": ""
   },
   "edge.no-length": {
-    "text": "Edge {edges:, } has a length of 0, so it has no direction.",
+    "text": "Edges with a length of 0 have no direction: edge {edges:, }.",
     "hint": "Delete these edges from the drawing."
   },
   "edge.not-finite": {
@@ -832,7 +832,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.no-kind": {
-    "text": "{path} has no field {field}",
+    "text": "{path} lacks the field {field}, which states its kind",
     "hint": ""
   },
   "field.not-a-colour": {
@@ -924,7 +924,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.too-many-passes": {
-    "text": "{path} is {value:g} mm, which needs more than {most} passes",
+    "text": "{path} is {value:g} mm, so the V-groove would need more than {most} passes",
     "hint": ""
   },
   "field.too-short": {
@@ -1056,16 +1056,16 @@ export const TEXTS = {
     "hint": "Look for the cause in the log of the gateway."
   },
   "gateway.switched-off": {
-    "text": "The gateway was switched off.",
-    "hint": "Switch on the gateway."
+    "text": "The gateway (the program that sends jobs to the machine) was stopped.",
+    "hint": "Start the gateway if it is not running."
   },
   "gateway.switched-off-before-report": {
-    "text": "The gateway was switched off before it reported the result of the job.",
-    "hint": "Switch on the gateway."
+    "text": "The gateway (the program that sends jobs to the machine) was stopped before it reported the result of the job.",
+    "hint": "Start the gateway if it is not running."
   },
   "gateway.switched-off-in-run": {
-    "text": "The gateway was switched off while it executed the job. It stopped the machine before it ended.",
-    "hint": "Check the table, then switch on the gateway again."
+    "text": "The gateway (the program that sends jobs to the machine) was ended while it executed the job. Before it ended, it stopped the machine.",
+    "hint": "Check the table, then start the gateway again."
   },
   "gateway.system-error": {
     "text": "The operating system on the computer of the gateway reports an error: {reason}.",
@@ -1076,7 +1076,7 @@ export const TEXTS = {
     "hint": ""
   },
   "grbl.alarm-10": {
-    "text": "an emergency stop is pressed",
+    "text": "an emergency stop button is pressed",
     "hint": ""
   },
   "grbl.alarm-11": {
@@ -1084,7 +1084,7 @@ export const TEXTS = {
     "hint": ""
   },
   "grbl.alarm-12": {
-    "text": "a limit switch is closed",
+    "text": "a limit switch is triggered",
     "hint": ""
   },
   "grbl.alarm-14": {
@@ -1120,7 +1120,7 @@ export const TEXTS = {
     "hint": ""
   },
   "grbl.alarm-8": {
-    "text": "the limit switch stayed closed during homing",
+    "text": "the limit switch stayed triggered when the machine moved away from it during homing",
     "hint": ""
   },
   "grbl.alarm-9": {
@@ -1148,7 +1148,7 @@ export const TEXTS = {
     "hint": ""
   },
   "grbl.error-14": {
-    "text": "the stored start-up line or build information is too long",
+    "text": "the start-up line or the build information is too long to be stored",
     "hint": ""
   },
   "grbl.error-15": {
@@ -1164,7 +1164,7 @@ export const TEXTS = {
     "hint": ""
   },
   "grbl.error-18": {
-    "text": "the controller was reset and needs a new start",
+    "text": "the controller was reset, so it did not execute the command",
     "hint": ""
   },
   "grbl.error-2": {
@@ -1276,7 +1276,7 @@ export const TEXTS = {
     "hint": ""
   },
   "grbl.error-79": {
-    "text": "an emergency stop is pressed",
+    "text": "an emergency stop button is pressed",
     "hint": ""
   },
   "grbl.error-8": {
@@ -1340,8 +1340,8 @@ export const TEXTS = {
     "hint": "Remove the byte."
   },
   "hpgl.bad-feed": {
-    "text": "{place} has a feed of {feed:g} mm/min, but {device} supports only whole cm/s from {slowest} to {fastest}.",
-    "hint": "In the machine file, give the tool a feed that is a multiple of {step:g} mm/min."
+    "text": "{place} has a feed of {feed:g} mm/min, but {device} supports only multiples of {step:g} mm/min from {slowest} to {fastest} mm/min.",
+    "hint": "Choose one of these feeds for the tool in the machine file."
   },
   "hpgl.bad-number": {
     "text": "The program line has a plus or minus sign that is not followed by a number, or a number with too many digits.",
@@ -1352,7 +1352,7 @@ export const TEXTS = {
     "hint": "Write the two values in this order."
   },
   "hpgl.datum": {
-    "text": "{path} has an offset or an output, but the device itself stores the offsets of its tools and lowers them",
+    "text": "{path} has an offset or an output, but an HPGL machine itself stores the offsets of its tools and lowers its tools",
     "hint": "Set all values of datum to 0 and remove output."
   },
   "hpgl.depth-change": {
@@ -1376,7 +1376,7 @@ export const TEXTS = {
     "hint": "Give a force in this range."
   },
   "hpgl.initialised-again": {
-    "text": "The program line initialises the device (IN) a second time.",
+    "text": "The program line initialises the machine (IN) a second time.",
     "hint": "Delete the second IN."
   },
   "hpgl.lone-letter": {
@@ -1408,15 +1408,15 @@ export const TEXTS = {
     "hint": "Report the error with the drawing."
   },
   "hpgl.no-device": {
-    "text": "The machine file of {machine} does not describe an HPGL device.",
-    "hint": "Add the settings of the device under [controller] in the machine file: see the page Connect a machine of the documentation."
+    "text": "The machine file of {machine} has no HPGL settings.",
+    "hint": "Add the HPGL settings under [controller] in the machine file: see the page Connect a machine of the documentation."
   },
   "hpgl.no-force": {
     "text": "{path} is {value}, but {device} has no force setting (FS)",
     "hint": "Remove force."
   },
   "hpgl.no-force-setting": {
-    "text": "The program line sets the force (FS), but the device has no force setting.",
+    "text": "The program line sets the force (FS), but the machine has no force setting.",
     "hint": "Remove FS."
   },
   "hpgl.no-instruction": {
@@ -1424,8 +1424,8 @@ export const TEXTS = {
     "hint": "Choose a file with an HPGL program."
   },
   "hpgl.no-pen": {
-    "text": "The machine file of {machine} assigns no pen to {work} with station {station}.",
-    "hint": "Add a [[controller.pen]] to the machine file."
+    "text": "The machine file of {machine} assigns no pen to the operation {work} with station {station}.",
+    "hint": "Add a [[controller.pen]] with this station and this operation (field work) to the machine file."
   },
   "hpgl.no-pen-selected": {
     "text": "The program line lowers the tool, but no pen is selected.",
@@ -1436,7 +1436,7 @@ export const TEXTS = {
     "hint": "Set the speed (VS) before this program line."
   },
   "hpgl.no-speed-setting": {
-    "text": "The program line sets the speed (VS), but the device has no speed setting.",
+    "text": "The program line sets the speed (VS), but the machine has no speed setting.",
     "hint": "Remove VS."
   },
   "hpgl.no-terminator": {
@@ -1448,31 +1448,31 @@ export const TEXTS = {
     "hint": "Write IN at the beginning of the program."
   },
   "hpgl.outside-area": {
-    "text": "The program line moves the tool outside the working area of the device.",
+    "text": "The program line moves the tool outside the working area of the machine.",
     "hint": "Move the drawing on the table, or choose a larger machine."
   },
   "hpgl.pen-cannot": {
-    "text": "{path} is {work!r}, which the tool of station {station} cannot make",
-    "hint": "Assign the pen to another station, or choose another work."
+    "text": "{path} is {work!r}, but the tool of station {station} cannot do this operation",
+    "hint": "Assign the pen to another station, or choose another operation in the field work."
   },
   "hpgl.plunge-without-move": {
     "text": "The program line lowers the tool, but no move follows, so the direction of the tool is not known.",
     "hint": "Add a move after the instruction PD."
   },
   "hpgl.press": {
-    "text": "{place} presses the tool into the board at one point, but HPGL cannot turn the tool there.",
-    "hint": "Choose a board with short_crease = \"refuse\", or another machine."
+    "text": "{place} presses a crease that is too short to be rolled: the tool is lowered at one point. Before that, the tool must be turned to the direction of the crease, which HPGL cannot express.",
+    "hint": "Draw a longer crease, set the line type of the crease to ignored, or choose another machine."
   },
   "hpgl.repeated-pen": {
-    "text": "{path} has the same station and the same work as another pen",
-    "hint": "Remove one of the two pens, or change its work."
+    "text": "{path} has the same station and the same operation (field work) as another pen",
+    "hint": "Remove one of the two pens, or change its operation."
   },
   "hpgl.selects-while-down": {
     "text": "The program line selects a pen while the tool is down.",
     "hint": "Lift the tool (PU) before the pen is selected."
   },
   "hpgl.send-by-hand": {
-    "text": "Download the program and send it with the software of the cutter, where a person can stop it.",
+    "text": "Download the program and send it with the software of the cutting machine. Stay at the machine while it cuts, so that you can stop it.",
     "hint": ""
   },
   "hpgl.slanted-plunge": {
@@ -1488,20 +1488,20 @@ export const TEXTS = {
     "hint": "Add a [[controller.pen]] with this station."
   },
   "hpgl.swivel": {
-    "text": "{place} rotates the head about the tip of the knife, which HPGL cannot express. The device itself compensates for the trail of the knife.",
+    "text": "{place} rotates the head about the tip of the knife, because the machine file sets a knife offset (trail). HPGL cannot express this rotation and does not need it: an HPGL machine itself compensates for the knife offset.",
     "hint": "Set the trail of the knife to 0 in the machine file."
   },
   "hpgl.tool-not-supported": {
-    "text": "{path} needs depths or headings in its program, which HPGL cannot express",
+    "text": "{path} is neither a knife nor a creasing tool, and HPGL cannot control other tools",
     "hint": "Remove the station, or choose another controller language."
   },
   "hpgl.trail": {
-    "text": "{path} is {value:g} mm, but the device itself compensates for the trail of its knife",
+    "text": "{path} (knife offset) is {value:g} mm, but an HPGL machine itself compensates for the offset of its knife",
     "hint": "Set trail to 0."
   },
   "hpgl.travel": {
-    "text": "{path} extends from {low:g} to {high:g} mm, but the device reaches from {least:g} to {greatest:g} mm",
-    "hint": "Reduce the travel of the axis, or choose a larger device."
+    "text": "{path} extends from {low:g} to {high:g} mm, but the working area in the HPGL settings extends from {least:g} to {greatest:g} mm",
+    "hint": "Reduce the travel of the axis, or choose a larger machine."
   },
   "hpgl.turn-in-board": {
     "text": "The tool turns by {degrees:.2f}° while it is in the board, but at most {most:.2f}° is allowed.",
@@ -1512,7 +1512,7 @@ export const TEXTS = {
     "hint": "Remove the instruction."
   },
   "hpgl.unknown-pen": {
-    "text": "The program line selects a pen that the device does not have.",
+    "text": "The program line selects a pen that the machine does not have.",
     "hint": "Select a pen that is defined in the machine file."
   },
   "hpgl.wrong-force": {
@@ -1716,7 +1716,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.kept-changed": {
-    "text": "the object was imported; {notes:; }",
+    "text": "the object was imported; note: {notes:; }",
     "hint": ""
   },
   "import.laid-flat": {
@@ -2032,7 +2032,7 @@ export const TEXTS = {
     "hint": ""
   },
   "job.awaits-kernels": {
-    "text": "The job waits until the server has compiled the parts of knifetip that it needs for the machine {machine}. The server does this once after an installation.",
+    "text": "The job waits until the server has compiled the software modules that the machine {machine} needs. The server does this once after an installation.",
     "hint": "Wait. The job continues automatically."
   },
   "job.being-cancelled": {
@@ -2113,10 +2113,10 @@ export const TEXTS = {
   },
   "job.gateway-silent": {
     "text": "The gateway {gateway}, which claimed job {job}, does not respond.",
-    "hint": "Switch on the machine and its gateway. Confirm the job when it waits for a confirmation again."
+    "hint": "Switch on the machine and start its gateway. Confirm the job when it waits for a confirmation again."
   },
   "job.held-before-start": {
-    "text": "The job is on hold before its first program line.",
+    "text": "The operator paused the job before the machine executed the first program line. The machine starts when the operator resumes the job.",
     "hint": ""
   },
   "job.interrupted": {
@@ -2241,7 +2241,7 @@ export const TEXTS = {
   },
   "language.no-settings": {
     "text": "{path} is not allowed, because {language} has no settings",
-    "hint": "Remove [controller]."
+    "hint": "Remove the section [controller]."
   },
   "language.open-in-linuxcnc": {
     "text": "Download the program and open it in LinuxCNC.",
@@ -2340,8 +2340,8 @@ export const TEXTS = {
     "hint": "Give +1 or -1 as the side."
   },
   "offset.dead-end": {
-    "text": "The curve at {radius:g} mm from path {path} is not closed, because a piece of it, {depth:.4g} mm long and beside segment {segment}, does not connect to the rest.",
-    "hint": "Draw the contour without overlaps, or change the radius of the tool slightly."
+    "text": "The offset curve at a distance of {radius:g} mm from path {path} is not closed, because a piece of the curve, {depth:.4g} mm long and beside segment {segment}, does not connect to the rest.",
+    "hint": "Draw the contour so that it does not overlap itself, or change the radius of the tool slightly."
   },
   "offset.interference": {
     "text": "A tool of {radius:g} mm radius that follows segment {segment} would cut {depth:.4g} mm into segment {other}.",
@@ -2352,7 +2352,7 @@ export const TEXTS = {
     "hint": "Reverse the path, or put it into a separate group."
   },
   "offset.self-contact": {
-    "text": "The curve at {radius:g} mm from path {path} is not closed, because the contour touches itself at ({x:.4f}, {y:.4f}) mm in segments {one} and {two}.",
+    "text": "The offset curve at a distance of {radius:g} mm from path {path} is not closed, because the contour touches itself at ({x:.4f}, {y:.4f}) mm in segments {one} and {two}.",
     "hint": "Trim the two segments at their intersection, or move one of the segments."
   },
   "override.ambiguous": {
@@ -2384,7 +2384,7 @@ export const TEXTS = {
     "hint": "Export the drawing again, as the first page of the PDF."
   },
   "pdf.content-damaged": {
-    "text": "The content of {where} of the PDF is damaged: it {reason}. Objects of the drawing may be missing.",
+    "text": "The content of {where} of the PDF is damaged: {reason}. Objects of the drawing may be missing.",
     "hint": "Export the drawing again, or send it as DXF."
   },
   "pdf.cut-short": {
@@ -2397,7 +2397,7 @@ export const TEXTS = {
   },
   "pdf.expands-too-far": {
     "text": "The page of the PDF and its repeated forms expand to more than {limit:.1f} MB.",
-    "hint": "Export a single carton, with its symbols expanded."
+    "hint": "Export a drawing with a single carton, without the symbols that it does not need."
   },
   "pdf.form": {
     "text": "The PDF is a dynamic form (XFA), whose page contains no drawing.",
@@ -2416,7 +2416,7 @@ export const TEXTS = {
     "hint": "Export the drawing again with fewer nested layers."
   },
   "pdf.nested-arrays": {
-    "text": "contains arrays that are nested too deeply",
+    "text": "its arrays are nested too deeply",
     "hint": ""
   },
   "pdf.no-header": {
@@ -2428,15 +2428,15 @@ export const TEXTS = {
     "hint": "Export the drawing again, or send it as DXF."
   },
   "pdf.open-array": {
-    "text": "ends before an array is closed",
+    "text": "an array has no closing bracket",
     "hint": ""
   },
   "pdf.open-image": {
-    "text": "ends before an image is complete",
+    "text": "an embedded image is incomplete",
     "hint": ""
   },
   "pdf.open-text": {
-    "text": "ends before a text is closed",
+    "text": "a text string has no closing parenthesis",
     "hint": ""
   },
   "pdf.page": {
@@ -2485,7 +2485,7 @@ export const TEXTS = {
   },
   "profile.nested-too-deep": {
     "text": "The tables of the profile {name!r} are nested too deeply.",
-    "hint": "Write a title and a list of [[rule]] tables."
+    "hint": "Write only a title and a list of [[rule]] tables."
   },
   "profile.not-an-extension": {
     "text": "The profile {name!r} cannot be saved as an extension of {extends!r}, because it lacks some rules of {extends!r}.",
@@ -2541,7 +2541,7 @@ export const TEXTS = {
   },
   "program.line-too-long-to-send": {
     "text": "Line {line} of the program has {length} bytes, but {name} accepts only {limit} bytes.",
-    "hint": "Compile the job again with shorter comments."
+    "hint": "Report the error with the program file."
   },
   "program.no-placement": {
     "text": "{program} does not contain the position of the drawing on the sheet.",
@@ -2576,7 +2576,7 @@ export const TEXTS = {
     "hint": ""
   },
   "question.line-type": {
-    "text": "{edges:# edge|# edges} on layer \"{layer}\" (colour {colour}, linetype {linetype}) {edges:has|have} no line type: total length {length:,.1f} {unit:unit}, extent {width:,.1f} × {height:,.1f} {unit:unit}, lower left corner at X {x:,.1f}, Y {y:,.1f}. Which line type should {edges:this edge|these edges} get?{guess}",
+    "text": "{edges:# edge|# edges} on layer \"{layer}\" (colour {colour}, line style {linetype}) {edges:has|have} no line type: total length {length:,.1f} {unit:unit}, extent {width:,.1f} × {height:,.1f} {unit:unit}, lower left corner at X {x:,.1f}, Y {y:,.1f}. Which line type should {edges:this edge|these edges} get?{guess}",
     "hint": ""
   },
   "question.shape": {
@@ -2625,11 +2625,11 @@ export const TEXTS = {
   },
   "reading.empty": {
     "text": "The file is empty.",
-    "hint": "Send the drawing as {formats:or}. A DXF file may be text or binary, of any version."
+    "hint": "Export the drawing again and send it as {formats:or}. A DXF file may be text or binary, of any version."
   },
   "reading.expands-too-far": {
     "text": "The repeated parts of the {format} file expand to more than {limit:,} elements.",
-    "hint": "Export a single carton, with blocks and symbols expanded."
+    "hint": "Export a drawing with a single carton, without the repeated parts that it does not need."
   },
   "reading.nested-too-deep": {
     "text": "Blocks, symbols or groups of the {format} file are nested more than {limit} levels deep.",
@@ -2956,7 +2956,7 @@ export const TEXTS = {
     "hint": ""
   },
   "rule.linetype": {
-    "text": "linetype {patterns:or}",
+    "text": "line style {patterns:or}",
     "hint": ""
   },
   "run.executed": {
@@ -3152,7 +3152,7 @@ export const TEXTS = {
     "hint": ""
   },
   "toolpath.swivel-without-turn": {
-    "text": "Internal error: row {row} of the toolpath is a swivel move without a rotation, so its feed in degrees per minute is not defined.",
+    "text": "Internal error: row {row} of the toolpath moves the head about the tip of the tool without rotating the tool, so the feed in degrees per minute is not defined.",
     "hint": "Report the error with the drawing."
   },
   "toolpath.too-far": {
@@ -3168,15 +3168,15 @@ export const TEXTS = {
     "hint": "Choose one of the stations {known:, }."
   },
   "track.too-flat": {
-    "text": "The path of the tool (path {track}) meets the edge of the board at {angle:.2f}° from the perpendicular, but at most {limit:g}° is allowed, so the tool does not leave the board.",
-    "hint": "End the line inside the board, or draw it across the edge."
+    "text": "Path {track} of the tool meets the edge of the board at {angle:.2f}° from the perpendicular, which is too flat to leave the board. At most {limit:g}° is allowed.",
+    "hint": "End the line inside the board, or let it meet the edge of the board at a steeper angle."
   },
   "travel.above": {
-    "text": "{tool} (station {station}) would move {excess:.2f}{unit} beyond the upper end of axis {axis}{place}. The travel of axis {axis} is {low:g} to {high:g}{unit}.",
+    "text": "{tool} (station {station}) would move {excess:.2f}{unit} beyond the upper end of the travel of axis {axis}{place}. The travel is {low:g} to {high:g}{unit}.",
     "hint": "Move or rotate the drawing on the table, or choose a larger machine."
   },
   "travel.below": {
-    "text": "{tool} (station {station}) would move {excess:.2f}{unit} beyond the lower end of axis {axis}{place}. The travel of axis {axis} is {low:g} to {high:g}{unit}.",
+    "text": "{tool} (station {station}) would move {excess:.2f}{unit} beyond the lower end of the travel of axis {axis}{place}. The travel is {low:g} to {high:g}{unit}.",
     "hint": "Move or rotate the drawing on the table, or choose a larger machine."
   },
   "unit.cf2-inches": {
@@ -3220,7 +3220,7 @@ export const TEXTS = {
     "hint": "Check which dimensions belong to the carton, and delete details that are drawn at another scale."
   },
   "unit.drawn-in-imperial": {
-    "text": "inches with fractions, which are stored in {unit:unit}",
+    "text": "inches, but stored as numbers in {unit:unit}",
     "hint": ""
   },
   "unit.drawn-in-inches": {
@@ -3228,7 +3228,7 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.drawn-in-metric": {
-    "text": "whole millimetres, which are stored in {unit:unit}",
+    "text": "millimetres, but stored as numbers in {unit:unit}",
     "hint": ""
   },
   "unit.drawn-in-millimetres": {
@@ -3296,7 +3296,7 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.no-number-matches": {
-    "text": "if the unit is {unit:unit}, no edge is as long as one of {all:# number|# numbers} in the texts of the drawing",
+    "text": "if the unit is {unit:unit}, no edge has a length that matches {all:the number|one of the # numbers} in the texts of the drawing",
     "hint": ""
   },
   "unit.not-given": {
@@ -3364,11 +3364,11 @@ export const TEXTS = {
     "hint": "Check the size of the drawing."
   },
   "unit.share-stated": {
-    "text": "the file states the unit {stated:unit}, and {percent:.3g} % of the drawings that state this unit are in {unit:unit}",
+    "text": "the file states the unit {stated:unit}, and knifetip assumes that {percent:.3g} % of the files that state this unit are drawn in {unit:unit}",
     "hint": ""
   },
   "unit.share-unstated": {
-    "text": "the file states no unit, and {percent:.3g} % of the drawings without a stated unit are in {unit:unit}",
+    "text": "the file states no unit, and knifetip assumes that {percent:.3g} % of the files without a stated unit are drawn in {unit:unit}",
     "hint": ""
   },
   "unit.shortest-edges": {
@@ -3500,7 +3500,7 @@ export const TEXTS = {
     "hint": "Join the crease to a crease on the same straight line, set its line type to ignored, or choose a smaller creasing wheel."
   },
   "verify.cuts-part": {
-    "text": "The cutter removes a strip of {depth:.3f} mm width from a part that must not be cut.",
+    "text": "The cutter cuts {depth:.3f} mm deep into a part, beyond the outline of the part.",
     "hint": "Move the parts further apart, or choose a thinner cutter."
   },
   "verify.cutter-at-rest": {
@@ -3508,11 +3508,11 @@ export const TEXTS = {
     "hint": "Start the spindle (M3) before the cutter enters the board."
   },
   "verify.flank-inside": {
-    "text": "The flank of the V-groove meets the top face of the board {distance:.4f} mm inside its planned position, but the tolerance is {tolerance:g} mm.",
+    "text": "The flank of the V-groove meets the top face of the board {distance:.4f} mm too close to the centre line of the groove. The tolerance is {tolerance:g} mm.",
     "hint": "Check the tilt and the offsets of the V-cutter in the machine file, then compile the job again."
   },
   "verify.flank-outside": {
-    "text": "The flank of the V-groove meets the top face of the board {distance:.4f} mm outside its planned position, but the tolerance is {tolerance:g} mm.",
+    "text": "The flank of the V-groove meets the top face of the board {distance:.4f} mm too far from the centre line of the groove. The tolerance is {tolerance:g} mm.",
     "hint": "Check the tilt and the offsets of the V-cutter in the machine file, then compile the job again."
   },
   "verify.flank-through-cut": {
@@ -3572,7 +3572,7 @@ export const TEXTS = {
     "hint": "Select the station before the first cut."
   },
   "verify.not-worked": {
-    "text": "{length:.3f} mm of the edge are not {work}{where}.",
+    "text": "{length:.3f} mm along the edge are not {work}{where}.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.off-line": {
@@ -3616,7 +3616,7 @@ export const TEXTS = {
     "hint": "Compile the job again for this board."
   },
   "verify.perforation-gap": {
-    "text": "A gap of the perforation is {length:.3f} mm long at {place:.3f} mm from its start, but the board needs gaps of {planned:g} mm.",
+    "text": "A gap of the perforation, which begins {place:.3f} mm from the start of the edge, is {length:.3f} mm long, but the board needs gaps of {planned:g} mm.",
     "hint": "Compile the job again for this board."
   },
   "verify.rapid-in-board": {
@@ -3688,11 +3688,11 @@ export const TEXTS = {
     "hint": ""
   },
   "verify.where-past-end": {
-    "text": ", where the tool must continue beyond the end of the edge",
+    "text": " at the end of the edge, beyond which the tool must continue",
     "hint": ""
   },
   "verify.where-past-start": {
-    "text": ", where the tool must begin before the start of the edge",
+    "text": " at the start of the edge, before which the tool must begin",
     "hint": ""
   },
   "verify.work-creased": {
@@ -3737,7 +3737,7 @@ export const TEXTS = {
   },
   "waiting.for-gateway": {
     "text": "The job waits, because the gateway of {machine} (the program that sends jobs to the machine) is not connected to the server.",
-    "hint": "Switch on the machine and its gateway."
+    "hint": "Switch on the machine and start its gateway."
   },
   "waiting.for-machine": {
     "text": "The job waits until the gateway of {machine} claims it.",

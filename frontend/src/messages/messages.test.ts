@@ -32,7 +32,7 @@ describe("rendering", () => {
       guess,
     };
     expect(renderText({ code: "question.line-type", arguments: line })).toBe(
-      '1,246 edges on layer "A: B" (colour 1, linetype CONTINUOUS) have no line type: ' +
+      '1,246 edges on layer "A: B" (colour 1, line style CONTINUOUS) have no line type: ' +
         "total length 1,389.0 mm, extent 229.0 × 155.0 mm, lower left corner at X 0.0, Y 345.2. " +
         "Which line type should these edges get? The most likely line type is v-groove (55 %): divides two panels.",
     );

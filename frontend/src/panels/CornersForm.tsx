@@ -64,14 +64,14 @@ export function CornersForm() {
         />
       )}
       <div className={cornerCss.cornerFit}>
-        <span id={fit}>If the tool is too wide for parts of the contour</span>
+        <span id={fit}>Where the tool is too wide for a part of the contour</span>
         <SegmentedControl
           size="xs"
           fullWidth
           aria-labelledby={fit}
           data={[
-            { value: "trim", label: "Leave parts uncut" },
-            { value: "refuse", label: "Refuse the job" },
+            { value: "trim", label: "Leave this part uncut" },
+            { value: "refuse", label: "Write no program" },
           ]}
           value={corners.interference}
           onChange={(choice) =>
@@ -94,7 +94,7 @@ export function CornersForm() {
         onClick={() => set({ pickingCorners: !pickingCorners })}
         data-testid="pick-corner"
       >
-        {pickingCorners ? "Finish choosing corners" : "Choose the path for single corners"}
+        {pickingCorners ? "Finish choosing corners" : "Choose the path for individual corners"}
       </Button>
     </fieldset>
   );
@@ -128,7 +128,7 @@ function SingleCorners() {
             />
             <CloseButton
               size="sm"
-              aria-label={`Remove the own tool path of the corner at ${positionText(one)}`}
+              aria-label={`Reset the tool path at the corner at ${positionText(one)}`}
               onClick={() => set({ corners: setCornerType(corners, which, null) })}
             />
           </div>

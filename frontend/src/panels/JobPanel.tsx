@@ -231,7 +231,7 @@ const LOOKS: Readonly<
     testId: "requeue",
   },
   scrap: {
-    title: "Scrap board and end job",
+    title: "End job, board is scrap",
     icon: <IconTrash size={16} />,
     colour: "red",
     variant: "subtle",

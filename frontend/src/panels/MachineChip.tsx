@@ -13,7 +13,7 @@ export function MachineChip() {
   const lost = connection === "broken" || isError;
   const there = !lost && machine?.gateway === "connected";
   const label = lost
-    ? "The knifetip server does not respond. The page tries to connect again and again."
+    ? "The knifetip server does not respond. The page keeps trying to connect."
     : machine === undefined
       ? "Loading the list of machines"
       : there

@@ -16,7 +16,7 @@ export function PreparationBanner() {
       role="status"
       data-testid="preparation"
     >
-      <div>{`First start of the server: ${compiled} of ${parts} parts are ready`}</div>
+      <div>{`First start of the server: ${compiled} of ${parts} software modules are ready`}</div>
       <Progress
         value={(compiled / parts) * 100}
         size="sm"
@@ -24,8 +24,8 @@ export function PreparationBanner() {
         aria-label="First start of the server"
       />
       <div className={css.hint}>
-        The server prepares its parts only once, after the installation. You can already work: a
-        drawing or job that needs an unfinished part waits until this part is ready.
+        The server prepares its software modules only once, after the installation. You can already
+        work: a drawing or job that needs a module waits until this module is ready.
       </div>
     </div>
   );

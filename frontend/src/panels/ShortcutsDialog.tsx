@@ -16,7 +16,7 @@ const KEYS: readonly (readonly [string, string])[] = [
   ["Esc", "Clear the selection of edges"],
   ["Ctrl A", "Select all edges"],
   ["[  ]", "Show or hide the left panel; the right panel"],
-  ["N  H  T  R", "Show or hide drawing; head path; tool tip path; moves above the board"],
+  ["N  H  T  R", "Show or hide drawing; head path; path of tool tip; moves above board"],
   ["S  P", "Show or hide tool width; points where a tool enters or leaves the board"],
   ["C", "Change what the colours show: line type, deviation or overcut"],
   ["?", "Show or hide this list"],

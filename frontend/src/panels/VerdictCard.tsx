@@ -60,7 +60,7 @@ export function VerdictCard({ job }: { job: Job }) {
           <dd>{formatLength(verdict.overcut)}</dd>
         </div>
         <div>
-          <dt>Longest uncut part</dt>
+          <dt>Longest length left uncut</dt>
           <dd>{formatLength(verdict.uncut)}</dd>
         </div>
         <div>

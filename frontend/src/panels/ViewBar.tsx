@@ -17,7 +17,7 @@ const LAYERS: readonly {
 }[] = [
   { layer: "nominal", title: "Drawing", shows: "the edges of the drawing", colour: "#ff6b61" },
   { layer: "head", title: "Head path", shows: "the path of the machine head", colour: TRAVEL.head },
-  { layer: "tip", title: "Tool tip path", shows: "the path of the tool tip", colour: TRAVEL.tip },
+  { layer: "tip", title: "Path of tool tip", shows: "the path of the tool tip", colour: TRAVEL.tip },
   {
     layer: "rapids",
     title: "Moves above board",
@@ -59,7 +59,7 @@ export function ViewBar() {
     <div
       className={`${css.float} ${css.chips}`}
       role="toolbar"
-      aria-label="Show or hide layers of the picture"
+      aria-label="Choose what the view shows"
     >
       {LAYERS.filter(({ layer }) => layer !== "uncut" || hasUnreachable).map(
         ({ layer, title, shows, colour, dashed, thick, dot }) => {

@@ -64,18 +64,18 @@ export function confirmationBefore(job: Job, word: JobCommand): Confirmation | n
   }
   if (word === "scrap") {
     return {
-      title: "Scrap the board and end this job?",
+      title: "End this job because its board is scrap?",
       text:
         "Remove the board from the table first. The job ends without its remaining copies, " +
         "and the table is free for the next job.",
-      yes: "Scrap board and end job",
-      no: "Do not scrap",
+      yes: "End job, board is scrap",
+      no: "Do not end job",
     };
   }
   if (word === "finish") {
     return {
       title: "Mark this job as finished?",
-      text: `Mark the job only if ${sheets(job)} completely cut. The job ends as finished, and the table is free for the next job.`,
+      text: `Mark the job as finished only if ${sheets(job)} completely cut. The job ends as finished, and the table is free for the next job.`,
       yes: "Mark as finished",
       no: "Do not mark as finished",
     };

@@ -69,7 +69,7 @@ def test_points_on_the_wrong_side_are_refused(client: httpx.Client) -> None:
     order = {**MEASURED, "side": "right"}
     answer = client.post("/api/boards/greyboard-3.0/deflection", json=order)
     assert answer.status_code == 422
-    assert "pulls the tool towards itself" in answer.json()["detail"]
+    assert "a sign or the side is probably wrong" in answer.json()["detail"]
 
 
 @pytest.mark.parametrize(

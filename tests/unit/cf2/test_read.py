@@ -70,7 +70,7 @@ def test_an_arc_with_a_wrong_centre_keeps_its_ends_and_is_noted() -> None:
     drawing = read(cf2(arc(10, 0, 0, 10.5, 0, 0)))
     assert drawing.ends.tolist() == [[[10, 0], [0, 10.5]]]
     assert (
-        reasons(drawing)["#1"] == "the object was imported; the centre of the arc is 10 file "
+        reasons(drawing)["#1"] == "the object was imported; note: the centre of the arc is 10 file "
         "units away from the start of the arc, but 10.5 file units away from its end"
     )
 
@@ -79,9 +79,9 @@ def test_bridges_are_notes_and_not_gaps() -> None:
     drawing = read(cf2(line(0, 0, 100, 0, bridges="3,6"), line(0, 1, 9, 1, bridges="1,4.5")))
     assert drawing.lengths.tolist() == [100.0, 9.0]
     assert report_reasons(drawing) == (
-        "the object was imported; the steel rule of the cutting die "
+        "the object was imported; note: the steel rule of the cutting die "
         "has 3 bridges (gaps), each 6 file units wide",
-        "the object was imported; the steel rule of the cutting die "
+        "the object was imported; note: the steel rule of the cutting die "
         "has 1 bridge (gap), which is 4.5 file units wide",
     )
 
@@ -127,7 +127,10 @@ def test_a_subroutine_is_scaled_then_rotated_then_moved() -> None:
     drawing = read(cf2("C,A,100,50,90,2,2", "C,a,0,0,0,-1,1", "C,A,5,5", subs=one))
     assert drawing.ends.tolist() == [[[100, 50], [100, 70]], [[0, 0], [-10, 0]], [[5, 5], [15, 5]]]
     assert drawing.import_report.handle == ("#1", "#1/#4", "#2", "#2/#4", "#3", "#3/#4")
-    assert reasons(drawing)["#2"] == "the object was imported; the object inserts the subroutine a"
+    assert (
+        reasons(drawing)["#2"]
+        == "the object was imported; note: the object inserts the subroutine a"
+    )
     assert set(drawing.layers) == {"A"}
 
 

@@ -66,7 +66,7 @@ def test_swapped_cut_and_crease_are_asked_with_the_types_by_shape_first() -> Non
     sheet = drawing_of((BLANK, style("CREASE")), (FOLDS, style("CUT")))
     dieline = classified(sheet)
     assert words(dieline) == ["unclassified"] * 6
-    assert "closed outline creases" in why(dieline, 0)
+    assert "edges of the closed outline into creases" in why(dieline, 0)
     put = list_questions(sheet, dieline)
     assert [question.choices[0] for question in put] == ["cut", "crease"]
 
@@ -83,7 +83,7 @@ def test_one_crease_on_the_outline_is_asked_and_the_others_are_creases() -> None
         drawing_of((BLANK[1:], style("CUT")), (BLANK[:1] + FOLDS, style("CREASE")))
     )
     assert words(dieline) == ["cut"] * 3 + ["unclassified"] + ["crease"] * 2
-    assert "which must be cut unless the outline is open" in why(dieline, 3)
+    assert "so the edge should be cut" in why(dieline, 3)
 
 
 def test_slits_between_flaps_in_the_style_of_the_outline_are_cuts() -> None:

@@ -56,7 +56,7 @@ def test_the_first_rule_that_matches_decides() -> None:
     ]
     assert dieline.confidence.tolist() == [0.8, 1.0, 0.95, 0.8, 0.0]
     assert [str(dieline.rules[row]) for row in dieline.rule] == [
-        'profile house: colour 1, linetype "DASH*"',
+        'profile house: colour 1, line style "DASH*"',
         'profile house: layer "die", colour 1',
         'profile house: layer "die"',
         "profile house: colour 4",
@@ -187,7 +187,7 @@ def test_one_question_for_each_layer_colour_and_linetype() -> None:
 
 def test_a_question_gives_number_length_and_position() -> None:
     assert asked(("b", 2, "C"), ("b", 2, "C")) == [
-        '2 edges on layer "b" (colour 2, linetype C) have no line type: total length 20.0 mm, '
+        '2 edges on layer "b" (colour 2, line style C) have no line type: total length 20.0 mm, '
         "extent 30.0 × 0.0 mm, lower left corner at X 0.0, Y 0.0. "
         "Which line type should these edges get?"
     ]

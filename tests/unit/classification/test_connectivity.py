@@ -16,7 +16,9 @@ def test_a_cut_that_would_separate_a_flap_is_asked() -> None:
     dieline = classified(sheet)
     assert words(dieline) == ["cut"] * 4 + ["unclassified", "crease"]
     (question,) = list_questions(sheet, dieline)
-    assert "a cut there would separate a panel from its blank" in question.text
+    assert (
+        "a cut at the position of the edge would separate a panel from its blank" in question.text
+    )
 
 
 def test_a_slit_between_flaps_attached_by_creases_is_cut() -> None:

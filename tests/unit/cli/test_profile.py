@@ -31,7 +31,7 @@ def test_list_and_show_print_the_profiles_of_the_library(knifetip: Command) -> N
     assert [row["name"] for row in json.loads(out)] == load.names("profiles")
     code, out, _ = knifetip("profile", "show", "german")
     assert code == 0
-    assert 'crease       colour 5, linetype "*DASH*"' in out
+    assert 'crease       colour 5, line style "*DASH*"' in out
 
 
 def test_an_exported_profile_can_be_used_as_a_file(knifetip: Command, tmp_path: Path) -> None:

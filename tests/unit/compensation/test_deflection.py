@@ -151,7 +151,7 @@ def test_calibration_returns_the_deflection_that_made_the_points(
 
 def test_a_deflection_into_the_board_is_refused_unless_it_is_noise() -> None:
     tangent = np.array([[1.0, 1.0]])
-    with pytest.raises(CompensationError, match="pulls the tool towards itself"):
+    with pytest.raises(CompensationError, match="a sign or the side is probably wrong"):
         fit_deflection(tangent, np.array([[0.05, 0.05]]), 1)
     assert fit_deflection(tangent, np.array([[0.001, 0.05]]), 1)[0] == 0.0
 

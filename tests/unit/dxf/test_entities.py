@@ -97,8 +97,8 @@ def test_line_above_the_sheet_is_flattened_with_a_note() -> None:
     drawing = read(dxf(entity("LINE", (10, 0), (20, 0), (30, 7), (11, 5), (21, 0), (31, 7))))
     assert_array_equal(rows(drawing), [[0, 0, 5, 0, 0]])
     assert (
-        only(drawing)
-        == "the object was imported; the object was moved from the height z = 7 file units to z = 0"
+        only(drawing) == "the object was imported; note: the object was moved from the height "
+        "z = 7 file units to z = 0"
     )
 
 
@@ -177,8 +177,8 @@ def test_circle_at_minus_z_with_height_is_mirrored_and_laid_flat() -> None:
     drawing = read(dxf(entity("CIRCLE", (10, 5), (20, 0), (30, 2), (40, 1), *DOWN)))
     assert_allclose(drawing.bounds, [-6, -1, -4, 1], atol=1e-12)
     assert (
-        only(drawing)
-        == "the object was imported; the object was moved from the height z = 2 file units to z = 0"
+        only(drawing) == "the object was imported; note: the object was moved from the height "
+        "z = 2 file units to z = 0"
     )
 
 
@@ -211,8 +211,8 @@ def test_mirrored_lwpolyline_turns_its_bulges() -> None:
     drawing = read(dxf(lwpolyline([(1, 0, 1), (5, 0, 0)], (38, 4.0), *DOWN), version="AC1015"))
     assert_array_equal(rows(drawing), [[-1, 0, -5, 0, -1]])
     assert (
-        only(drawing)
-        == "the object was imported; the object was moved from the height z = 4 file units to z = 0"
+        only(drawing) == "the object was imported; note: the object was moved from the height "
+        "z = 4 file units to z = 0"
     )
 
 
@@ -221,7 +221,8 @@ def test_coincident_vertices_give_no_row_and_are_counted() -> None:
     drawing = read(dxf(text, version="AC1015"))
     assert_array_equal(rows(drawing), [[0, 0, 10, 0, 0]])
     assert (
-        only(drawing) == "the object was imported; 1 of the 2 segments of the object has no length"
+        only(drawing)
+        == "the object was imported; note: 1 of the 2 segments of the object has no length"
     )
 
 
@@ -249,8 +250,8 @@ def test_3d_polyline_on_one_height_is_laid_flat() -> None:
     drawing = read(dxf(text))
     assert_array_equal(rows(drawing), [[0, 0, 5, 0, 0]])
     assert (
-        only(drawing)
-        == "the object was imported; the object was moved from the height z = 3 file units to z = 0"
+        only(drawing) == "the object was imported; note: the object was moved from the height "
+        "z = 3 file units to z = 0"
     )
 
 
@@ -273,7 +274,7 @@ def test_ellipse_is_fitted_within_a_hundredth_with_a_note() -> None:
         f"the curves of the object were converted to {len(drawing)} "
         "lines and arcs, which deviate by at most 0.01 file units from the curves"
     )
-    assert only(drawing) == f"the object was imported; {fitted}"
+    assert only(drawing) == f"the object was imported; note: {fitted}"
 
 
 def test_half_ellipse_at_minus_z_runs_the_other_way() -> None:
@@ -303,7 +304,7 @@ def test_spline_through_fit_points_passes_them() -> None:
     )  # fmt: skip
     drawing = read(dxf(text, version="AC1015"))
     assert only(drawing).startswith(
-        "the object was imported; the curve was computed from its "
+        "the object was imported; note: the curve was computed from its "
         "fit points, through which it passes; the curves of the object were"
     )
     joints = drawing.ends.reshape(-1, 2)

@@ -190,7 +190,8 @@ def test_polyline_with_a_repeated_side_is_kept_with_a_note() -> None:
     )
     drawing = read(dxf(line(0, 0, 10, 0, (5, "B2")), square))
     assert (
-        reasons(drawing)["A1"] == "the object was imported; 1 of the 2 segments of the object "
+        reasons(drawing)["A1"]
+        == "the object was imported; note: 1 of the 2 segments of the object "
         "is drawn twice: it lies exactly on B2"
     )
     assert list(drawing.import_report.outcome) == [ImportOutcome.KEPT, ImportOutcome.KEPT]
@@ -266,8 +267,8 @@ def test_layer_that_is_off_or_frozen_is_read_with_a_note() -> None:
     )
     assert drawing.colour.tolist() == [3, 4]
     assert report_reasons(drawing) == (
-        "the object was imported; the layer of the object is switched off",
-        "the object was imported; the layer of the object is frozen",
+        "the object was imported; note: the layer of the object is switched off",
+        "the object was imported; note: the layer of the object is frozen",
     )
 
 
@@ -339,10 +340,11 @@ def test_rows_and_columns_repeat_a_block_and_turn_with_it() -> None:
     assert starts == {(0, 0), (0, 10), (0, 20), (-100, 0), (-100, 10), (-100, 20)}
     assert report_reasons(drawing) == (
         (
-            "the object was imported; the object inserts the block PART; the object inserts a "
+            "the object was imported; note: the object inserts the block PART; the object "
+            "inserts a "
             "grid of copies (3 columns × 2 rows)"
         ),
-        "the object was imported; the drawing contains the object 6 times",
+        "the object was imported; note: the drawing contains the object 6 times",
     )
     assert_allclose(drawing.import_report.length, [0, 6])
 

@@ -89,12 +89,12 @@ def test_a_machine_may_describe_its_own_device(tmp_path: Path) -> None:
         (
             'work = "half-cut"',
             'work = "cut"',
-            "pen 3 has the same station and the same work.*Remove one",
+            "pen 3 has the same station and the same operation.*Remove one",
         ),
         (
             'work = "half-cut"',
             'work = "crease"',
-            "pen 3 → work is 'crease', which the tool of station 1 cannot make",
+            "pen 3 → work is 'crease', but the tool of station 1 cannot do this",
         ),
         (
             'work = "half-cut"',
@@ -122,7 +122,8 @@ def test_a_machine_may_describe_its_own_device(tmp_path: Path) -> None:
         (
             "high = 1300.0",
             "high = 1301.0",
-            "axes → x extends from 0 to 1301 mm, but the device reaches from 0 to 1300 mm",
+            "axes → x extends from 0 to 1301 mm, but the working area in the HPGL settings "
+            "extends from 0 to 1300 mm",
         ),
         (
             "datum = { x = 0.0",
@@ -132,7 +133,7 @@ def test_a_machine_may_describe_its_own_device(tmp_path: Path) -> None:
         (
             'kind = "crease-wheel"\nradius = 5.0\nwidth = 0.7',
             'kind = "cutter"\nradius = 3.0',
-            "station 2 → tool needs depths or headings",
+            "station 2 → tool is neither a knife nor a creasing tool",
         ),
     ],
 )

@@ -166,7 +166,7 @@ def test_lines_outside_the_crop_box_are_dropped() -> None:
         ("path", "the object lies outside the visible area of the page"),
         (
             "path",
-            "the object was imported; a part of the object lies outside "
+            "the object was imported; note: a part of the object lies outside "
             "the visible area of the page",
         ),
     ]
@@ -359,7 +359,7 @@ def test_several_spot_colours_on_one_layer_are_the_names() -> None:
     assert drawing.layers == ("CutContour", "Crease")
     assert (
         reasons(drawing)["#1"]
-        == "the object was imported; the object also lies on the layer Outside"
+        == "the object was imported; note: the object also lies on the layer Outside"
     )
 
 
@@ -562,7 +562,7 @@ def test_fills_are_lines_only_on_pages_without_strokes() -> None:
     assert len(drawing) == 4
     assert drawing.true_colour.tolist() == [0xFF0000] * 4
     assert reasons(drawing)["#1"] == (
-        "the object was imported; the object is the outline of a filled area, which is "
+        "the object was imported; note: the object is the outline of a filled area, which is "
         "used because the page has no lines"
     )
 

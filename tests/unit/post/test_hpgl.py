@@ -154,13 +154,19 @@ def test_the_speed_is_written_when_it_changes() -> None:
 @pytest.mark.parametrize(
     ("moves", "what"),
     [
-        ([*SQUARE[:2], (1, F, 120, 20, -0.3, 0, 24100.0), SQUARE[3]], "whole cm/s from 1 to 80"),
+        (
+            [*SQUARE[:2], (1, F, 120, 20, -0.3, 0, 24100.0), SQUARE[3]],
+            "multiples of 600 mm/min from 600 to 48000 mm/min",
+        ),
         (
             [*SQUARE[:2], (1, F, 120, 20, -0.2, 0, CUT), SQUARE[3]],
             "changes the depth of the tool during a cut",
         ),
         ([SQUARE[0], (1, P, 21, 20, -0.3, 0, 6000)], "along a slope"),
-        ([*SQUARE[:2], (1, L, 20, 20, 5, 0, 6000)], "presses the tool into the board at one point"),
+        (
+            [*SQUARE[:2], (1, L, 20, 20, 5, 0, 6000)],
+            "presses a crease that is too short to be rolled",
+        ),
         ([*SQUARE[:3], (1, S, 121, 20, -0.3, 0, CUT)], "rotates the head"),
         (
             [*SQUARE, (2, P, 120, 20, 0.1, 0, 6000)],

@@ -471,7 +471,7 @@ def test_station_names_cannot_contain_commands() -> None:
         ((1, 9, (1, 1, 1, 1), 0.0, 5.0), "unknown motion"),
         (
             (1, Motion.SWIVEL, (5, 0, 20, 0), 0.0, 5.0),
-            "swivel move without a rotation",
+            "without rotating the tool",
         ),
     ],
 )

@@ -99,7 +99,8 @@ def test_the_error_names_the_head_that_would_leave_the_machine() -> None:
     narrow = replace(MACHINE, x=Axis(-500.0, 100.0, 1500.0, 8000.0))
     with pytest.raises(
         TravelExceeded,
-        match=r"Wheel \(station 2\) would move 10\.00 mm beyond the upper end of axis X",
+        match=r"Wheel \(station 2\) would move 10\.00 mm beyond the upper end of the travel of "
+        "axis X",
     ):
         sequenced((LineType.CREASE, edges(((50, 10), (50, 90)))), machine=narrow)
 

@@ -388,7 +388,7 @@ def test_fills_are_lines_only_in_drawings_without_strokes() -> None:
     assert len(alone) == 3
     assert alone.true_colour.tolist() == [0xFF0000] * 3
     assert reasons(alone)["area"] == (
-        "the object was imported; the object is the outline of a filled area, which is "
+        "the object was imported; note: the object is the outline of a filled area, which is "
         "used because the drawing has no lines"
     )
     beside = only(area + '<path d="M0 0h1"/>')
@@ -413,11 +413,12 @@ def test_damaged_elements_are_reported_and_the_others_are_read() -> None:
     )
     reason = reasons(drawing)
     assert reason["a"] == (
-        "the object was imported; the path data of the object is invalid at character 8 ('oops'), "
+        "the object was imported; note: the path data of the object is invalid at "
+        "character 8 ('oops'), "
         "so only the path before this character was imported, as in a browser"
     )
     assert reason["n"] == (
-        "the object was imported; the path data of the object ends inside a command, "
+        "the object was imported; note: the path data of the object ends inside a command, "
         "so only the commands before it were imported, as in a browser"
     )
     assert reason["b"] == "the object has no size: its width is -3 and its height 2"

@@ -46,7 +46,8 @@ def test_a_crease_that_stops_early_is_uncut_by_the_missing_length() -> None:
     finding = find_finding("uncut", FOLD, findings_of("G1 Y65.6000 F30000", "G1 Y64.7600 F30000"))
     assert finding.measure == pytest.approx(0.84)
     assert finding.text == (
-        "Edge 10, program line 18: 0.840 mm of the edge are not creased, beginning 34.760 mm from "
+        "Edge 10, program line 18: 0.840 mm along the edge are not creased, beginning "
+        "34.760 mm from "
         "the start of the edge."
     )
 

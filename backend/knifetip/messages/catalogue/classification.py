@@ -12,13 +12,13 @@ MESSAGES: Final[Entries] = {
         "the edge has an arrowhead, or is connected to a line with an arrowhead",
     ),
     "classification.as-its-style": entry(
-        "the edge is treated like all edges of the same layer, colour and linetype",
+        "the edge is treated like all edges with the same layer, colour and line style",
     ),
     "classification.bleed": entry(
         "the edge surrounds a blank at a constant distance, as a bleed line does",
     ),
     "classification.board-ends": entry(
-        ", which must be cut unless the outline is open",
+        ", so the edge should be cut",
     ),
     "classification.closes-nothing": entry(
         ", and the edge does not close an outline",
@@ -35,12 +35,17 @@ MESSAGES: Final[Entries] = {
         folds="count",
         lines="count",
     ),
-    "classification.cuts-panel-off": entry("a cut there would separate a panel from its blank"),
+    "classification.cuts-panel-off": entry(
+        "a cut at the position of the edge would separate a panel from its blank",
+    ),
     "classification.dashed": entry(
         "the edges are drawn with a dashed line",
     ),
     "classification.divider": entry("the edge divides two panels"),
-    "classification.divides-panels": entry(", but edges of type {type} divide panels", type="text"),
+    "classification.divides-panels": entry(
+        ", whereas an edge of type {type} divides two panels",
+        type="text",
+    ),
     "classification.frame": entry("the edge frames the whole drawing"),
     "classification.free": entry("the edge lies inside a panel and touches no other edge"),
     "classification.hole": entry("the edge closes a hole in a panel"),
@@ -48,7 +53,7 @@ MESSAGES: Final[Entries] = {
         "the edge lies inside a hole or divides a hole into parts",
     ),
     "classification.layer-denies": entry(
-        'but the name of the layer of the edge, "{layer}", suggests another line type',
+        'the name of the layer of the edge, "{layer}", suggests another line type',
         layer="text",
     ),
     "classification.layer-name": entry(
@@ -63,14 +68,14 @@ MESSAGES: Final[Entries] = {
         "the edge lies in a row of small shapes, as the outlines of letters do",
     ),
     "classification.like-outline": entry(
-        "the edge has the layer, colour and linetype of the outline",
+        "the edge has the layer, colour and line style of the outline",
     ),
     "classification.like-outline-not-folds": entry(
-        "the edge has the layer, colour and linetype of the outline, which differ from those "
-        "of the folds",
+        "the edge has the layer, colour and line style of the outline, which differ from "
+        "those of the folds",
     ),
     "classification.linetype-name": entry(
-        'the name of the linetype of the edge contains "{word}"',
+        'the name of the line style of the edge contains "{word}"',
         word="text",
     ),
     "classification.mark": entry(
@@ -103,8 +108,7 @@ MESSAGES: Final[Entries] = {
         shape="message",
     ),
     "classification.none-closes": entry(
-        ", and so do all edges with the same layer, colour and linetype, none of which closes "
-        "an outline",
+        ", and no edge with the same layer, colour and line style closes an outline",
     ),
     "classification.not-made": entry(
         ", so the edge must not be processed",
@@ -115,7 +119,8 @@ MESSAGES: Final[Entries] = {
     ),
     "classification.open": entry("the edge belongs to an outline that does not close"),
     "classification.other-style-closes": entry(
-        "edges of another layer, colour or linetype close most of this outline",
+        "most of the outline of the blank consists of edges with another layer, colour or "
+        "line style",
     ),
     "classification.outline": entry("the edge closes the outline of a blank"),
     "classification.override": entry(
@@ -144,11 +149,12 @@ MESSAGES: Final[Entries] = {
         "the edge lies outside all blanks of the drawing",
     ),
     "classification.swapped": entry(
-        "this rule makes edges of the closed outline creases, so cut and crease may be swapped",
+        "this rule turns edges of the closed outline into creases, so cut and crease may be "
+        "swapped",
     ),
     "classification.swapped-both": entry(
-        "this rule makes edges of the closed outline creases and edges between panels cuts, so "
-        "cut and crease may be swapped",
+        "this rule turns edges of the closed outline into creases and edges between panels "
+        "into cuts, so cut and crease may be swapped",
     ),
     "classification.swapped-like": entry(
         "{reason}; {convention}",

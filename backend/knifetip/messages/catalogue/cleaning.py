@@ -41,7 +41,7 @@ MESSAGES: Final[Entries] = {
         "the edge was kept unchanged",
     ),
     "cleaning.kept-changed": entry(
-        "the edge was kept; {changes:; }",
+        "the edge was kept, with these changes: {changes:; }",
         changes="messages",
     ),
     "cleaning.length-on-others": entry(

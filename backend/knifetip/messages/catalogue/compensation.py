@@ -203,10 +203,9 @@ MESSAGES: Final[Entries] = {
         "Set the spindle speed of the cutter in the machine file.",
     ),
     "track.too-flat": entry(
-        "The path of the tool (path {track}) meets the edge of the board at {angle:.2f}° from "
-        "the perpendicular, but at most {limit:g}° is allowed, so the tool does not leave the "
-        "board.",
-        "End the line inside the board, or draw it across the edge.",
+        "Path {track} of the tool meets the edge of the board at {angle:.2f}° from the "
+        "perpendicular, which is too flat to leave the board. At most {limit:g}° is allowed.",
+        "End the line inside the board, or let it meet the edge of the board at a steeper angle.",
         track="count",
         angle="number",
         limit="number",

@@ -146,9 +146,9 @@ MESSAGES: Final[Entries] = {
         reason="text",
     ),
     "calibration.undetermined": entry(
-        "The contour runs along {along} at every measured point, so the deflection {other} of "
-        "the cutter cannot be determined. The measured points have a total weight of "
-        "{weight:.4f} for {other}, but at least {least} is needed.",
+        "At every measured point the contour runs nearly along {along}, so the deflection "
+        "{other} of the cutter cannot be determined. The sum of sin² of the angles between "
+        "the contour and the {along} axis is {weight:.4f}, but must be at least {least}.",
         "Measure one more point where the contour runs along {direction}, or at 45°.",
         along="text",
         other="text",
@@ -157,8 +157,9 @@ MESSAGES: Final[Entries] = {
         direction="text",
     ),
     "calibration.wrong-sign": entry(
-        "The measured points give a deflection of {x:.3f} mm in X and {y:.3f} mm in Y, which "
-        "would mean that the board pulls the tool towards itself. This is not possible.",
+        "The measured points give a deflection of {x:.3f} mm in X and {y:.3f} mm in Y. A "
+        "negative value means that the cutter moves towards the contour, although the board "
+        "normally pushes it away from the contour, so a sign or the side is probably wrong.",
         "Check the signs of dx and dy, and check on which side of the contour the tool moves.",
         x="number",
         y="number",

@@ -60,7 +60,7 @@ MESSAGES: Final[Entries] = {
     ),
     "drawing.unit-for-cleaning": entry(
         "The drawing has no unit, so the lengths of its short edges and gaps cannot be "
-        "compared with the limits of the cleaning, which are in mm.",
+        "compared with the limits of cleaning, which are in mm.",
         "Set the unit of the drawing on the page, or with PATCH /api/drawings/ID.",
     ),
     "drawing.unit-unknown": entry(
@@ -86,7 +86,7 @@ MESSAGES: Final[Entries] = {
         reason="message",
     ),
     "question.line-type": entry(
-        '{edges:# edge|# edges} on layer "{layer}" (colour {colour}, linetype {linetype}) '
+        '{edges:# edge|# edges} on layer "{layer}" (colour {colour}, line style {linetype}) '
         "{edges:has|have} no line type: total length {length:,.1f} {unit:unit}, extent "
         "{width:,.1f} × {height:,.1f} {unit:unit}, lower left corner at X {x:,.1f}, Y "
         "{y:,.1f}. Which line type should {edges:this edge|these edges} get?{guess}",

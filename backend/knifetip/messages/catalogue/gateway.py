@@ -30,17 +30,18 @@ MESSAGES: Final[Entries] = {
         "Look for the cause in the log of the gateway.",
     ),
     "gateway.switched-off": entry(
-        "The gateway was switched off.",
-        "Switch on the gateway.",
+        "The gateway (the program that sends jobs to the machine) was stopped.",
+        "Start the gateway if it is not running.",
     ),
     "gateway.switched-off-before-report": entry(
-        "The gateway was switched off before it reported the result of the job.",
-        "Switch on the gateway.",
+        "The gateway (the program that sends jobs to the machine) was stopped before it "
+        "reported the result of the job.",
+        "Start the gateway if it is not running.",
     ),
     "gateway.switched-off-in-run": entry(
-        "The gateway was switched off while it executed the job. It stopped the machine before "
-        "it ended.",
-        "Check the table, then switch on the gateway again.",
+        "The gateway (the program that sends jobs to the machine) was ended while it executed "
+        "the job. Before it ended, it stopped the machine.",
+        "Check the table, then start the gateway again.",
     ),
     "gateway.system-error": entry(
         "The operating system on the computer of the gateway reports an error: {reason}.",

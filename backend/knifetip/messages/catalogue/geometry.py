@@ -52,7 +52,7 @@ MESSAGES: Final[Entries] = {
         limit="count",
     ),
     "edge.no-length": entry(
-        "Edge {edges:, } has a length of 0, so it has no direction.",
+        "Edges with a length of 0 have no direction: edge {edges:, }.",
         "Delete these edges from the drawing.",
         edges="texts",
     ),
@@ -112,9 +112,11 @@ MESSAGES: Final[Entries] = {
         "Give +1 or -1 as the side.",
     ),
     "offset.dead-end": entry(
-        "The curve at {radius:g} mm from path {path} is not closed, because a piece of it, "
-        "{depth:.4g} mm long and beside segment {segment}, does not connect to the rest.",
-        "Draw the contour without overlaps, or change the radius of the tool slightly.",
+        "The offset curve at a distance of {radius:g} mm from path {path} is not closed, "
+        "because a piece of the curve, {depth:.4g} mm long and beside segment {segment}, does "
+        "not connect to the rest.",
+        "Draw the contour so that it does not overlap itself, or change the radius of the "
+        "tool slightly.",
         path="count",
         radius="number",
         depth="number",
@@ -135,8 +137,9 @@ MESSAGES: Final[Entries] = {
         path="count",
     ),
     "offset.self-contact": entry(
-        "The curve at {radius:g} mm from path {path} is not closed, because the contour "
-        "touches itself at ({x:.4f}, {y:.4f}) mm in segments {one} and {two}.",
+        "The offset curve at a distance of {radius:g} mm from path {path} is not closed, "
+        "because the contour touches itself at ({x:.4f}, {y:.4f}) mm in segments {one} and "
+        "{two}.",
         "Trim the two segments at their intersection, or move one of the segments.",
         path="count",
         radius="number",

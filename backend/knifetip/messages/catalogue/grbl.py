@@ -11,13 +11,13 @@ MESSAGES: Final[Entries] = {
         "a limit switch was hit, so the position of the machine is lost",
     ),
     "grbl.alarm-10": entry(
-        "an emergency stop is pressed",
+        "an emergency stop button is pressed",
     ),
     "grbl.alarm-11": entry(
         "the machine must be homed first",
     ),
     "grbl.alarm-12": entry(
-        "a limit switch is closed",
+        "a limit switch is triggered",
     ),
     "grbl.alarm-14": entry(
         "the spindle did not reach its speed",
@@ -44,7 +44,7 @@ MESSAGES: Final[Entries] = {
         "the safety door was opened during homing",
     ),
     "grbl.alarm-8": entry(
-        "the limit switch stayed closed during homing",
+        "the limit switch stayed triggered when the machine moved away from it during homing",
     ),
     "grbl.alarm-9": entry(
         "homing did not reach the limit switch",
@@ -65,7 +65,7 @@ MESSAGES: Final[Entries] = {
         "a safety door is open",
     ),
     "grbl.error-14": entry(
-        "the stored start-up line or build information is too long",
+        "the start-up line or the build information is too long to be stored",
     ),
     "grbl.error-15": entry(
         "the jog target lies outside the travel of the machine",
@@ -77,7 +77,7 @@ MESSAGES: Final[Entries] = {
         "laser mode needs a PWM output",
     ),
     "grbl.error-18": entry(
-        "the controller was reset and needs a new start",
+        "the controller was reset, so it did not execute the command",
     ),
     "grbl.error-2": entry(
         "a number is missing or cannot be read",
@@ -161,7 +161,7 @@ MESSAGES: Final[Entries] = {
         "the settings of the controller could not be read, so the defaults were restored",
     ),
     "grbl.error-79": entry(
-        "an emergency stop is pressed",
+        "an emergency stop button is pressed",
     ),
     "grbl.error-8": entry(
         "the command is allowed only while the controller is idle",

@@ -19,9 +19,9 @@ MESSAGES: Final[Entries] = {
         byte="text",
     ),
     "hpgl.bad-feed": entry(
-        "{place} has a feed of {feed:g} mm/min, but {device} supports only whole cm/s from "
-        "{slowest} to {fastest}.",
-        "In the machine file, give the tool a feed that is a multiple of {step:g} mm/min.",
+        "{place} has a feed of {feed:g} mm/min, but {device} supports only multiples of "
+        "{step:g} mm/min from {slowest} to {fastest} mm/min.",
+        "Choose one of these feeds for the tool in the machine file.",
         place="message",
         feed="number",
         device="text",
@@ -41,8 +41,8 @@ MESSAGES: Final[Entries] = {
         value="text",
     ),
     "hpgl.datum": entry(
-        "{path} has an offset or an output, but the device itself stores the offsets of its tools "
-        "and lowers them",
+        "{path} has an offset or an output, but an HPGL machine itself stores the offsets of "
+        "its tools and lowers its tools",
         "Set all values of datum to 0 and remove output.",
         path="text",
     ),
@@ -77,7 +77,7 @@ MESSAGES: Final[Entries] = {
         high="count",
     ),
     "hpgl.initialised-again": entry(
-        "The program line initialises the device (IN) a second time.",
+        "The program line initialises the machine (IN) a second time.",
         "Delete the second IN.",
     ),
     "hpgl.lone-letter": entry(
@@ -111,9 +111,9 @@ MESSAGES: Final[Entries] = {
         place="message",
     ),
     "hpgl.no-device": entry(
-        "The machine file of {machine} does not describe an HPGL device.",
-        "Add the settings of the device under [controller] in the machine file: see the page "
-        "Connect a machine of the documentation.",
+        "The machine file of {machine} has no HPGL settings.",
+        "Add the HPGL settings under [controller] in the machine file: see the page Connect a "
+        "machine of the documentation.",
         machine="text",
     ),
     "hpgl.no-force": entry(
@@ -124,7 +124,7 @@ MESSAGES: Final[Entries] = {
         device="text",
     ),
     "hpgl.no-force-setting": entry(
-        "The program line sets the force (FS), but the device has no force setting.",
+        "The program line sets the force (FS), but the machine has no force setting.",
         "Remove FS.",
     ),
     "hpgl.no-instruction": entry(
@@ -132,8 +132,10 @@ MESSAGES: Final[Entries] = {
         "Choose a file with an HPGL program.",
     ),
     "hpgl.no-pen": entry(
-        "The machine file of {machine} assigns no pen to {work} with station {station}.",
-        "Add a [[controller.pen]] to the machine file.",
+        "The machine file of {machine} assigns no pen to the operation {work} with station "
+        "{station}.",
+        "Add a [[controller.pen]] with this station and this operation (field work) to the "
+        "machine file.",
         machine="text",
         work="text",
         station="count",
@@ -147,7 +149,7 @@ MESSAGES: Final[Entries] = {
         "Set the speed (VS) before this program line.",
     ),
     "hpgl.no-speed-setting": entry(
-        "The program line sets the speed (VS), but the device has no speed setting.",
+        "The program line sets the speed (VS), but the machine has no speed setting.",
         "Remove VS.",
     ),
     "hpgl.no-terminator": entry(
@@ -159,12 +161,12 @@ MESSAGES: Final[Entries] = {
         "Write IN at the beginning of the program.",
     ),
     "hpgl.outside-area": entry(
-        "The program line moves the tool outside the working area of the device.",
+        "The program line moves the tool outside the working area of the machine.",
         "Move the drawing on the table, or choose a larger machine.",
     ),
     "hpgl.pen-cannot": entry(
-        "{path} is {work!r}, which the tool of station {station} cannot make",
-        "Assign the pen to another station, or choose another work.",
+        "{path} is {work!r}, but the tool of station {station} cannot do this operation",
+        "Assign the pen to another station, or choose another operation in the field work.",
         path="text",
         work="text",
         station="count",
@@ -175,14 +177,16 @@ MESSAGES: Final[Entries] = {
         "Add a move after the instruction PD.",
     ),
     "hpgl.press": entry(
-        "{place} presses the tool into the board at one point, but HPGL cannot turn the tool "
-        "there.",
-        'Choose a board with short_crease = "refuse", or another machine.',
+        "{place} presses a crease that is too short to be rolled: the tool is lowered at one "
+        "point. Before that, the tool must be turned to the direction of the crease, which "
+        "HPGL cannot express.",
+        "Draw a longer crease, set the line type of the crease to ignored, or choose another "
+        "machine.",
         place="message",
     ),
     "hpgl.repeated-pen": entry(
-        "{path} has the same station and the same work as another pen",
-        "Remove one of the two pens, or change its work.",
+        "{path} has the same station and the same operation (field work) as another pen",
+        "Remove one of the two pens, or change its operation.",
         path="text",
     ),
     "hpgl.selects-while-down": entry(
@@ -190,8 +194,8 @@ MESSAGES: Final[Entries] = {
         "Lift the tool (PU) before the pen is selected.",
     ),
     "hpgl.send-by-hand": entry(
-        "Download the program and send it with the software of the cutter, where a person can "
-        "stop it.",
+        "Download the program and send it with the software of the cutting machine. Stay at "
+        "the machine while it cuts, so that you can stop it.",
     ),
     "hpgl.slanted-plunge": entry(
         "{place} lowers or lifts the tool along a slope, which HPGL cannot express.",
@@ -210,26 +214,28 @@ MESSAGES: Final[Entries] = {
         path="text",
     ),
     "hpgl.swivel": entry(
-        "{place} rotates the head about the tip of the knife, which HPGL cannot express. The "
-        "device itself compensates for the trail of the knife.",
+        "{place} rotates the head about the tip of the knife, because the machine file sets a "
+        "knife offset (trail). HPGL cannot express this rotation and does not need it: an "
+        "HPGL machine itself compensates for the knife offset.",
         "Set the trail of the knife to 0 in the machine file.",
         place="message",
     ),
     "hpgl.tool-not-supported": entry(
-        "{path} needs depths or headings in its program, which HPGL cannot express",
+        "{path} is neither a knife nor a creasing tool, and HPGL cannot control other tools",
         "Remove the station, or choose another controller language.",
         path="text",
     ),
     "hpgl.trail": entry(
-        "{path} is {value:g} mm, but the device itself compensates for the trail of its knife",
+        "{path} (knife offset) is {value:g} mm, but an HPGL machine itself compensates for "
+        "the offset of its knife",
         "Set trail to 0.",
         path="text",
         value="number",
     ),
     "hpgl.travel": entry(
-        "{path} extends from {low:g} to {high:g} mm, but the device reaches from {least:g} to "
-        "{greatest:g} mm",
-        "Reduce the travel of the axis, or choose a larger device.",
+        "{path} extends from {low:g} to {high:g} mm, but the working area in the HPGL "
+        "settings extends from {least:g} to {greatest:g} mm",
+        "Reduce the travel of the axis, or choose a larger machine.",
         path="text",
         low="number",
         high="number",
@@ -249,7 +255,7 @@ MESSAGES: Final[Entries] = {
         name="text",
     ),
     "hpgl.unknown-pen": entry(
-        "The program line selects a pen that the device does not have.",
+        "The program line selects a pen that the machine does not have.",
         "Select a pen that is defined in the machine file.",
     ),
     "hpgl.wrong-force": entry(

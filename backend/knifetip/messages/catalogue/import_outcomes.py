@@ -179,7 +179,7 @@ MESSAGES: Final[Entries] = {
         "the object was imported unchanged",
     ),
     "import.kept-changed": entry(
-        "the object was imported; {notes:; }",
+        "the object was imported; note: {notes:; }",
         notes="messages",
     ),
     "import.laid-flat": entry(

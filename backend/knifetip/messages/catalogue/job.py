@@ -16,8 +16,8 @@ MESSAGES: Final[Entries] = {
         line="count",
     ),
     "job.awaits-kernels": entry(
-        "The job waits until the server has compiled the parts of knifetip that it needs for "
-        "the machine {machine}. The server does this once after an installation.",
+        "The job waits until the server has compiled the software modules that the machine "
+        "{machine} needs. The server does this once after an installation.",
         "Wait. The job continues automatically.",
         machine="text",
     ),
@@ -114,13 +114,14 @@ MESSAGES: Final[Entries] = {
     ),
     "job.gateway-silent": entry(
         "The gateway {gateway}, which claimed job {job}, does not respond.",
-        "Switch on the machine and its gateway. Confirm the job when it waits for a "
+        "Switch on the machine and start its gateway. Confirm the job when it waits for a "
         "confirmation again.",
         gateway="text",
         job="text",
     ),
     "job.held-before-start": entry(
-        "The job is on hold before its first program line.",
+        "The operator paused the job before the machine executed the first program line. The "
+        "machine starts when the operator resumes the job.",
     ),
     "job.interrupted": entry(
         "The job was interrupted at program line {line} of {lines}{copy}. {cause}",

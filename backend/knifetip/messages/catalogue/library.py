@@ -66,7 +66,11 @@ MESSAGES: Final[Entries] = {
         path="text",
         near="text",
     ),
-    "field.no-kind": entry("{path} has no field {field}", path="text", field="text"),
+    "field.no-kind": entry(
+        "{path} lacks the field {field}, which states its kind",
+        path="text",
+        field="text",
+    ),
     "field.not-a-colour": entry(
         '{path} is {value}, but must be a whole number from 1 to 255 or "#rrggbb"',
         path="text",
@@ -171,7 +175,7 @@ MESSAGES: Final[Entries] = {
     "field.too-long": entry("{path} is longer than {most} characters", path="text", most="count"),
     "field.too-many": entry("{path} has more than {most} values", path="text", most="count"),
     "field.too-many-passes": entry(
-        "{path} is {value:g} mm, which needs more than {most} passes",
+        "{path} is {value:g} mm, so the V-groove would need more than {most} passes",
         path="text",
         value="number",
         most="count",
@@ -215,7 +219,7 @@ MESSAGES: Final[Entries] = {
     ),
     "profile.nested-too-deep": entry(
         "The tables of the profile {name!r} are nested too deeply.",
-        "Write a title and a list of [[rule]] tables.",
+        "Write only a title and a list of [[rule]] tables.",
         name="text",
     ),
     "profile.not-an-extension": entry(
@@ -289,5 +293,8 @@ MESSAGES: Final[Entries] = {
         "every edge of the drawing",
     ),
     "rule.layer": entry("layer {patterns:or}", patterns="texts"),
-    "rule.linetype": entry("linetype {patterns:or}", patterns="texts"),
+    "rule.linetype": entry(
+        "line style {patterns:or}",
+        patterns="texts",
+    ),
 }

@@ -40,7 +40,7 @@ MESSAGES: Final[Entries] = {
     ),
     "program.line-too-long-to-send": entry(
         "Line {line} of the program has {length} bytes, but {name} accepts only {limit} bytes.",
-        "Compile the job again with shorter comments.",
+        "Report the error with the program file.",
         line="count",
         length="count",
         name="text",
@@ -146,8 +146,8 @@ MESSAGES: Final[Entries] = {
         edge="count",
     ),
     "toolpath.swivel-without-turn": entry(
-        "Internal error: row {row} of the toolpath is a swivel move without a rotation, so its "
-        "feed in degrees per minute is not defined.",
+        "Internal error: row {row} of the toolpath moves the head about the tip of the tool "
+        "without rotating the tool, so the feed in degrees per minute is not defined.",
         "Report the error with the drawing.",
         row="count",
     ),
@@ -173,8 +173,8 @@ MESSAGES: Final[Entries] = {
         known="texts",
     ),
     "travel.above": entry(
-        "{tool} (station {station}) would move {excess:.2f}{unit} beyond the upper end of axis "
-        "{axis}{place}. The travel of axis {axis} is {low:g} to {high:g}{unit}.",
+        "{tool} (station {station}) would move {excess:.2f}{unit} beyond the upper end of the "
+        "travel of axis {axis}{place}. The travel is {low:g} to {high:g}{unit}.",
         "Move or rotate the drawing on the table, or choose a larger machine.",
         tool="text",
         station="count",
@@ -186,8 +186,8 @@ MESSAGES: Final[Entries] = {
         place="message?",
     ),
     "travel.below": entry(
-        "{tool} (station {station}) would move {excess:.2f}{unit} beyond the lower end of axis "
-        "{axis}{place}. The travel of axis {axis} is {low:g} to {high:g}{unit}.",
+        "{tool} (station {station}) would move {excess:.2f}{unit} beyond the lower end of the "
+        "travel of axis {axis}{place}. The travel is {low:g} to {high:g}{unit}.",
         "Move or rotate the drawing on the table, or choose a larger machine.",
         tool="text",
         station="count",
@@ -214,7 +214,7 @@ MESSAGES: Final[Entries] = {
     ),
     "language.no-settings": entry(
         "{path} is not allowed, because {language} has no settings",
-        "Remove [controller].",
+        "Remove the section [controller].",
         path="text",
         language="text",
     ),

@@ -21,12 +21,13 @@ MESSAGES: Final[Entries] = {
     ),
     "reading.empty": entry(
         "The file is empty.",
-        "Send the drawing as {formats:or}. A DXF file may be text or binary, of any version.",
+        "Export the drawing again and send it as {formats:or}. A DXF file may be text or binary, "
+        "of any version.",
         formats="texts",
     ),
     "reading.expands-too-far": entry(
         "The repeated parts of the {format} file expand to more than {limit:,} elements.",
-        "Export a single carton, with blocks and symbols expanded.",
+        "Export a drawing with a single carton, without the repeated parts that it does not need.",
         limit="count",
         format="text",
     ),
@@ -258,7 +259,7 @@ MESSAGES: Final[Entries] = {
         "Export the drawing again, as the first page of the PDF.",
     ),
     "pdf.content-damaged": entry(
-        "The content of {where} of the PDF is damaged: it {reason}. Objects of the drawing may "
+        "The content of {where} of the PDF is damaged: {reason}. Objects of the drawing may "
         "be missing.",
         "Export the drawing again, or send it as DXF.",
         where="message",
@@ -276,7 +277,7 @@ MESSAGES: Final[Entries] = {
     ),
     "pdf.expands-too-far": entry(
         "The page of the PDF and its repeated forms expand to more than {limit:.1f} MB.",
-        "Export a single carton, with its symbols expanded.",
+        "Export a drawing with a single carton, without the symbols that it does not need.",
         limit="number",
     ),
     "pdf.form": entry(
@@ -297,7 +298,7 @@ MESSAGES: Final[Entries] = {
         limit="count",
     ),
     "pdf.nested-arrays": entry(
-        "contains arrays that are nested too deeply",
+        "its arrays are nested too deeply",
     ),
     "pdf.no-header": entry(
         "The file is not a PDF: it does not begin with %PDF.",
@@ -305,13 +306,13 @@ MESSAGES: Final[Entries] = {
     ),
     "pdf.no-page": entry("The PDF has no page.", "Export the drawing again, or send it as DXF."),
     "pdf.open-array": entry(
-        "ends before an array is closed",
+        "an array has no closing bracket",
     ),
     "pdf.open-image": entry(
-        "ends before an image is complete",
+        "an embedded image is incomplete",
     ),
     "pdf.open-text": entry(
-        "ends before a text is closed",
+        "a text string has no closing parenthesis",
     ),
     "pdf.page": entry("the page"),
     "pdf.page-too-large": entry(

@@ -60,14 +60,14 @@ MESSAGES: Final[Entries] = {
         factor="number",
     ),
     "unit.drawn-in-imperial": entry(
-        "inches with fractions, which are stored in {unit:unit}",
+        "inches, but stored as numbers in {unit:unit}",
         unit="text",
     ),
     "unit.drawn-in-inches": entry(
         "inches with fractions",
     ),
     "unit.drawn-in-metric": entry(
-        "whole millimetres, which are stored in {unit:unit}",
+        "millimetres, but stored as numbers in {unit:unit}",
         unit="text",
     ),
     "unit.drawn-in-millimetres": entry("millimetres"),
@@ -135,8 +135,8 @@ MESSAGES: Final[Entries] = {
         grid="text",
     ),
     "unit.no-number-matches": entry(
-        "if the unit is {unit:unit}, no edge is as long as one of {all:# number|# numbers} in "
-        "the texts of the drawing",
+        "if the unit is {unit:unit}, no edge has a length that matches {all:the number|one of "
+        "the # numbers} in the texts of the drawing",
         unit="text",
         all="count",
     ),
@@ -231,15 +231,15 @@ MESSAGES: Final[Entries] = {
         scales="texts",
     ),
     "unit.share-stated": entry(
-        "the file states the unit {stated:unit}, and {percent:.3g} % of the drawings that "
-        "state this unit are in {unit:unit}",
+        "the file states the unit {stated:unit}, and knifetip assumes that {percent:.3g} % of "
+        "the files that state this unit are drawn in {unit:unit}",
         stated="text",
         unit="text",
         percent="number",
     ),
     "unit.share-unstated": entry(
-        "the file states no unit, and {percent:.3g} % of the drawings without a stated unit "
-        "are in {unit:unit}",
+        "the file states no unit, and knifetip assumes that {percent:.3g} % of the files "
+        "without a stated unit are drawn in {unit:unit}",
         unit="text",
         percent="number",
     ),

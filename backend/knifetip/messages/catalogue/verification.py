@@ -141,7 +141,7 @@ MESSAGES: Final[Entries] = {
         "or choose a smaller creasing wheel.",
     ),
     "verify.cuts-part": entry(
-        "The cutter removes a strip of {depth:.3f} mm width from a part that must not be cut.",
+        "The cutter cuts {depth:.3f} mm deep into a part, beyond the outline of the part.",
         "Move the parts further apart, or choose a thinner cutter.",
         depth="number",
     ),
@@ -150,16 +150,16 @@ MESSAGES: Final[Entries] = {
         "Start the spindle (M3) before the cutter enters the board.",
     ),
     "verify.flank-inside": entry(
-        "The flank of the V-groove meets the top face of the board {distance:.4f} mm inside "
-        "its planned position, but the tolerance is {tolerance:g} mm.",
+        "The flank of the V-groove meets the top face of the board {distance:.4f} mm too "
+        "close to the centre line of the groove. The tolerance is {tolerance:g} mm.",
         "Check the tilt and the offsets of the V-cutter in the machine file, then compile the "
         "job again.",
         distance="number",
         tolerance="number",
     ),
     "verify.flank-outside": entry(
-        "The flank of the V-groove meets the top face of the board {distance:.4f} mm outside "
-        "its planned position, but the tolerance is {tolerance:g} mm.",
+        "The flank of the V-groove meets the top face of the board {distance:.4f} mm too far "
+        "from the centre line of the groove. The tolerance is {tolerance:g} mm.",
         "Check the tilt and the offsets of the V-cutter in the machine file, then compile the "
         "job again.",
         distance="number",
@@ -249,9 +249,9 @@ MESSAGES: Final[Entries] = {
         "Select the station before the first cut.",
     ),
     "verify.not-worked": entry(
-        "{length:.3f} mm of the edge are not {work}{where}.",
-        "Compile the job again. If the finding remains, report it as an internal error with the "
-        "program file.",
+        "{length:.3f} mm along the edge are not {work}{where}.",
+        "Compile the job again. If the finding remains, report it as an internal error with "
+        "the program file.",
         length="number",
         work="message",
         where="message",
@@ -325,8 +325,8 @@ MESSAGES: Final[Entries] = {
         planned="number",
     ),
     "verify.perforation-gap": entry(
-        "A gap of the perforation is {length:.3f} mm long at {place:.3f} mm from its start, but "
-        "the board needs gaps of {planned:g} mm.",
+        "A gap of the perforation, which begins {place:.3f} mm from the start of the edge, is "
+        "{length:.3f} mm long, but the board needs gaps of {planned:g} mm.",
         "Compile the job again for this board.",
         length="number",
         place="number",
@@ -443,10 +443,10 @@ MESSAGES: Final[Entries] = {
         place="number",
     ),
     "verify.where-past-end": entry(
-        ", where the tool must continue beyond the end of the edge",
+        " at the end of the edge, beyond which the tool must continue",
     ),
     "verify.where-past-start": entry(
-        ", where the tool must begin before the start of the edge",
+        " at the start of the edge, before which the tool must begin",
     ),
     "verify.work-creased": entry("creased"),
     "verify.work-cut": entry("cut"),

@@ -14,7 +14,7 @@ MESSAGES: Final[Entries] = {
     "waiting.for-gateway": entry(
         "The job waits, because the gateway of {machine} (the program that sends jobs to the "
         "machine) is not connected to the server.",
-        "Switch on the machine and its gateway.",
+        "Switch on the machine and start its gateway.",
         machine="text",
     ),
     "waiting.for-machine": entry(
