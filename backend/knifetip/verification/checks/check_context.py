@@ -58,10 +58,10 @@ class EdgeFigures:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CheckContext:
-    """The edges, machine, board and tolerance that all checks of one program use, and their
-    results.
+    """Inputs and results of all checks of one program.
 
-    The checks add their findings and the measured figures of the edges to this record.
+    The inputs are the edges, the machine, the board and the tolerance.  The checks add their
+    findings and the measured figures of the edges to this record.
     """
 
     edges: Edges  #: all edges on the sheet

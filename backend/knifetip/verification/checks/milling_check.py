@@ -177,7 +177,8 @@ class _MillingCheck:
     # -- the edges -------------------------------------------------------------------------------
 
     def _untouched_stretches(self, pieces: CutterPaths, is_through: Bool) -> tuple[I64, F64, F64]:
-        """Return the k stretches of edges that the disc has not touched in a cut through the board.
+        """Return the k stretches of edges that the disc touches on none of its paths through the
+        board.
 
         Also records the deviations of the centre from its expected paths.
 
@@ -186,7 +187,7 @@ class _MillingCheck:
         pieces
             Expected paths of the centre.
         is_through : (n,)
-            Mask of the centre's n actual paths that go through the board.
+            Mask of the centre's n actual paths on which the disc goes through the board.
 
         Returns
         -------

@@ -83,9 +83,10 @@ def check_travel(moves: Moves, machine: Machine, findings: Findings) -> Bool:
 def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, findings: Findings) -> None:
     """Check the feed of each move; add findings.
 
-    The feed must be the tool's feed at constant height, and the tool's plunge feed otherwise.  A
-    turn of C alone may run at the greatest speed of C.  The duration of a timed move (G93) must be
-    the time of its travel at the tool's feed or the time of its turn, whichever is longer.
+    A move at constant height must have the tool's feed, and a move that changes the height must
+    have the tool's plunge feed.  A turn of C alone may run at the greatest speed of C.  The
+    duration of a timed move (G93) must be the time of its travel at the tool's feed or the time of
+    its turn, whichever is longer.
     """
     own = np.full(len(moves.line), np.nan)
     level = np.abs(moves.end[:, 2] - moves.start[:, 2]) <= LEVEL

@@ -1,4 +1,4 @@
-"""Find stretches of tip paths at which a tool cuts deeper in one pass than it may."""
+"""Find stretches of tip paths at which a tool cuts deeper in one pass than is permitted."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
 """The crease lines that the wheel must make, derived from the drawn creases.
 
 A cut through a crease splits it, and the wheel keeps its clearance on both sides of the cut.  Three
-or more collinear dashes may be made as one crease; a path of the wheel in one of their gaps shows
-that they were.  On a board with double creases each drawn crease becomes two parallel creases, one
-on each side of it, at half of the board's crease distance.
+or more collinear dashes may be made as one crease; this is assumed if the path of the wheel covers
+one of the gaps between them.  On a board with double creases each drawn crease becomes two parallel
+creases, one on each side of it, at half of the board's crease distance.
 """
 
 from __future__ import annotations
