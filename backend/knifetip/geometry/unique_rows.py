@@ -95,7 +95,7 @@ def _equal_rows(table: I64_2, row: int, other: int) -> bool:
 def _slot(table: I64_2, row: int, slots: I64_1) -> Any:
     """Return the slot of the hash table ``slots`` at which the search for a row begins.
 
-    ``table`` contains rows of integers, and ``row`` is the number of the row to be searched.
+    ``table`` contains rows of integers, and ``row`` is the number of the row to search for.
     """
     key = np.uint64(0)
     for column in range(table.shape[1]):

@@ -48,8 +48,8 @@ class _LoadedLibrary(JITCodeLibrary):
         codegen
             Code generator of the processor, which owns the memory of machine code.
         stored
-            Name of the library, ``"object"``, and its machine code and LLVM code, as written by
-            numba's ``serialize_using_object_code``.
+            What numba's ``serialize_using_object_code`` wrote: the name of the library, the text
+            ``"object"``, and a pair of its machine code and its LLVM code.
         """
         name, _kind, (machine_code, bitcode) = stored
         library = cls(codegen, name)

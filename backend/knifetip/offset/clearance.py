@@ -132,8 +132,8 @@ def is_clear(
 ) -> bool:
     """Return whether a position of the tool's centre is clear of the contours.
 
-    It is clear if no contour is nearer than ``limit`` mm, and if it is not inside the area between
-    a corner and the tool's path round it (the transition) of type C or D.
+    The position is clear if no contour is nearer than ``limit`` mm, and if the position is not
+    between a corner and the tool's path round this corner, for paths of type C and D.
 
     Parameters
     ----------

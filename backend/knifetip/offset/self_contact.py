@@ -52,7 +52,7 @@ class Scratch(NamedTuple):
 
 @kernel(allocates=False)
 def _count_overlaps(x0: F64_1, y0: F64_1, x1: F64_1, y1: F64_1, count: int, step: int) -> int:
-    """Return how many of the first ``count`` boxes overlap the box ``step`` rows after them.
+    """Return how many of the first ``count`` boxes overlap the box that is ``step`` rows later.
 
     ``x0``, ``y0``, ``x1`` and ``y1`` are the least and the greatest coordinates of the boxes, which
     are the bounding boxes of segments.

@@ -318,6 +318,8 @@ def offset_simple(
     ----------
     contours, groups, corners
         Input contours, their groups, and the types of the transitions at their corners.
+    group
+        Number of the first group to offset.
     segments, boxes, scratch
         Scratch arrays for the moved segments and the bounding boxes of one path.
     out, segment_count
@@ -328,9 +330,9 @@ def offset_simple(
     Returns
     -------
     group
-        First group that is not offset.
+        Number of the first group that is not offset; the number of groups if all are.
     segment_count, chain_count
-        Number of segments and number of chains that are written.
+        Number of segments and number of chains written so far, including those before the call.
     """
     bounds, signed = groups.bounds, groups.signed
     checked = CheckedSegments(out.start, out.end, out.bulge, out.inserted)

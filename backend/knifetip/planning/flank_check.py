@@ -42,7 +42,7 @@ class _NearbyChords:
     high: F64  #: (k,) parameter on the chord, 0 … 1
 
     def select(self, rows: I64 | Bool) -> _NearbyChords:
-        """Return some of the pairs of groove and chord.
+        """Return only the pairs of groove and chord that ``rows`` selects.
 
         ``rows`` are the indices, or the mask, of these pairs.
         """
@@ -184,9 +184,9 @@ def _find_nearby_chords(begin: F64, finish: F64, reach: float, dieline: Dieline)
 def _ends_on_cuts(nearby: _NearbyChords, length: F64, reach: float, run_out: F64) -> Bool:
     """Return the mask of the ends of p grooves near which a cut meets the groove's line, (p, 2).
 
-    A cut is near an end if it is within twice ``reach`` (mm) of the end.  Inside the groove, a cut
-    is also near if it is within the run-out of the end.  ``length`` is the length of each groove,
-    (p,) mm; ``run_out`` is the run-out at each end, (p, 2) mm.
+    A cut is near an end if it meets the line at most twice ``reach`` (mm) from the end.  For a
+    point inside the groove, the run-out of this end counts instead if it is longer.  ``length`` is
+    the length of each groove, (p,) mm; ``run_out`` is the run-out at each end, (p, 2) mm.
     """
     result = np.zeros((len(length), 2), np.bool_)
     on_line = nearby.clip(nearby.offset, -GAP, GAP)

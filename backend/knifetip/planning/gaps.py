@@ -180,10 +180,11 @@ def _far_along_chain(
     back: Bool_1,
     length: F64_1,
 ) -> bool:
-    """Return whether a point is far enough from a dangling end along the chain on which both lie.
+    """Return whether a point is far enough from a dangling end to be linked to it.
 
-    The path along the chain must be at least ``_CHAIN_FACTOR`` times as long as the gap.  A point
-    of another chain is always far enough.
+    The distance is measured along the chain of edges from the dangling end to the point.  It must
+    be at least ``_CHAIN_FACTOR`` times as long as the gap.  A point of another chain is always far
+    enough.
 
     Parameters
     ----------

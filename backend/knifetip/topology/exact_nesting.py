@@ -91,7 +91,8 @@ def _follow_hits(
     """Return the face around each of c components and the nesting depth of the component.
 
     A vertical ray runs downwards from the lowest point of each component.  A span is a part of an
-    edge that runs from left to right; it is hit by a ray that meets it first.
+    edge that runs from left to right.  A ray hits the first span of another component that it
+    meets.
 
     Parameters
     ----------

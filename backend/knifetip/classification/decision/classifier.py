@@ -358,10 +358,11 @@ class Classifier:
             guess.votes.append(Message("classification.linetype-name", word=meaning.word))
 
     def _meaning(self, style: int) -> tuple[NameMeaning, bool]:
-        """Return the meaning of a style's layer name, and True.
+        """Return what a style's name means, and whether the meaning comes from the layer name.
 
-        If the layer name suggests nothing, return the meaning of the linetype name, which may also
-        suggest nothing, and False.  ``style`` is the index of the style.
+        The name is the layer name or, if the layer name suggests nothing, the linetype name.  If
+        the linetype name suggests nothing either, the line type of the meaning is None.  ``style``
+        is the index of the style.
         """
         meaning = name_meaning(self.styles.layer[style])
         if meaning.kind is None and not meaning.denied:
