@@ -28,8 +28,8 @@ def link_dashes(lines: Lines, reach: float, loose: Bool) -> tuple[Bool, I32, F64
 
     A dash is a short straight edge in a row of at least three with nearly equal gaps.  A link is a
     straight connection of two vertices that closes the gap between two dashes.  The search distance
-    of an end is the distance within which another edge is searched later, to close a gap at this
-    end.
+    of an end is the distance within which another edge is looked for later, to close a gap at
+    this end.
 
     Parameters
     ----------
@@ -105,7 +105,7 @@ def _form_rows(
     links : (t, 2)
         Pairs of vertices; a link closes the gap between the two vertices of a pair.
     gap_of : (2n,)
-        Search distance of each end: within it, another edge is searched later to close a gap.
+        Search distance of each end: within it, another edge is looked for later.
     """
     n = len(twin)
     link = np.empty((64, 2), np.int32)
