@@ -208,8 +208,11 @@ async def _http_problem(request: Request, error: Exception) -> Response:
             message = Message("request.nothing-there", path=path)
         case 405:
             message = Message("request.wrong-method", method=request.method, path=path)
-        case _:
-            message = Message("request.refused", detail=str(error.detail)[:1000])
+        case 400:
+            # FastAPI and Starlette raise this for a body that they cannot parse.
+            message = Message("request.body-unreadable")
+        case status:
+            message = Message("request.refused", status=status)
     return problem(error.status_code, message, headers=error.headers)
 
 

@@ -2671,6 +2671,10 @@ export const TEXTS = {
     "text": "The request is larger than {limit} MB, which is the limit for this URL.",
     "hint": "Divide the data into several requests."
   },
+  "request.body-unreadable": {
+    "text": "The body of the request cannot be read.",
+    "hint": "Send JSON or multipart/form-data as /api/openapi.json describes, with the matching Content-Type."
+  },
   "request.foreign-origin": {
     "text": "The request was rejected, because a page of another website sent it.",
     "hint": "Send the request from the page of this server, or from a program that is not a browser."
@@ -2716,7 +2720,7 @@ export const TEXTS = {
     "hint": "Choose a URL that /api/openapi.json describes."
   },
   "request.refused": {
-    "text": "The request was rejected: {detail}.",
+    "text": "The request was rejected with the HTTP status {status}.",
     "hint": "Correct the request as /api/openapi.json describes."
   },
   "request.upload-too-large": {

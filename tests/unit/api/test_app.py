@@ -425,3 +425,9 @@ def test_the_service_reports_its_preparation(
         "parts_compiled": 43,
         "parts": 240,
     }
+
+
+def test_a_body_that_is_not_multipart_is_a_problem_with_a_code(client: httpx.Client) -> None:
+    headers = {"Content-Type": "multipart/form-data"}  # without a boundary
+    data = problem(client.post("/api/drawings", content=b"hello", headers=headers), 400)
+    assert data["code"] == "request.body-unreadable"

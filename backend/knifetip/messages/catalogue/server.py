@@ -55,6 +55,11 @@ MESSAGES: Final[Entries] = {
         "Divide the data into several requests.",
         limit="count",
     ),
+    "request.body-unreadable": entry(
+        "The body of the request cannot be read.",
+        "Send JSON or multipart/form-data as /api/openapi.json describes, with the matching "
+        "Content-Type.",
+    ),
     "request.foreign-origin": entry(
         "The request was rejected, because a page of another website sent it.",
         "Send the request from the page of this server, or from a program that is not a browser.",
@@ -108,9 +113,9 @@ MESSAGES: Final[Entries] = {
         path="text",
     ),
     "request.refused": entry(
-        "The request was rejected: {detail}.",
+        "The request was rejected with the HTTP status {status}.",
         "Correct the request as /api/openapi.json describes.",
-        detail="text",
+        status="count",
     ),
     "request.upload-too-large": entry(
         "The file is larger than {limit} MB, which is the limit of this server.",
