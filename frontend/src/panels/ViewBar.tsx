@@ -17,7 +17,12 @@ const LAYERS: readonly {
 }[] = [
   { layer: "nominal", title: "Drawing", shows: "the edges of the drawing", colour: "#ff6b61" },
   { layer: "head", title: "Head path", shows: "the path of the machine head", colour: TRAVEL.head },
-  { layer: "tip", title: "Path of tool tip", shows: "the path of the tool tip", colour: TRAVEL.tip },
+  {
+    layer: "tip",
+    title: "Path of tool tip",
+    shows: "the path of the tool tip",
+    colour: TRAVEL.tip,
+  },
   {
     layer: "rapids",
     title: "Moves above board",
