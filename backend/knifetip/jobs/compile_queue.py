@@ -1,8 +1,9 @@
-"""compile_queue: passes received jobs to the compile service, one by one.
+"""compile_queue: passes received jobs to the compile service, which makes their programs.
 
-On one machine the database table of the jobs is the queue.  On PostgreSQL, where several processes
-or machines compile, each compile is a durable workflow of DBOS (``durable_queue``).  Both queues
-take a job with ``CompileStore.begin``; only the result for the job's latest epoch is stored.
+On one computer, the database table of the jobs is the queue.  On PostgreSQL, where several
+processes or computers compile, each job is compiled in a durable workflow of the library DBOS
+(``durable_queue``).  Both kinds of queue take a job with ``CompileStore.begin``, which increases
+the epoch (number of the owner) of the job.  A result is stored only if the epoch is still the same.
 """
 
 from __future__ import annotations
@@ -46,7 +47,7 @@ class CompileQueue(Protocol):
 
 
 class TableQueue:
-    """A queue that takes received jobs from the database, for the processes of one machine.
+    """A queue that takes received jobs from the database, for the processes of one computer.
 
     Parameters
     ----------
@@ -59,9 +60,9 @@ class TableQueue:
     poll
         Time between two queries for jobs that another process received (s).
     fraction_compiled
-        Function from the name of a machine to the fraction (0 … 1) of its kernels (functions that a
-        compile needs) that have machine code.  Below 1, the jobs of that machine stay ``received``
-        while jobs of other machines are compiled.
+        Function from the name of a cutting machine to a fraction, 0 … 1: how many of the numba
+        functions that compiling a job for this machine calls have machine code.  Below 1, the jobs
+        for that machine stay ``received`` while jobs for other machines are compiled.
     """
 
     def __init__(
@@ -101,8 +102,7 @@ class TableQueue:
     def _take_jobs(self, compile: Compile) -> None:
         """Call ``compile`` with one received job after another until the queue is stopped.
 
-        A job is not taken while the kernels (functions) that its compile needs have no machine
-        code.
+        A job is not taken while numba functions that compiling it calls have no machine code.
         """
         with self._store.changes.subscribed(self._received.set):
             while not self._stopping.is_set():
@@ -122,8 +122,9 @@ class TableQueue:
     def _next_job(self) -> Job | None:
         """Take the oldest received job that can be compiled now; return None if there is none.
 
-        A job can be compiled if the kernels (functions) for its machine have machine code.  If they
-        lack it for ``_PATIENCE`` seconds, the jobs of the machine get a message about it.
+        A job can be compiled if the numba functions that compiling it calls have machine code.  If
+        these functions of a machine are without machine code for ``_PATIENCE`` seconds, a message
+        in the jobs for the machine says that the jobs wait.
         """
         machines = self._store.compiles.received_machines()
         compiled = {machine: self._fraction_compiled(machine) for machine in machines}
@@ -167,12 +168,14 @@ def queue_of(
     at_once
         Number of jobs that are compiled at the same time.
     poll
-        Time between two queries of a ``TableQueue`` for jobs of other processes (s).
+        Time between two queries for jobs that another process received (s); not used with
+        PostgreSQL.
     compiles
         False in a process that receives jobs and does not compile them.
     fraction_compiled
-        Function from the name of a machine to the fraction (0 … 1) of its kernels (functions that a
-        compile needs) that have machine code.
+        Function from the name of a cutting machine to a fraction, 0 … 1: how many of the numba
+        functions that compiling a job for this machine calls have machine code.  Not used with
+        PostgreSQL.
     """
     if store.database.url.startswith("postgresql"):
         # DBOS needs 24 MB and polls the database, so it is imported only for PostgreSQL.

@@ -1,10 +1,10 @@
 """compile_service: compiles received jobs in worker processes, and takes back abandoned jobs.
 
-A job is taken from the queue by the UPDATE that sets its state to ``compiling`` with an owner, an
-epoch (a number that increases with each owner) and a lease (ADR 28).  The result of a compile is
-stored in the transaction that moves the job, and only if the job still has the worker's epoch, so
-that a job that is compiled twice has one result.  A job whose worker process ended unexpectedly is
-compiled again.
+An UPDATE takes a job from the queue: it sets the state ``compiling``, the owner, the epoch (a
+number that increases with each new owner) and the lease (the time until which the owner keeps the
+job without renewing the lease; ADR 28).  One transaction stores the result and moves the job to its
+next state, but only if the job still has the epoch of the worker.  A job that is compiled twice
+therefore has one result.  A job whose worker process ended unexpectedly is compiled again.
 """
 
 from __future__ import annotations
@@ -56,7 +56,10 @@ def _kernels_for(machine: str) -> tuple[str, ...]:
 
 @dataclass(slots=True)
 class CompileService:
-    """Threads that compile received jobs and take jobs back from owners whose lease has expired."""
+    """Threads that compile received jobs, and take jobs back from owners whose lease has expired.
+
+    The lease is the time until which a worker or a gateway owns a job without renewing it.
+    """
 
     store: Store
     pool: ProcessPool
@@ -136,12 +139,14 @@ class CompileService:
             self._stopping.wait(_SWEEP if leased else _IDLE_SWEEP)
 
     def compile(self, job: Job) -> None:
-        """Compile a job; store the result, or the message for which the job is refused.
+        """Compile a job and store the result.
+
+        If the job cannot be compiled, it is refused with a message about the reason.
 
         Parameters
         ----------
         job
-            A job that ``CompileStore.begin`` returned.
+            A job in the state ``compiling``, which this worker has taken from the queue.
         """
         id, epoch = job.id, job.epoch
         renewed = time.monotonic()

@@ -1,6 +1,7 @@
 """Repository operations for compile workers: take a job, report progress, store the result.
 
-Each operation on a job that is being compiled checks the epoch of the job.
+Each operation on a job that is being compiled fails if the job has another epoch (a number that
+increases with each new owner) than the worker expects, because the worker then lost the job.
 """
 
 from __future__ import annotations
@@ -32,7 +33,10 @@ class CompileStore:
         self._transitions = transitions
 
     def received_jobs(self) -> list[tuple[str, int]]:
-        """Return id and number of the compile attempt of each job that waits for a compile."""
+        """Return a pair for each job that waits for a compile: the job's id and its attempt number.
+
+        The attempt number counts from 1 how often the job was put in the queue for a compile.
+        """
         query = sa.select(Job.id, Job.attempt).where(Job.state == State.RECEIVED)
         with self._db.reading() as session:
             return [(id, attempt) for id, attempt in session.execute(query)]
@@ -44,16 +48,18 @@ class CompileStore:
             return list(session.scalars(query))
 
     def report_waiting(self, machine: str, progress: float) -> None:
-        """Store in each received job of a machine that it waits until functions are compiled.
+        """Store in each received job of a machine how much of the machine code exists.
 
-        The first such report about a job also writes an event.
+        The job waits for this code, and a message in the job says so.
+
+        The first call that concerns a job also writes an event about the job.
 
         Parameters
         ----------
         machine
             Name of the machine.
         progress
-            Fraction (0 … 1) of the kernels (functions) for the machine that have machine code.
+            Fraction (0 … 1) of the numba functions for the machine that have machine code.
         """
         message = Message("job.awaits-kernels", machine=machine)
         waiting = sa.and_(Job.state == State.RECEIVED, Job.machine == machine)
@@ -78,15 +84,17 @@ class CompileStore:
         only: tuple[str, int] | None = None,
         excluded_machines: Collection[str] = (),
     ) -> Job | None:
-        """Move the oldest received job to ``compiling`` and return it, None if there is none.
+        """Move the oldest received job to ``compiling`` and return it.
+
+        Returns None if no received job meets the conditions ``only`` and ``excluded_machines``.
 
         Parameters
         ----------
         worker
             Name of the worker that becomes the owner of the job.
         only
-            Id and number of the compile attempt of the only job that may be taken; None for any
-            job.
+            The id of the only job that may be taken, and the attempt number (1, 2, …) that this job
+            must have; None for any job.
         excluded_machines
             Names of the machines whose jobs are not taken.
         """
@@ -118,9 +126,9 @@ class CompileStore:
             return self._transitions.lock(session, id)
 
     def recover(self, worker: str) -> None:
-        """Return the jobs that an earlier process of this worker was compiling to the queue.
+        """Put the jobs that an earlier process of this worker was compiling back into the queue.
 
-        A job that has had ``ATTEMPTS`` attempts is refused instead.
+        A job is refused instead after ``ATTEMPTS`` (5) attempts to compile it.
 
         Parameters
         ----------
@@ -133,9 +141,9 @@ class CompileStore:
                 self.take_back(session, row)
 
     def take_back(self, session: Session, row: Job) -> None:
-        """Return a job to the queue after the lease of its worker has expired.
+        """Put a job whose worker is lost back into the queue.
 
-        After ``ATTEMPTS`` attempts the job is refused instead.
+        The job is refused instead after ``ATTEMPTS`` (5) attempts to compile it.
 
         Parameters
         ----------
@@ -175,7 +183,7 @@ class CompileStore:
         Parameters
         ----------
         id, epoch
-            Id of the job, and its epoch when the worker took it.
+            Id of the job, and the epoch (number of the owner) that it had when the worker took it.
         stage, progress
             Present stage of the compile, and completed fraction of the compile (0 … 1).
 
@@ -195,14 +203,22 @@ class CompileStore:
             )
 
     def save_result(self, id: str, epoch: int, result: CompileResult) -> None:
-        """Store the result of a compile; move its job to ``ready``, ``queued`` or ``refused``.
+        """Store the result of a compile, and move its job to the next state.
+
+        The state is ``refused`` if the verifier rejected the program.  Otherwise it is ``queued``
+        if the client ordered the job to be released at once, or else ``ready``.
 
         Parameters
         ----------
         id, epoch
-            Id of the job, and its epoch when the worker took it.
+            Id of the job, and the epoch (number of the owner) that it had when the worker took it.
         result
             Program, tool path, verdict and tools.
+
+        Raises
+        ------
+        WrongState, StaleEpoch
+            The job has another state or epoch, so the worker no longer owns it.
         """
         columns: dict[str, Any] = {
             "program": result.program,
@@ -258,13 +274,18 @@ class CompileStore:
         Parameters
         ----------
         id, epoch
-            Id of the job, and its epoch when the worker took it.
+            Id of the job, and the epoch (number of the owner) that it had when the worker took it.
         message
             Reason for which the job is refused.
         source
             Handles of the entities of the drawing that the message concerns.
         questions
             Questions that the user must answer before the job can be compiled, as JSON data.
+
+        Raises
+        ------
+        WrongState, StaleEpoch
+            The job has another state or epoch, so the worker no longer owns it.
         """
         with self._db.writing() as session:
             self._transitions.move(
@@ -283,12 +304,17 @@ class CompileStore:
             )
 
     def give_back(self, id: str, epoch: int) -> None:
-        """Return a job to the queue after its compile was cancelled.
+        """Put a job back into the queue after its compile was cancelled.
 
         Parameters
         ----------
         id, epoch
-            Id of the job, and its epoch when the worker took it.
+            Id of the job, and the epoch (number of the owner) that it had when the worker took it.
+
+        Raises
+        ------
+        WrongState, StaleEpoch
+            The job has another state or epoch, so the worker no longer owns it.
         """
         with self._db.writing() as session:
             attempt = self._transitions.lock(session, id).attempt

@@ -55,8 +55,9 @@ def _check(url: str) -> None:
 
 
 def dialect_url(url: str) -> str:
-    """Return a database URL that names the driver for PostgreSQL, psycopg.
+    """Return a database URL in the form that SQLAlchemy needs.
 
+    In the URL of a PostgreSQL database, the name of the driver (psycopg) is added to the scheme;
     URLs of other databases are returned unchanged.
     """
     for scheme in ("postgresql://", "postgres://"):
@@ -104,7 +105,8 @@ class Database:
     def writing(self, *, urgent: bool = False) -> Iterator[Session]:
         """Return a context with a database session for writing, in one transaction.
 
-        If the transaction has written events, the subscribers of ``changes`` are called after it.
+        If the transaction has written events, the functions subscribed to the attribute ``changes``
+        are called after the commit.
 
         Parameters
         ----------
@@ -125,7 +127,9 @@ class Database:
     def large_column(
         self, table: type[Drawing] | type[Job], id: str, column: str, kind: str
     ) -> bytes:
-        """Return the content of one large column of a drawing or a job.
+        """Return the content of one large column, such as the program of a job.
+
+        Large columns are not loaded with the other columns of a table row.
 
         Parameters
         ----------

@@ -21,7 +21,10 @@ from knifetip.model.interpretation import Interpretation
 
 @dataclass(frozen=True, slots=True)
 class NewDrawing:
-    """A drawing to store: the file, its interpretation (unit, profile, overrides), its content."""
+    """A drawing to store: its file, its interpretation and the data that were read from it.
+
+    The interpretation contains the unit, the profile and the line types that the user has set.
+    """
 
     name: str  #: file name
     content: bytes  #: the file
@@ -116,23 +119,32 @@ class DrawingStore:
         return None if row is None else same_request(row, key, fingerprint)
 
     def get(self, id: str) -> Drawing:
-        """Return the drawing with an id; its large columns are not loaded."""
+        """Return the drawing with an id, without the file, the edges and other large columns.
+
+        Raises
+        ------
+        NoSuchJob
+            There is no drawing with this id (jobs and drawings have the same error class).
+        """
         return self.get_with(id)
 
     def get_with(self, id: str, *columns: str) -> Drawing:
-        """Return a drawing with some of its large columns, all of the same revision.
+        """Return a drawing with the large columns that are named.
+
+        One query reads all columns, so that they belong to the same version of the drawing.
 
         Parameters
         ----------
         id
             Id of the drawing.
         columns
-            Names of the large columns to load.
+            Names of the large columns to load: ``content``, ``overrides``, ``edges`` or
+            ``import_report``.
 
         Raises
         ------
         NoSuchJob
-            There is no drawing with this id.
+            There is no drawing with this id (jobs and drawings have the same error class).
         """
         large = [undefer(getattr(Drawing, column)) for column in columns]
         with self._db.reading() as session:
@@ -149,7 +161,15 @@ class DrawingStore:
         id
             Id of the drawing.
         column
-            ``content``, ``overrides``, ``edges`` or ``import_report``.
+            ``content`` (the file), ``overrides`` (line types that the user has set), ``edges`` or
+            ``import_report``.
+
+        Raises
+        ------
+        NoSuchJob
+            There is no drawing with this id (jobs and drawings have the same error class).
+        WrongState
+            The column is empty.
         """
         return self._db.large_column(Drawing, id, column, "drawing")
 

@@ -1,8 +1,10 @@
-"""durable_queue: compiles as durable workflows of DBOS, for several processes or machines.
+"""durable_queue: compiles jobs in durable workflows, for several processes or computers.
 
-Each received job becomes the workflow "compile-JOB-ATTEMPT" on the queue of DBOS, which a worker
-process executes.  The workflow contains only the id and the attempt of the job.  After a worker
-has died, the job gets a new attempt with a new workflow; the earlier workflow then does nothing.
+A durable workflow is a function call that the library DBOS records in the database and repeats if
+the process dies.  Each received job becomes the workflow "compile-JOB-ATTEMPT" in the queue of
+DBOS, from which a worker process takes it.  The arguments of the workflow are the id of the job and
+the attempt number.  After a worker has died, the job gets the next attempt number and a new
+workflow; the earlier workflow then does nothing.
 """
 
 from __future__ import annotations
@@ -23,7 +25,9 @@ _log = logging.getLogger("knifetip.jobs")
 
 
 class DurableQueue:
-    """A queue of compiles in DBOS.  A process can have only one such queue.
+    """A queue that compiles received jobs in workflows of the library DBOS.
+
+    A process can have only one such queue.
 
     Parameters
     ----------
@@ -81,10 +85,10 @@ class DurableQueue:
         self._submitting.start()
 
     def _submit(self) -> None:
-        """Submit received jobs to the queue of DBOS until this queue is stopped.
+        """Submit received jobs to the queue of the library DBOS, until this object is stopped.
 
-        Jobs that this process received are submitted at once, other jobs within about ``_POLL``
-        seconds.
+        A job that this process received is submitted at once.  A job that another process received
+        is submitted within about ``_POLL`` seconds.
         """
         submitted: set[tuple[str, int]] = set()
         with self._store.changes.subscribed(self._received.set):

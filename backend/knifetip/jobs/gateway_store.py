@@ -103,12 +103,14 @@ class GatewayStore:
     def queues(self, machines: Collection[str], max_age: float) -> dict[str, Queue]:
         """Return the state of the queue of each machine, by name of the machine.
 
+        The state includes whether a gateway of the machine is connected.
+
         Parameters
         ----------
         machines
             Names of the machines.
         max_age
-            Seconds without a request after which a gateway counts as absent.
+            A gateway without a job is connected if its last request is at most this old (s).
         """
         connected = self.connected_machines(max_age)
         ahead = sa.select(Job.machine, Job.id, Job.state).where(
@@ -131,16 +133,18 @@ class GatewayStore:
     def claim(self, machine: str, gateway: str, *, manual: bool) -> Job | None:
         """Assign the next queued job of a machine to a gateway; return None if there is none.
 
+        Each claim gives the job a new epoch: a number that the gateway sends with all its reports.
+
         Parameters
         ----------
         machine, gateway
             Name of the machine, and name of its gateway.
         manual
-            Whether the operator must confirm the sheet.  If True, the job stays ``queued``, and the
-            gateway sends nothing to the machine until a heartbeat is answered with ``start``; if
-            the gateway claims again meanwhile, it gets the same job under a new epoch, and the
-            operator must confirm again.  If False, the state ``running`` is committed before this
-            method returns, and so before anything is sent to the controller.
+            Whether the operator must confirm that the sheet is on the table.  If True, the job
+            stays ``queued``, and the gateway sends nothing to the machine until ``heartbeat``
+            returns ``start``.  If the gateway claims again before that, it gets the same job with a
+            new epoch, and the operator must confirm again.  If False, the job is stored as
+            ``running`` before this method returns, and so before anything is sent to the machine.
 
         Raises
         ------
@@ -208,16 +212,16 @@ class GatewayStore:
         Parameters
         ----------
         id, epoch
-            Id of the job, and epoch under which the gateway claimed it.
+            Id of the job, and the epoch (number of the owner) of the gateway's claim.
         report
             Progress of the job.
 
         Returns
         -------
         str
-            ``wait`` or ``start`` if the gateway waits for the operator's confirmation, otherwise
-            ``continue``, ``hold`` or ``resume``; in both cases it can also be ``cancel``.  The
-            state ``running`` is committed before ``start`` is returned.
+            ``wait``, ``start`` or ``cancel`` if the gateway waits for the operator's confirmation;
+            otherwise ``continue``, ``hold``, ``resume`` or ``cancel``.  Before ``start`` is
+            returned, the job is stored as ``running``.
 
         Raises
         ------
@@ -237,7 +241,10 @@ class GatewayStore:
     def _answer_waiting(self, session: Session, row: Job) -> str:
         """Return the command for a gateway that has not sent anything to the machine yet.
 
-        If the operator has confirmed the job, this method starts it, or holds it before its start.
+        Returns ``wait`` until the operator has confirmed the job, then ``start``, and ``cancel`` if
+        the operator has cancelled it.  After the confirmation the job is stored as ``running``.  If
+        the operator has also requested a hold, it becomes ``held``, and ``wait`` is returned until
+        the operator resumes it.
 
         Parameters
         ----------
@@ -271,7 +278,8 @@ class GatewayStore:
     def _start(self, session: Session, row: Job, **changes: Any) -> Job:
         """Move a claimed job to ``running`` and return it.
 
-        The caller has checked that the operator confirmed the job, or that its gateway runs it.
+        This method is called after the operator's confirmation, or if the gateway reports that it
+        has already begun to send the program.
 
         Parameters
         ----------
@@ -299,7 +307,11 @@ class GatewayStore:
         )
 
     def _answer_running(self, session: Session, row: Job, report: GatewayReport) -> str:
-        """Store the report of a gateway on its running job; return the command for the gateway.
+        """Store the report of a gateway on its running job, and return the command for the gateway.
+
+        The command is ``cancel`` if the operator has requested this.  Otherwise it is ``hold`` if a
+        confirmation of the operator is missing, else the action that the operator has requested
+        (``hold`` or ``resume``), or ``continue`` without a request.
 
         Parameters
         ----------
@@ -368,22 +380,22 @@ class GatewayStore:
     ) -> Job:
         """Store a gateway's report that a job has ended, and return the job.
 
-        A repeated report has no effect.  The last owner may report late: while the job is still
-        ``interrupted``, the outcome ``done`` ends the job, and any other outcome corrects its line
-        and its message.
+        A repeated report has no effect.  The last owner may also report after its lease has expired
+        and the job has become ``interrupted``: the outcome ``done`` then moves the job to ``done``,
+        and any other outcome only corrects the line and the message of the job.
 
         Parameters
         ----------
         id, epoch
-            Id of the job, and epoch under which the gateway claimed it.
+            Id of the job, and the epoch (number of the owner) of the gateway's claim.
         outcome
-            ``done``, ``interrupted`` or ``cancelled``; ``returned`` releases a claim that was never
-            started, with nothing sent to the machine.
+            ``done``, ``interrupted`` or ``cancelled``; ``returned`` puts the job back into the
+            queue, if the gateway has sent nothing to the machine.
         cause
             Cause that the gateway reports; None if it reports none.
         line, copies_done
-            Last executed line, and copies completed under this claim; None for the values of the
-            last heartbeat.
+            Number of the last executed program line, and number of copies completed since the
+            gateway claimed the job; None for the values of the last heartbeat.
 
         Raises
         ------
@@ -451,7 +463,7 @@ class GatewayStore:
         self._gateway_moves(session, row, goal, event, **ended)
 
     def give_back(self, session: Session, row: Job, actor: Actor, cause: Message) -> None:
-        """Return a claimed job that was never started to its former position in the queue.
+        """Put a claimed job that was never started back into the queue, at its former position.
 
         Parameters
         ----------

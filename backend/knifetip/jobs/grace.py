@@ -1,4 +1,7 @@
-"""Detects when this process has missed heartbeats, so that gateways must not count as silent."""
+"""Detects that this process could not receive heartbeats for some time.
+
+A gateway must then not count as silent, because it may have sent heartbeats in that time.
+"""
 
 from __future__ import annotations
 
@@ -6,10 +9,11 @@ from knifetip.jobs.transitions import LEASE
 
 
 class Grace:
-    """Decides whether a gateway without a valid lease counts as silent.
+    """Determines when gateways without a valid lease count as silent again after a pause.
 
-    A process has missed heartbeats if it has just started, was suspended, or had its clock set.
-    For the duration of one lease after that, no gateway counts as silent.
+    A process cannot receive heartbeats, which renew leases, before its start and while it is
+    suspended.  For the duration of one lease after a start, a suspension or a change of the clock,
+    no gateway counts as silent.
     """
 
     def __init__(self) -> None:

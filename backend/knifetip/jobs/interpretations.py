@@ -1,6 +1,7 @@
 """Functions that convert between an ``Interpretation`` and the columns of a drawing or a job.
 
-An interpretation contains the unit, the profile and the overrides with which a file is read.
+An interpretation contains the user's decisions about a drawing: unit, profile, overrides (line
+types of single edges) and corner types.
 """
 
 from __future__ import annotations

@@ -4,13 +4,14 @@
                   ↘ refused                    ↘ interrupted → queued again | scrapped
     cancelled from any state before done
 
-A compile may be repeated.  A cut may not, since the board is used up and a blade may be in it, so
-only an operator returns a job from ``interrupted`` to the queue.  A late report of the last owner
-may correct an interrupted job, up to ``done``, but never restarts it.
+The program repeats a failed compile by itself.  It does not repeat a failed cut, since the board is
+used up and a blade may be in it: only an operator returns a job from ``interrupted`` to the queue.
+A late report of the last owner may move an interrupted job to ``done`` or correct its message, but
+it never restarts the job.
 
 On a machine with manual feed, a gateway claims a queued job and waits: the job stays ``queued``
-until the operator has confirmed the sheet (see ``Confirmation``).  Nothing is sent to the machine
-before, so such a claim is released when its lease expires.
+until the operator has confirmed the sheet (see ``Confirmation``).  The gateway sends nothing to the
+machine before the confirmation, so the claim can be released safely when its lease expires.
 """
 
 from __future__ import annotations
@@ -101,7 +102,11 @@ class Action(StrEnum):
 
 
 class Transition(NamedTuple):
-    """A permitted change of a job's state: both states, the action, and the permitted actors."""
+    """A permitted change of a job's state, with its action.
+
+    It contains the state before, the state after, and the kinds of actors that may perform the
+    action.
+    """
 
     source: State
     action: Action
@@ -159,7 +164,7 @@ ADVICE: dict[State, Message] = {
 
 
 def sources(action: Action, actor_kind: ActorKind) -> tuple[State, ...]:
-    """Return the states of a job from which an action may be performed.
+    """Return the states of a job from which an action may be performed, () if there are none.
 
     Parameters
     ----------

@@ -37,7 +37,10 @@ from knifetip.model.interpretation import Interpretation
 
 @dataclass(frozen=True, slots=True)
 class JobOrder:
-    """Data of a new job beside its drawing: machine, board, interpretation and number of copies."""
+    """Data of a new job, except its drawing: machine, board, interpretation and number of copies.
+
+    The interpretation contains the user's decisions about the drawing, such as unit and profile.
+    """
 
     machine: str
     board: str
@@ -143,13 +146,24 @@ class JobStore:
         ----------
         key, fingerprint
             Idempotency-Key and hash of the present request.
+
+        Raises
+        ------
+        KeyReused
+            The key was used for a request with another fingerprint.
         """
         with self._db.reading() as session:
             row = session.scalar(sa.select(Job).where(Job.key == key))
         return None if row is None else same_request(row, key, fingerprint)
 
     def get(self, id: str) -> Job:
-        """Return the job with an id; its large columns are not loaded."""
+        """Return the job with an id, without the program, the tool path and other large columns.
+
+        Raises
+        ------
+        NoSuchJob
+            There is no job with this id.
+        """
         with self._db.reading() as session:
             row = session.scalar(sa.select(Job).where(Job.id == id))
         if row is None:
@@ -271,8 +285,9 @@ class JobStore:
     def confirm(self, id: str, board: str = "", by: str = "") -> Job:
         """Confirm that the table is clear and that the board and the tools of the job are in place.
 
-        Starts a claimed job or the next copy of a job that waits for a sheet, or resumes a job that
-        was started without a confirmation.  A repeated confirmation has no effect.
+        After this, the gateway starts the claimed job, or the next copy of a job that waits for a
+        new sheet.  If the gateway started the job without waiting for a confirmation and the job
+        was held for that reason, it is resumed.  A repeated confirmation has no effect.
 
         Parameters
         ----------
@@ -341,16 +356,16 @@ class JobStore:
                 )
 
     def hold(self, id: str) -> Job:
-        """Request the gateway of a job to hold the machine; return the job.
+        """Store the request to hold a job, which its gateway carries out; return the job.
 
         The job becomes ``held`` when the machine has stopped.
         """
         return self._request(id, OperatorAction.HOLD)
 
     def resume(self, id: str) -> Job:
-        """Request the gateway of a held job to resume it; return the job.
+        """Store the request to resume a job, which its gateway carries out; return the job.
 
-        Between two copies, the request confirms that a new sheet is on the table.
+        Between two copies, the request also confirms that a new sheet is on the table.
         """
         return self._request(id, OperatorAction.RESUME)
 

@@ -15,7 +15,10 @@ from knifetip.messages import Message
 
 
 class LeaseSweep:
-    """Takes jobs back from workers and gateways whose lease has expired."""
+    """Takes jobs back from workers and gateways whose lease has expired.
+
+    The lease is the time until which a worker or a gateway owns a job without renewing it.
+    """
 
     def __init__(
         self,

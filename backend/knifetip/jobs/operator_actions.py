@@ -58,12 +58,16 @@ def allowed_actions(row: Job, now: float) -> list[OperatorAction]:
 
 
 def _apply_request(row: Job, state: State, allowed: set[OperatorAction]) -> None:
-    """Change the allowed actions of a job if the operator has already requested an action.
+    """Change the allowed actions of a job on a table according to the operator's last request.
+
+    A requested cancel removes hold and resume.  A requested hold or resume that the machine has not
+    carried out allows the opposite action.  Resume is removed while the job must be confirmed
+    first.
 
     Parameters
     ----------
     row, state
-        The job and its state.
+        The job and its state, ``running`` or ``held``.
     allowed
         Allowed actions; changed in place.
     """

@@ -162,7 +162,8 @@ class ProcessPool:
         limit
             Time allowed for the task (s), for the error message.
         watch
-            See ``run``.
+            Called with each stage and fraction that the task reports, and with the last report
+            again at least once per second.  It returns False to cancel the task.
 
         Returns
         -------

@@ -46,16 +46,17 @@ class ProfileStore:
         version
             Version of the stored profile on which the change is based; None to create a profile.
         anyway
-            Whether to replace the stored profile whatever version it has.
+            Whether to replace the stored profile whatever version it has, or to create it if there
+            is none.
 
         Raises
         ------
         StaleVersion
             The stored profile has another version.
         WrongState
-            The profile exists already, or there are too many profiles.
+            The profile to create exists already, or there are too many profiles.
         NoSuchJob
-            The profile was deleted.
+            The profile to replace was deleted (jobs and profiles have the same error class).
         """
         now = self._db.clock()
         if version is None and not anyway:

@@ -40,10 +40,11 @@ def preview(
     Returns
     -------
     dict
-        ``rules``: for each rule of the other profile, the fields of ``rule_json``, whether the rule
-        is inherited (``inherited``), and number (``edges``) and total length in mm (``length``) of
-        the edges that it matches; ``open``: number of edges that no rule matches; ``changes``:
-        edges that would get another line type, as in ``_changes``.
+        ``rules``: for each rule of the other profile, the rule as JSON data with whether it is
+        inherited from another profile (``inherited``), and number (``edges``) and total length in
+        mm (``length``) of the edges that it matches; ``open``: number of edges that no rule
+        matches; ``changes``: edges that would get another line type, grouped by ``before`` and
+        ``after`` (names of the two line types), with ``edges`` (rows of the edges).
     """
     from knifetip import pipeline
     from knifetip.classification.decision.profile_rules import matching_rules
@@ -83,9 +84,10 @@ def learn(
 ) -> list[dict[str, Any]]:
     """Return proposed rules that give edges the line types which the user has set by hand.
 
-    Line types that no rule explains without contradiction get rules by layer and colour.  Each
-    proposed rule is listed with the other edges that it would change: if the user set ten red edges
-    of a layer to crease, an eleventh may have been overlooked.
+    Rules are sought that match no edge with a different line type.  Edges for which there is no
+    such rule get rules by layer and colour.  Each proposed rule is listed with the other edges that
+    it would change: if the user set ten red edges of a layer to crease, an eleventh red edge may
+    have been overlooked.
 
     Parameters
     ----------
@@ -98,10 +100,11 @@ def learn(
     Returns
     -------
     list of dict
-        ``rule``: the rule as in ``rule_json``; ``explains``: rows of the edges to which the rule
-        gives the line type that the user has set; ``sure``: whether the rule changes only edges
-        that have no line type yet; ``changes``: other edges that the rule would change, as in
-        ``_changes``.  Sure rules come first.
+        ``rule``: the rule as JSON data; ``explains``: rows of the edges to which the rule gives the
+        line type that the user has set; ``sure``: whether the rule changes only edges that have no
+        line type yet; ``changes``: other edges that the rule would change, grouped by ``before``
+        and ``after`` (names of the two line types), with ``edges`` (rows of the edges).  The list
+        begins with the rules that are ``sure``.
     """
     from knifetip import pipeline
     from knifetip.classification.decision.profile_rules import matching_rules
@@ -145,7 +148,10 @@ def learn(
 
 
 def _by_attributes(drawing: Drawing, overrides: U8, rows: list[int]) -> list[LineRule]:
-    """Return one rule per layer and colour whose edges all got the same line type from the user.
+    """Return rules that give edges with the same layer and colour the line type set by the user.
+
+    There is one rule for each pair of layer and colour, if the user gave all considered edges of
+    the pair the same line type.
 
     Parameters
     ----------
@@ -177,7 +183,11 @@ def _by_attributes(drawing: Drawing, overrides: U8, rows: list[int]) -> list[Lin
 
 
 def rule_json(rule: LineRule) -> dict[str, Any]:
-    """Return a rule as JSON data: its line type, and its conditions by name of the field."""
+    """Return the line type and the conditions of a rule as JSON data.
+
+    The conditions are listed by field (``layer``, ``colour``, …), and ``conditions`` describes all
+    of them in a message.
+    """
     colours: list[int | str] = [*rule.colour, *(f"#{colour:06x}" for colour in rule.true_colour)]
     return {
         "type": rule.line_type.word,
@@ -191,7 +201,7 @@ def rule_json(rule: LineRule) -> dict[str, Any]:
 
 
 def _changes(before: U8, after: U8) -> list[dict[str, Any]]:
-    """Return the edges that have two different line types, grouped by both line types.
+    """Return the edges whose line type changes, grouped by their line types before and after.
 
     Parameters
     ----------
@@ -201,7 +211,7 @@ def _changes(before: U8, after: U8) -> list[dict[str, Any]]:
     Returns
     -------
     list of dict
-        ``before`` and ``after``: names of the two line types; ``edges``: rows of the edges.
+        ``before`` and ``after``: names of the line types; ``edges``: rows of the edges.
     """
     rows = np.flatnonzero(before != after)
     pairs, pair = np.unique(

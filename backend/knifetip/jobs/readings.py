@@ -83,10 +83,11 @@ def read_drawing(content: bytes, unit: str) -> Drawing:
 
 
 def _new_overrides(stored: Interpretation, interpretation: Interpretation) -> U8 | None:
-    """Return the overrides with which a stored drawing becomes the wanted one, (n,), or None.
+    """Return the overrides that must still be applied to a stored drawing, (n,), or None.
 
-    There is one override per edge: ``NO_OVERRIDE`` or a LineType.  Returns None if the file must be
-    read again.
+    An override is the LineType that the user has set for an edge.  Edges that already have the
+    right line type have ``NO_OVERRIDE``.  Returns None if the file must be read again, because unit
+    or profile differ or an override was removed.
 
     Parameters
     ----------

@@ -1,8 +1,9 @@
 """The store: drawings, profiles, jobs and their events in SQLite or PostgreSQL.
 
 A transition of a job is one UPDATE … WHERE state IN … in one transaction with its event.  If two
-clients claim the same job, or two jobs need the same table, the database refuses one of them: by
-that WHERE clause, by the epoch of the job, and by a unique index on the machine of jobs on a table.
+clients claim the same job, or two jobs need the same table, the database refuses one of them.  It
+does so by the WHERE clause, by the job's epoch (a number that increases with each owner), and by a
+unique index that permits one job on the table of each machine.
 """
 
 from __future__ import annotations

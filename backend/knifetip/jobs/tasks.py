@@ -1,7 +1,7 @@
 """Tasks of the worker processes; their arguments and results are bytes and JSON data.
 
 The tasks read a drawing, find the open questions before a compile, compile a job, report the
-cleaning of a drawing, and compile kernels.
+cleaning of a drawing, and compile functions to machine code with numba.
 """
 
 from __future__ import annotations
@@ -67,12 +67,13 @@ def read(
     content
         File of the drawing.
     interpretation
-        Unit, profile and overrides.  The overrides belong to the edges of an earlier reading of the
-        same file.
+        Unit, profile and overrides (line types that the user has set).  The overrides belong to the
+        n edges that were found when the same file was read before.
     handles : (n,)
-        Handles of the edges of that earlier reading; None if there was none.  Overrides are carried
-        over by row if the handles are equal, else by handle if all edges with the handle have the
-        same override.
+        Handles of the edges found before; None if the file was not read before, and the overrides
+        are not used.  If the edges found now have the same handles, they get the same overrides.
+        Otherwise an edge gets the override that all earlier edges with its handle had, if they had
+        the same one.
     """
     from knifetip import pipeline
 
@@ -98,19 +99,21 @@ def read(
 
 
 def _carry_over(before: U8, handles: Sequence[str], new_handles: Sequence[str]) -> U8:
-    """Return the overrides for the edges of a new reading from those of an earlier one, (m,).
+    """Return overrides for m edges from the overrides of n edges of the same file, shape (m,).
 
-    If the handles are equal, so are the overrides.  Otherwise an edge gets the override that all
-    edges with its handle have in the earlier reading, or ``NO_OVERRIDE``.
+    An override is the LineType that the user has set for an edge, or ``NO_OVERRIDE``.  The n edges
+    were found when the file was read before, the m edges now.  If the two lists of handles are
+    equal, the overrides are copied.  Otherwise a new edge gets the override that all earlier edges
+    with its handle have in common, or ``NO_OVERRIDE`` if there is none.
 
     Parameters
     ----------
     before : (n,)
-        Overrides of the edges of the earlier reading.
+        Overrides of the earlier edges.
     handles : (n,)
-        Handles of these edges.
+        Handles of the earlier edges.
     new_handles : (m,)
-        Handles of the edges of the new reading.
+        Handles of the new edges.
     """
     if list(handles) == list(new_handles):
         return before
@@ -230,7 +233,7 @@ def _result(compiled: Compiled, handles: Sequence[str], table: Machine) -> Compi
     handles : (n,)
         Handles of the edges of the drawing.
     table
-        Machine of the program.
+        The machine for which the program was made.
     """
     verdict = compiled.verdict
     findings = findings_json(verdict, handles)
@@ -263,14 +266,14 @@ def _result(compiled: Compiled, handles: Sequence[str], table: Machine) -> Compi
 
 
 def missing_kernels(_progress: Progress, groups: Sequence[str]) -> list[Part]:
-    """Return the modules of some groups of kernels in which a kernel has no machine code.
+    """Return the modules in which kernels lack machine code, with the number of these kernels.
 
-    Kernels are functions that are compiled once after an installation.
+    Kernels are functions that numba compiles once after an installation.
 
     Parameters
     ----------
     groups
-        Names of the groups, from ``warming.GROUPS``.
+        Names of the groups of modules to search, from ``warming.GROUPS``.
     """
     return missing_parts(*groups)
 

@@ -1,7 +1,8 @@
 """Transitions of jobs, each in one transaction with its event.
 
 A transition is one UPDATE … WHERE state IN … (AND epoch = …), so that only one of two concurrent
-transitions succeeds.  The table of transitions is in ``job``.
+transitions succeeds.  The epoch is a number that increases with each new owner of a job.  The
+module ``job`` contains the table of permitted transitions.
 """
 
 from __future__ import annotations
