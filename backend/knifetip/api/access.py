@@ -41,7 +41,11 @@ _AUTHORITY = re.compile(r"(\[[0-9a-f:.]+\]|[a-z0-9._-]+)(?::([0-9]{1,5}))?", re.
 
 @dataclass(frozen=True, slots=True)
 class AccessRules:
-    """Settings of the access control: the key, the accepted Host names, and the bound addresses."""
+    """Settings of the access control.
+
+    They are the access key, the accepted Host names, and whether the server is bound to loopback
+    addresses only.
+    """
 
     key: str = ""  #: empty: only requests from this computer are served
     hosts: tuple[str, ...] = ()  #: additional NAME or NAME:PORT accepted in the Host header
@@ -90,7 +94,7 @@ def find_refusal(rules: AccessRules, facts: RequestFacts, now: float) -> Refusal
     facts
         Method, path, headers and addresses of the request.
     now
-        Current time in seconds since 1970; a session that ends before it is invalid.
+        Current time in seconds since 1970, with which the expiry of sign-in sessions is compared.
     """
     bearer = _bearer(facts.authorization) if rules.key else None
     keyed = bearer is not None and same_key(bearer, rules.key)
@@ -147,9 +151,10 @@ def _foreign_page(facts: RequestFacts, host: Authority) -> Refusal | None:
 
 
 def _html_form(facts: RequestFacts) -> Refusal | None:
-    """Return a refusal if an HTML form sent a request to a route of the API, otherwise None.
+    """Return a refusal if a request to the API may come from an HTML form, otherwise None.
 
-    Browsers let the pages of any web site send HTML forms to this server.
+    Such requests have a content type that HTML forms use.  They are refused because a form on any
+    web site can send a request to this server from the browser of a user.
     """
     kind = facts.content_type.partition(";")[0].strip().lower()
     if facts.method in _SAFE or not _is_api(facts.path) or kind not in _FORMS:
@@ -160,9 +165,10 @@ def _html_form(facts: RequestFacts) -> Refusal | None:
 def _without_key(
     rules: AccessRules, facts: RequestFacts, host: Authority, now: float
 ) -> Refusal | None:
-    """Return a refusal if a request without a key needs a session and has none, otherwise None.
+    """Return a refusal if a request that contains no key is not permitted, otherwise None.
 
-    Health checks, and requests from this computer to a loopback address, need no session.
+    Such a request is permitted if it is a health check, if it comes from this computer and is sent
+    to a loopback address, or if it has a valid sign-in session.
 
     Parameters
     ----------
@@ -173,7 +179,7 @@ def _without_key(
     host
         Name and port in the Host header of the request.
     now
-        Present time (seconds since 1970).
+        Current time in seconds since 1970, with which the expiry of the session is compared.
     """
     if facts.path in OPEN_PATHS and facts.method in _SAFE:
         return None
@@ -190,10 +196,10 @@ def _without_key(
 def _is_listed(rules: AccessRules, facts: RequestFacts, host: Authority) -> bool:
     """Return whether the Host header of a request names this server.
 
-    It must contain a loopback name, the local address of the connection, or one of ``rules.hosts``.
-    This prevents DNS rebinding, because a rebound name is none of the three.  A name server cannot
-    forge the local address, so a server that listens on all interfaces needs no list of its
-    addresses.
+    It must contain a loopback name, the local IP address of the connection, or an entry of
+    ``rules.hosts``.  This prevents DNS rebinding: an attacker can let a domain name of his own
+    refer to this server, but the Host header then contains this domain name, so the request is
+    refused.
 
     Parameters
     ----------
@@ -220,7 +226,8 @@ def _is_listed(rules: AccessRules, facts: RequestFacts, host: Authority) -> bool
 def parse_authority(text: str) -> Authority | None:
     """Return name and port of a text ``NAME[:PORT]``, or None if the text is malformed.
 
-    The name is in lower case, for an IPv6 address without brackets; the port is None if absent.
+    The name is returned in lower case; the brackets around an IPv6 address are removed.  The port
+    is None if the text contains no port.
     """
     match = _AUTHORITY.fullmatch(text)
     if match is None:
@@ -331,9 +338,10 @@ class Access:
     async def _sign_in(
         self, request: Request, facts: RequestFacts, refused: Refusal | None
     ) -> Response | None:
-        """Return the response to a sign-in or to a refused request; None for accepted requests.
+        """Return the response to a sign-in or to a refused request, or None to forward the request.
 
-        A browser that requests the page without a key receives the sign-in page.
+        A sign-in is a request with the key in its URL or in the sign-in form.  If the request is
+        refused and comes from a browser that loads the page, the response is the sign-in page.
 
         Parameters
         ----------

@@ -152,7 +152,10 @@ async def _ready(service: ServiceDep, response: Response) -> Health:
 
 
 async def _status(service: ServiceDep) -> ServiceOut:
-    """Get the version of the server, and the progress of compiling functions after installation."""
+    """Get the version of the server, and its progress in compiling functions to machine code.
+
+    They are compiled once after an installation; uploads and jobs wait until this is complete.
+    """
     progress = service.warm_up.progress
     return ServiceOut(
         version=version("knifetip"),
@@ -237,7 +240,10 @@ def _operation_id(route: APIRoute) -> str:
 
 
 def _openapi(app: FastAPI) -> dict[str, Any]:
-    """Return the OpenAPI 3.1 schema of an application, with error format and message codes."""
+    """Return the OpenAPI 3.1 schema of an application.
+
+    The schema also describes the error responses of all routes and the codes of all messages.
+    """
     described = get_openapi(
         title=app.title,
         version=app.version,

@@ -116,10 +116,11 @@ def read_drawing(
     name, content
         Name and bytes of the file.
     interpretation
-        Unit, profile and overrides with which the file is read and classified.
+        Unit, profile and overrides with which the file is read and classified.  An override is a
+        line type that the user has set for one edge.
     handles : (n,)
-        Handles of the n edges to which the overrides of the interpretation belong; None if the
-        drawing is new.
+        Handle of each of the n edges (the identifier of its entity in the file) when the overrides
+        were set; None if the drawing is new, so that it has no overrides.
 
     Raises
     ------
@@ -138,7 +139,7 @@ def read_drawing(
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """New interpretation of a drawing, with the message about the change for the log of events."""
+    """New interpretation of a drawing (unit, profile, line types), and the log message about it."""
 
     interpretation: Interpretation
     event: Message
@@ -153,23 +154,28 @@ def apply_change(
 ) -> DrawingOut:
     """Change the interpretation of a drawing, classify it again, and return its API model.
 
+    The interpretation consists of unit, profile and line types set by the user.
+
     Parameters
     ----------
+    service
+        The server.
     response
         Gets the header ``ETag``.
     id
         Id of the drawing.
     match
-        If-Match header of the request; None applies the change to the newest revision.
+        If-Match header of the request.  If it is None or ``*``, the change applies to the newest
+        revision, and is repeated if another request changes the drawing meanwhile.
     decide
-        Function from the newest revision of the drawing to the change.
+        Called with the newest revision of the drawing; returns the change.
 
     Raises
     ------
     StaleRevision
         The drawing has another revision than ``match``.
     WrongState
-        Other requests changed the drawing during every attempt.
+        Other requests changed the drawing during each of several attempts.
     """
     for _ in range(_ATTEMPTS):
         row = service.store.drawings.get_with(id, "content", "overrides", "edges")
@@ -200,7 +206,10 @@ def apply_change(
 
 
 def drawing_etag(drawing: DrawingOut) -> str:
-    """Return the ETag of a drawing, made from its revision and its ``profile_state``."""
+    """Return the ETag of a drawing, made from its revision and the state of its profile.
+
+    The profile's state is "current", "changed" or "deleted" since the drawing was classified.
+    """
     return etag(drawing.revision, drawing.profile_state)
 
 

@@ -93,7 +93,7 @@ def list_drawings(
 def get_drawing(
     service: ServiceDep, response: Response, id: DrawingId, known: IfNoneMatch = None
 ) -> DrawingOut | Response:
-    """Get a drawing with its open questions and its import report.
+    """Get a drawing with its import report and the questions that the user must still answer.
 
     The status is 304 if ``If-None-Match`` contains the ETag of the drawing.
     """

@@ -1,7 +1,8 @@
 """The embedded service: server, compile worker, gateway and simulated machine in one process.
 
 Killing the process loses no job.  After a restart queued jobs are still queued, jobs that were
-being compiled are compiled again, and a job that was on the table is interrupted.
+being compiled are compiled again, and the job that the machine was executing has the state
+``interrupted``.
 """
 
 from __future__ import annotations
@@ -48,7 +49,11 @@ def _print_line(line: str) -> None:
 
 @dataclass(frozen=True, slots=True)
 class Parts:
-    """Parts of the embedded service: whether samples, simulated machine and compile workers run."""
+    """Optional parts of the embedded service, and the speed of the simulated machine.
+
+    The optional parts are the sample drawings, the simulated machine and the compile workers; the
+    fields state which of them are used.
+    """
 
     samples: bool = True  #: add the sample drawings to a new database
     simulator: bool = True  #: run a simulated machine with its gateway
@@ -189,9 +194,10 @@ def _how_to_open(port: int, key: str, key_file: Path | None) -> str:
 
 
 def _journal_path(database: str) -> Path | None:
-    """Return the path of the gateway's journal, which is beside the database file.
+    """Return the path of the gateway's journal, a file beside the database file.
 
-    It is None if the database is not a SQLite file.
+    In the journal the gateway records the progress and the end of each job.  The path is None if
+    the database is not a SQLite file.
 
     Parameters
     ----------
@@ -290,9 +296,11 @@ class _Server(uvicorn.Server):
             self.announce(line)
 
     async def main_loop(self) -> None:
-        """Update the Date header of responses once a second until the server must exit.
+        """Run the main loop of the server until the server must exit.
 
-        The main loop of uvicorn does this ten times a second.
+        The loop runs once a second, to update the Date header of responses.  It replaces the loop
+        of uvicorn, which runs ten times a second and so uses more processor time while the server
+        is idle.
         """
         self._loop = asyncio.get_running_loop()
         while not await self.on_tick(0):

@@ -31,10 +31,11 @@ _CONTACT_INTERVAL = 2.0  # seconds between two records of a gateway's contact
 
 @router.post("/claim", response_model=Claim, responses={204: {"description": "No job"}})
 async def claim(service: ServiceDep, request: Request, claimant: ClaimIn) -> Claim | Response:
-    """Wait for the next job of a machine and claim it; 204 if there is none for ``wait`` seconds.
+    """Claim the next job of a machine for a gateway, and wait for one if there is none yet.
 
-    If ``confirm`` is true in the response, nothing may be sent to the machine before the operator
-    confirms the job.
+    The status is 204 if no job is available within ``wait`` seconds, a field of the request.  If
+    ``confirm`` is true in the response, the gateway must send nothing to the machine before the
+    operator confirms the job.
     """
     check_library_name("machines", claimant.machine)
     deadline = time.monotonic() + claimant.wait
@@ -109,8 +110,9 @@ async def heartbeat(service: ServiceDep, report: HeartbeatIn) -> HeartbeatOut:
 async def finish(service: ServiceDep, report: FinishIn) -> JobOut:
     """Report that a job has ended, with its outcome.
 
-    The last gateway of an interrupted job may report late; the report ends the job, or corrects the
-    last executed line and the message of the job.
+    A job is interrupted by the server if its gateway sends no heartbeats.  This gateway may still
+    report later: the outcome ``done`` ends the job, and any other outcome corrects the last
+    executed line and the message of the interrupted job.
     """
     return await service.threads.reports(_finish_job, service, report)
 

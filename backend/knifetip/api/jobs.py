@@ -56,9 +56,11 @@ router = APIRouter(prefix="/jobs", tags=["jobs"])
 def order_job(
     service: ServiceDep, response: Response, order: JobIn, key: IdempotencyKey = None
 ) -> JobOut:
-    """Create a job and compile it; 409 with ``questions`` if the drawing has open questions.
+    """Create a job; the server then compiles and verifies its program in the background.
 
-    The program is compiled and verified while the job is ``received`` and ``compiling``.
+    Meanwhile the state of the job is ``received``, then ``compiling``.  If the user must first
+    answer questions about the drawing, the status is 409 and the response contains the
+    ``questions``.
     """
     request = fingerprint(order.model_dump_json())
     row = service.store.jobs.find(key, request) if key else None
@@ -97,7 +99,10 @@ def _ordered(service: ServiceDep, order: JobIn, key: str | None, request: str) -
 
 
 def _interpretation(service: Service, order: JobIn, drawing: Drawing) -> Interpretation:
-    """Return the interpretation of a drawing with the changes that a request for a job contains.
+    """Return the interpretation of a drawing that applies to a new job.
+
+    It is the stored interpretation (unit, profile, line types of edges, corner types), with the
+    changes that the request contains.
 
     Parameters
     ----------
@@ -192,14 +197,15 @@ def get_verdict(
 
 
 def verdict_out(block: bytes) -> VerdictOut:
-    """Return the API model of a verdict.
+    """Return the API model of a stored verdict of the verifier.
 
-    Columns that are missing, because an older version stored the verdict, become empty lists.
+    A column that the stored verdict does not have becomes an empty list; verdicts stored by older
+    versions have fewer columns.
 
     Parameters
     ----------
     block
-        The verdict as stored, a block of packed columns.
+        The stored verdict: columns of measurements, and findings, packed into bytes.
     """
     columns, meta = unpack_columns(block)
     figures = {
@@ -218,12 +224,13 @@ def verdict_out(block: bytes) -> VerdictOut:
 
 @router.get("/{id}/toolpath", response_class=Response, responses={200: BINARY})
 def get_toolpath(service: ServiceDep, request: Request, id: JobId) -> Response:
-    """Get the tool path of a job as binary columns with one row per move of the head.
+    """Get the tool path of a job as binary columns; each of its n moves of the head is one row.
 
-    The columns are ``pose`` (X and Y of the head's axis, Z of the tool's tip in mm, C in degrees;
-    one row more than moves), ``bulge`` (tan(sweep / 4) of an arc, 0 for a line), ``motion`` (kind
-    of the move), ``feed`` (mm/min), ``source`` (row of the edge), ``tool`` (station number) and
-    ``line`` (program line).
+    The columns are ``pose`` (n + 1 positions, at the start and after each move: X and Y of the
+    head's axis and Z of the tool's tip in mm, C in degrees), ``bulge`` (tan(sweep / 4) of an arc, 0
+    for a line), ``motion`` (number of the kind of the move, such as 0 for a rapid move), ``feed``
+    (mm/min), ``source`` (row of the processed edge in the drawing; -1 between edges), ``tool``
+    (station number) and ``line`` (number of the program line; -1 for none).
     """
     row = service.store.jobs.get(id)
     block = service.store.jobs.column(id, "toolpath")
@@ -240,9 +247,9 @@ def release_job(service: ServiceDep, id: JobId) -> JobOut:
 def confirm_job(service: ServiceDep, id: JobId, confirmation: ConfirmIn | None = None) -> JobOut:
     """Confirm that table, board and tools are ready; then the machine starts.
 
-    Between two copies, this confirms the new sheet.  A confirmation is valid for the present claim
-    of the gateway.  The status is 409 if the job does not wait for a confirmation, or if the
-    request names another board than the job.
+    If the job waits between two copies, the request confirms that the next sheet is on the table.
+    If a gateway claims the job again, a new confirmation is necessary.  The status is 409 if the
+    job does not wait for a confirmation, or if the request names another board than the job.
     """
     confirmed = confirmation or ConfirmIn()
     return job_out(
@@ -258,7 +265,11 @@ def hold_job(service: ServiceDep, id: JobId) -> JobOut:
 
 @router.post("/{id}/resume")
 def resume_job(service: ServiceDep, id: JobId) -> JobOut:
-    """Request to resume a held job; between two copies this confirms the new sheet."""
+    """Request to resume a held job.
+
+    If the job is held between two copies, the request also confirms that the next sheet is on the
+    table.
+    """
     return job_out(service.store, service.store.jobs.resume(id))
 
 
@@ -323,8 +334,8 @@ def _job_out(row: Job, waiting: Waiting, now: float) -> JobOut:
 def progress(row: Job) -> float:
     """Return the completed fraction of a job, 0 … 1.
 
-    It is the fraction of the compile until the job is queued, 0 while it is queued, and then the
-    fraction of all copies that is executed.
+    Before the job is queued, this is the completed fraction of the compile.  It is 0 while the job
+    is queued, and then the executed fraction of the program lines of all copies.
     """
     match row.state:
         case State.DONE:

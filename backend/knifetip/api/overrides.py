@@ -18,24 +18,27 @@ from knifetip.presentation.columns import unpack_columns
 def merge_overrides(block: bytes, before: bytes, overrides: Sequence[Override]) -> bytes:
     """Return the overrides of the n edges of a drawing after a request has changed them.
 
+    An override is a line type that the user has set for one edge.
+
     Parameters
     ----------
     block
-        Packed ``EdgeTable`` of the drawing.
-    before : (n,)
-        Present overrides, for each edge one byte: ``NO_OVERRIDE`` or a LineType.
+        ``EdgeTable`` of the drawing, packed into bytes.
+    before
+        Present overrides, n bytes: for each edge a LineType, or ``NO_OVERRIDE``.
     overrides
-        Overrides in the request, applied in order; later ones replace earlier ones.
+        Changes in the request, applied in order; later ones replace earlier ones.
 
     Returns
     -------
-    bytes : (n,)
-        New overrides, for each edge one byte as in ``before``.
+    bytes
+        New overrides, n bytes as in ``before``.
 
     Raises
     ------
     RequestError
-        An override selects no edge, or is ambiguous.
+        A change selects no edge or an edge that does not exist, or it does not select edges in
+        exactly one way (by row, by handle, or by layer and colour).
     """
     columns, meta = unpack_columns(block)
     after = np.frombuffer(before, np.uint8).copy()
@@ -56,24 +59,24 @@ def _select_edges(
     rows_of: dict[str, list[int]],
     count: int,
 ) -> list[int]:
-    """Return the rows of the edges that an override selects.
+    """Return the rows in the ``EdgeTable`` of a drawing of the edges that an override selects.
 
     Parameters
     ----------
     override
-        Override in a request.
+        Override in a request; it selects edges by row, by handle, or by layer and colour.
     columns, layers
-        Columns of the drawing's ``EdgeTable``, and the layer names to which its column ``layer``
-        refers.
+        Columns of the ``EdgeTable``, and the layer names to which its column ``layer`` refers.
     rows_of
-        Rows of the edges of each entity, by the handle of the entity.
+        Rows of the edges of each entity, by the handle of the entity (its identifier in the file).
     count
         Number of edges of the drawing.
 
     Raises
     ------
     RequestError
-        The override selects no edge, or selects edges in more than one way.
+        The override selects no edge or an edge that does not exist, or it does not select edges in
+        exactly one of the three ways.
     """
     by_layer = override.layer is not None or override.colour is not None
     if (override.edges is not None) + (override.handles is not None) + by_layer != 1:

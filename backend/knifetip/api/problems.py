@@ -36,15 +36,16 @@ def problem(
     kind
         URI of the error type.
     title
-        Title of the error type; by default the reason phrase of the status.
+        Title of the error type; "" for the reason phrase of the status.
     source
         Handles of entities, or names of fields, that the error concerns.
     questions
-        Open questions as JSON data, if they are the cause of the error.
+        Questions that the user must answer, as JSON data; empty if they are not the cause of the
+        error.
     revision
-        Present revision of the drawing if the request named another revision.
+        Newest revision of the drawing if the request named another one; None for other errors.
     headers
-        Additional HTTP headers.
+        Additional HTTP headers; None for none.
     """
     body = Problem.model_validate(
         {

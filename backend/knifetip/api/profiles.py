@@ -145,7 +145,10 @@ def preview_profile(service: ServiceDep, id: DrawingId, profile: ProfileIn) -> P
 @router.post("/drawings/{id}/learned")
 @queued
 def learn_from_corrections(service: ServiceDep, id: DrawingId) -> list[ProposalOut]:
-    """Propose rules that give edges the line types which the user has set; nothing is stored."""
+    """Propose classification rules from the line types that the user has set in a drawing.
+
+    A proposed rule gives the edges these line types.  Nothing is stored.
+    """
     row = service.store.drawings.get_with(id, "content", "overrides")
     proposals = service.run(
         profiling.learn,
@@ -167,9 +170,9 @@ def fields_of(profile: ProfileIn) -> dict[str, Any]:
 
 
 def _version(match: str | None) -> tuple[int | None, bool]:
-    """Return the version in an If-Match header, and whether the header is ``*`` (any version).
+    """Return the version in an If-Match header, and whether the header is ``*``.
 
-    The version is None if the header is missing or ``*``.
+    The version is None if the header is missing or ``*``, which matches any version.
     """
     if match is None:
         return None, False
@@ -193,9 +196,10 @@ def _profile_in(body: bytes) -> ProfileIn:
 
 
 def _place(loc: tuple[int | str, ...]) -> tuple[str, ...]:
-    """Return the names of the rule and the field in which a profile is faulty.
+    """Return the names of the rule and the field that contain a fault in a profile.
 
-    The first rule is "rule 1", as in ``("rule 1", "type")``.
+    The result is, for example, ``("rule 1", "type")`` for a field of the first rule, ``("title",)``
+    for a field outside the rules, or ``("body",)`` if the fault concerns no field.
 
     Parameters
     ----------

@@ -1,13 +1,14 @@
-"""Queue of requests that need a worker process; they wait in order and without a thread.
+"""Queue of requests that need a worker process; a waiting request occupies no thread.
 
-::
+The decorator ``queued`` executes a route in this queue::
 
     @router.post(…)
     @queued
     def upload_drawing(service: ServiceDep, …): …
 
-Only a few calls run at the same time, because each computing thread delays all other threads of the
-server.  If too many calls wait, the next request is refused before any of its data is stored.
+The number of requests that are executed at the same time is small, because each computing thread
+delays all other threads of the server.  If too many requests wait, the next one is refused before
+any of its data is stored.
 """
 
 from __future__ import annotations
@@ -86,7 +87,10 @@ class _Queued(Protocol):
 def queued(endpoint: Callable[P, T]) -> Callable[P, Awaitable[T]]:
     """Return a route that executes ``endpoint`` in the ``WorkQueue`` of the server.
 
-    The server is the argument ``service`` of ``endpoint``.
+    Parameters
+    ----------
+    endpoint
+        Function of the route; its argument ``service`` contains the ``WorkQueue``.
     """
 
     @wraps(endpoint)

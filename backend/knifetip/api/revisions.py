@@ -66,12 +66,12 @@ def check_match(match: str | None, row: Drawing) -> None:
 
 
 def check_revision(revision: int | None, row: Drawing) -> None:
-    """Raise StaleRevision if a request for a job names an older revision of the drawing.
+    """Raise StaleRevision if a request for a job does not name the newest revision of the drawing.
 
     Parameters
     ----------
     revision
-        Revision in the request.  There is no error if it is None (the request names no revision).
+        Revision in the request, or None if the request names no revision; then there is no error.
     row
         The drawing.
     """

@@ -61,12 +61,16 @@ class Service:
         self.store.changes.notify()
 
     def run(self, task: Callable[..., T], *arguments: object) -> T:
-        """Run ``task(*arguments)`` in a worker process, wait, and return its result.
+        """Run ``task`` with the given arguments in a worker process, wait, and return its result.
 
         Raises
         ------
-        KnifetipError, TaskCancelled, TaskFailed
-            See ``ProcessPool.run``.
+        KnifetipError
+            The task raised it, the task exceeded its limit of time or memory, or its process died.
+        TaskCancelled
+            The server was stopped.
+        TaskFailed
+            The task raised another exception.
         """
         self.warm_up.wait("drawings")
         return self.pool.run(task, *arguments, limit=self.settings.limit)
@@ -83,9 +87,10 @@ BINARY: dict[str, Any] = {"content": {"application/octet-stream": {"schema": {"t
 
 
 def fingerprint(*parts: str | bytes) -> str:
-    """Return a SHA-256 hash of the parts of a request, in hexadecimal digits.
+    """Return a SHA-256 hash of the contents of a request, in hexadecimal digits.
 
-    Two requests with the same Idempotency-Key are the same request if their hashes are equal.
+    The contents are the positional arguments, texts or bytes.  The hash shows whether two requests
+    with the same Idempotency-Key are equal.
     """
     digest = hashlib.sha256()
     for part in parts:

@@ -48,7 +48,8 @@ _AGAIN = "again"  # query parameter of the second attempt
 def cookie_name(key: str) -> str:
     """Return the name of the session cookie of a server with the key ``key``.
 
-    All ports of a host share their cookies, so the name depends on the key.
+    The name depends on the key, because servers on other ports of the same host share the cookies
+    of a browser and would otherwise overwrite the cookie.
     """
     return f"knifetip-{hashlib.sha256(b'cookie ' + key.encode()).hexdigest()[:8]}"
 
@@ -128,7 +129,11 @@ def welcome(request: Request, key: str, now: float) -> Response:
 
 
 def retry_url(request: Request) -> str:
-    """Return the URL with which a browser repeats a refused request once; "" if it has done so."""
+    """Return the URL from which a browser loads a refused page once more; "" if it has done so.
+
+    If a user follows a link from another web site, the browser omits the session cookie.  It sends
+    the cookie when the page then loads itself again.
+    """
     # A different URL: a reload of the same one would still count as a request of the other site.
     if _AGAIN in request.query_params:
         return ""

@@ -39,12 +39,20 @@ class Site(StaticFiles):
         self._index = folder / "index.html"
 
     async def get_response(self, path: str, scope: Scope) -> Response:
-        """Return the response with a file or with the page.
+        """Return a file of the built page, or ``index.html`` for a route of the page.
+
+        Parameters
+        ----------
+        path
+            Normalized path of the file.
+        scope
+            ASGI scope of the request.
 
         Raises
         ------
         HTTPException
-            404 for paths of the API and files that do not exist, 405 for other methods than GET.
+            404 for paths of the API and for files that do not exist; 405 for methods other than GET
+            and HEAD.
         """
         # ``path`` is normalized: "/api/../page" would not be of the API any more.
         if (scope["path"] + "/").startswith("/api/") or "\0" in path:

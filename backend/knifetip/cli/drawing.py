@@ -89,8 +89,8 @@ class LoadedDrawing:
         Parameters
         ----------
         machine
-            Machine that is to make the drawing; None to omit questions about line types for which a
-            machine has no tool.
+            Machine for which the drawing is to be compiled.  If it is None, there are no questions
+            about line types that the tools of the machine cannot process.
         """
         return pipeline.questions(self.drawing, self.dieline, machine)
 
@@ -175,10 +175,11 @@ def load_drawing(
 
 
 def report_json(name: str, drawing: Drawing) -> dict[str, Any]:
-    """Return name, unit, size and import report of a drawing as JSON data with texts.
+    """Return name, unit, size and import report of a drawing as JSON data.
 
-    The fields are those of a drawing in the REST interface.  In addition, ``size`` is the list of
-    width and height, and ``warnings`` contains the warnings about the unit.
+    The fields are those of a drawing in the REST interface, and messages contain their English
+    text.  In addition, ``size`` is the list of width and height, and ``warnings`` contains the
+    warnings about the unit.
 
     Parameters
     ----------
@@ -345,8 +346,8 @@ def _rule_lines(result: LoadedDrawing, rows: I64) -> list[str]:
     ----------
     result
         The classified drawing.
-    rows
-        Rows of the edges to describe.
+    rows : (m,)
+        Rows in the drawing of the m edges to describe.
     """
     dieline = result.dieline
     rule, confidence = dieline.rule[rows], dieline.confidence[rows]

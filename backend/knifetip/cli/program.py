@@ -51,7 +51,11 @@ _CORNER = re.compile(
 
 
 class CornerType(Enum):
-    """Path of a cutter round outer corners: type B, C or D (see the glossary), or the fastest."""
+    """Shape of the path of a cutter round outer corners.
+
+    B is an arc, C consists of lines with a stop, D of lines with an arc between them.  ``auto`` is
+    the fastest shape for each corner.
+    """
 
     AUTO = "auto"
     B = "B"
@@ -60,7 +64,10 @@ class CornerType(Enum):
 
 
 class Interference(Enum):
-    """What to do if a cutter does not fit into a contour: leave parts uncut, or refuse."""
+    """What happens if a cutter does not fit into a contour.
+
+    ``trim`` leaves the areas uncut that the cutter cannot reach; ``refuse`` compiles no program.
+    """
 
     TRIM = "trim"
     REFUSE = "refuse"
@@ -72,7 +79,8 @@ def parse_corner(text: str) -> CornerAt:
     Parameters
     ----------
     text
-        Value of the option ``--corner-at``: ``X,Y=TYPE`` or ``X,Y=TYPE:K``, with X and Y in mm.
+        Value of the option ``--corner-at``: ``X,Y=TYPE`` or ``X,Y=TYPE:K``.  X and Y are in mm; K
+        is the parameter of type D, between 0 (like type B) and 1 (like type C).
 
     Raises
     ------
@@ -189,14 +197,16 @@ def _parse_placement(text: str) -> tuple[float, float]:
 
 
 def _refuse_questions(loaded: LoadedDrawing, machine: Machine) -> None:
-    """Print the open questions about a drawing and exit; return if there are none.
+    """Exit with the code 2 if the user must first answer questions about a drawing.
+
+    The questions are printed before.  If there are none, the function returns.
 
     Parameters
     ----------
     loaded
         The drawing.
     machine
-        Machine that is to make the drawing.
+        Machine for which the drawing is to be compiled.
     """
     open_questions = loaded.questions(machine)
     if open_questions:

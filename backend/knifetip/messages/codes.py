@@ -1,8 +1,8 @@
 """codes: the codes of all messages that knifetip can report, with the types of their arguments.
 
 The part of a code before the dot is the area of knifetip to which the message belongs.  The OpenAPI
-description contains this table as the schema ``Message``, so that a client can check that its own
-catalogue is complete.
+description contains the codes and arguments as the schema ``Message``, so that a client can check
+that its own catalogue is complete.
 """
 
 from __future__ import annotations

@@ -54,11 +54,12 @@ class CornerAt(Strict):
 
 
 class Corners(Strict):
-    """Types of the outer corners of a job: the path of a cutter or a laser round these corners.
+    """Types of the outer corners of a job.
 
-    Type B is an arc.  Type C consists of straight lines with a stop at each bend.  Type D consists
-    of a line, an arc and a line.  ``auto`` chooses for each corner the type that is fastest on the
-    machine.
+    At an outer corner the cutter or laser stays on the waste side of the contour and so moves
+    around the corner.  The type is the shape of this path.  Type B is an arc.  Type C consists of
+    straight lines with a stop at each bend.  Type D consists of a line, an arc and a line.
+    ``auto`` chooses for each corner the type that is fastest on the machine.
     """
 
     type: CornerType = Field(
@@ -333,10 +334,12 @@ class UnreachedOut(BaseModel):
 class VerdictOut(VerdictSummary):
     """A verdict with columns of measurements; value i of a column belongs to edge i of the drawing.
 
-    ``format=columns`` also contains samples of the deviation: ``sample_edge``, ``sample_place``
-    (position along the edge, 0 … 1) and ``sample_deviation`` (mm, positive to the left).  The
-    outlines of the areas that no cutter reaches are in the columns ``area_ends``, ``area_bulge``,
-    ``area_first`` (first row of each outline) and ``area_size`` (mm²).
+    ``format=columns`` also contains the deviation of the tip from an edge at m samples:
+    ``sample_edge`` (row of the edge), ``sample_place`` (position along the edge, 0 … 1) and
+    ``sample_deviation`` (mm, positive to the left of the edge).  The outlines of the areas that no
+    cutter reaches consist of lines and arcs, one per row of ``area_ends`` (start and end points,
+    mm) and ``area_bulge`` (tan(sweep / 4)).  ``area_first`` contains the first row of each outline,
+    and ``area_size`` the area of each outline (mm²).
     """
 
     findings: list[FindingOut] = Field(description="Faults in the program; empty if there are none")

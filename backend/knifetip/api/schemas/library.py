@@ -21,7 +21,7 @@ class FormatOut(BaseModel):
 
 
 class DeflectionOut(BaseModel):
-    """Measured maximum deflection of one cutter in a board, by the force of cutting (mm)."""
+    """Measured maximum displacement of one cutter by the cutting force in a board (mm)."""
 
     tool: str = Field(description="Name of the station that holds the cutter")
     x: float = Field(description="Maximum deflection in X (mm)")

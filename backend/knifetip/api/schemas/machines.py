@@ -8,9 +8,9 @@ from pydantic import BaseModel, ConfigDict, Field
 
 
 class FootprintOut(BaseModel):
-    """Shape of the mark of a tool on the board, and position of the tool's tip, for drawing both.
+    """Data to draw a tool on the board: the shape of its mark, and the position of its tip.
 
-    The direction C is the direction in which the tool points, its heading.
+    The direction C is the direction in which the tool points.
     """
 
     model_config = ConfigDict(from_attributes=True)
@@ -54,7 +54,8 @@ class ToolOut(BaseModel):
 class StationOut(BaseModel):
     """A tool station on the head of a machine.
 
-    The position of each axis is the programmed position plus the datum of the station in use.
+    While the station is in use, its datum (the offset of its tool) is added to the programmed
+    position of each axis.
     """
 
     number: int = Field(description="Number of the station in the T words of programs")

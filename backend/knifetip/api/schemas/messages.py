@@ -52,7 +52,9 @@ class MessageOut(BaseModel):
     @model_validator(mode="before")
     @classmethod
     def _render(cls, message: Any) -> Any:
-        """Return a message as JSON data with its text and its hint, before the model is validated.
+        """Return a message as JSON data with its text and its hint.
+
+        pydantic calls this function first, and then validates the returned data.
 
         Parameters
         ----------

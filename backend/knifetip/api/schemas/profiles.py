@@ -16,9 +16,10 @@ Colours = Annotated[
 
 
 class RuleIn(Strict):
-    """A rule of a profile: an edge that meets all conditions of the rule gets its line type.
+    """A rule of a profile in a request: conditions on an edge, and a line type.
 
-    Conditions on names are shell patterns that ignore case; an empty list is no condition.
+    Edges that meet all conditions get the line type.  Conditions on names are lists of shell
+    patterns that ignore case; an empty list is met by any name.
     """
 
     type: LineTypeWord = Field(description="Line type for the edges that the rule matches")
@@ -70,7 +71,10 @@ class ProfileIn(Strict):
 
 
 class RuleOut(BaseModel):
-    """A rule of a profile: an edge that meets all conditions of the rule gets its line type."""
+    """A rule of a profile in a response: conditions on an edge, and a line type.
+
+    Edges that meet all conditions get the line type.
+    """
 
     type: LineTypeWord = Field(description="Line type for the edges that the rule matches")
     conditions: MessageOut = Field(description="Conditions that an edge must fulfil, as a message")

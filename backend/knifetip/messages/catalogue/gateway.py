@@ -1,4 +1,4 @@
-"""gateway: messages that say why a job ended; the gateway, which streams programs, reports them."""
+"""gateway: messages that a gateway reports at the end of a job, to give the reason for the end."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""import_outcomes: messages about the import of the entities of a file, and why one is dropped."""
+"""import_outcomes: messages about the import of entities, and why entities are omitted."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""verification: messages of the findings with which the verifier describes faults of a program."""
+"""verification: messages about the faults that the verifier finds in a program."""
 
 from __future__ import annotations
 
