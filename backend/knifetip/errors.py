@@ -59,16 +59,17 @@ _SHOWN: Final = 5
 
 
 class KnifetipError(Exception):
-    """Base class of errors: a message with its hint, and the entities that the error concerns.
+    """Base class of errors: a message with a hint, and references to the objects that it concerns.
 
     Parameters
     ----------
     code
-        One of ``messages.codes.CODES``, or a complete message.
+        A message code, one of ``messages.codes.CODES``, or a complete ``Message``.
     source
-        Handles of the entities, or rows of the edges, that the error concerns.
+        The objects that the error concerns, as text: handles of entities in the drawing, indices of
+        edges, or the path of a field.
     arguments
-        Arguments of the code, by name.
+        Values by name that are inserted into the text of the message code.
     """
 
     def __init__(
@@ -183,7 +184,10 @@ class FlankOutside(PlanError):
 
 
 class NoRoomForBridges(PlanError):
-    """Raised when a contour has no room for the bridges that the board requires."""
+    """Raised when a contour has no room for its bridges, the uncut lengths that hold the part.
+
+    The board requires a number of bridges on the contour.
+    """
 
 
 class TravelExceeded(PlanError):
@@ -195,7 +199,10 @@ class CompensationError(KnifetipError):
 
 
 class CurvedGroove(CompensationError):
-    """Raised for a V-groove along an arc if the board permits none or the arc is too tight."""
+    """Raised for a V-groove along an arc that cannot be cut.
+
+    Either the board does not permit V-grooves along arcs, or the radius of the arc is too small.
+    """
 
 
 class EdgeTooShort(CompensationError):
@@ -203,7 +210,11 @@ class EdgeTooShort(CompensationError):
 
 
 class GrooveTooDeep(CompensationError):
-    """Raised when a V-groove is deeper than the board, or its blade would cut past a free end."""
+    """Raised when a V-groove is as deep as the board is thick, or its blade would cut too far.
+
+    The blade cuts too far if it passes the end of a groove inside a panel by more than the board
+    permits.
+    """
 
 
 class ProgramError(KnifetipError):
@@ -215,7 +226,7 @@ class ProgramUnreadable(ProgramError):
 
 
 class ProgramRefused(ProgramError):
-    """Raised when the verifier refuses a program."""
+    """Raised when the verifier refuses a program because it deviates too much from the drawing."""
 
 
 class ControllerError(KnifetipError):
@@ -273,7 +284,11 @@ class WrongState(JobError):
 
 
 class StaleEpoch(JobError):
-    """Raised when a gateway or worker reports on a job that it no longer owns."""
+    """Raised when a gateway or worker reports on a job that it no longer owns.
+
+    The epoch is a number that increases with each new owner of a job.  The report contains an older
+    number than the job.
+    """
 
 
 class StoreError(JobError):

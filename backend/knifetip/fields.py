@@ -100,21 +100,24 @@ def _field(fault: ErrorDetails) -> tuple[str, ...]:
 
 
 def field_error(code: str, **arguments: Any) -> PydanticCustomError:
-    """Return the error that a validator of a pydantic model must raise for an invalid field.
+    """Return the error that a validator of a pydantic model raises for an invalid field.
 
     Parameters
     ----------
     code
         Code of the message that describes the error.
     arguments
-        Arguments of the message except ``path``, which ``field_message`` adds.  It also adds
-        ``value``, the value of the field, if the caller does not give it.
+        Values by name that are inserted into the message.  The path of the field and, if it is not
+        given here, the value of the field are added when the message is written.
     """
     return PydanticCustomError(code, code, arguments)
 
 
 class _Listed:
-    """Annotation that makes the error of a Literal or an enumeration list its values."""
+    """Annotation for a field whose type is a Literal or an enumeration.
+
+    If the value of the field is invalid, the error message lists the permitted values.
+    """
 
     def __get_pydantic_core_schema__(
         self, source: Any, handler: GetCoreSchemaHandler
@@ -148,9 +151,10 @@ def fault_message(
     fault
         The error.
     path
-        Path of the field, as the message contains it.
+        Path of the field, as text for the message.
     names
-        Function that returns the names of all fields, of which one may be meant by an unknown name.
+        Function that returns the names of all permitted fields.  If the field is unknown, the
+        message suggests the most similar of these names.
     """
     kind, context = fault["type"], fault.get("ctx", {})
     if kind in CODES:

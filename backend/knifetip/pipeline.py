@@ -113,14 +113,15 @@ def read(data: bytes, unit: str | None = None) -> Drawing:
 
 
 def classify(drawing: Drawing, rules: LineRules, overrides: U8 | None = None) -> Dieline:
-    """Return the drawing's edges with their line types.
+    """Return the edges of a drawing with their line types.
 
     Parameters
     ----------
     rules
         The classification profile.
-    overrides : (n,) LineType or ``NO_OVERRIDE``
-        Line types that the user has set.
+    overrides : (n,)
+        For each of the n edges the LineType that the user has set, or ``NO_OVERRIDE`` to keep the
+        type from the classification.  With None all edges keep it.
     """
     dieline = classification.classify(drawing, rules, load.conventions())
     return dieline if overrides is None else classification.apply_overrides(dieline, overrides)
@@ -136,9 +137,10 @@ def interpret(drawing: Drawing, interpretation: Interpretation) -> Dieline:
 
 
 def rules_of(interpretation: Interpretation) -> LineRules:
-    """Return the rules of the profile that an interpretation names.
+    """Return the rules of the classification profile that a user has chosen for a drawing.
 
-    The profile is a customer's profile or a profile of the library.
+    ``interpretation`` contains the TOML text of a customer's profile, or the name of a profile of
+    the library.
     """
     if interpretation.rules:
         return custom_profiles.parse_text(interpretation.profile, interpretation.rules)
@@ -172,9 +174,11 @@ def compile(
     ----------
     drawing, dieline
         The drawing, and its edges with their line types.
+    machine, board
+        The machine that runs the program, and the material.
     corners
-        Types of the cutter's path round outer corners (B, C or D); None chooses the types that are
-        fastest on the machine.
+        How the cutter moves round outer corners: on an arc (type B), on straight lines (C), or on a
+        line, an arc and a line (D).  None chooses the types that are fastest on the machine.
     dialect
         Name of a controller language; "" for the machine's own.
     notes
@@ -185,7 +189,7 @@ def compile(
     Raises
     ------
     OpenQuestions
-        The unit, a line type or a tool is undecided.
+        The user must still choose the unit, a line type or a tool.
     PlanError, CompensationError
         The drawing cannot be made on this machine and board.
     """
@@ -239,8 +243,13 @@ def verify(
 
     Raises
     ------
-    ProgramUnreadable, ProgramError, GeometryError
-        See ``verification.verify``.
+    ProgramUnreadable
+        The program is not of type bytes or is too large, or the machine's file lacks an entry that
+        is needed to read the program.
+    ProgramError
+        The tolerance is not a positive, finite number.
+    GeometryError
+        A coordinate of the dieline or the placement is not finite.
     """
     return _verdict(text, dieline, clean(dieline), placement, machine, board, tolerance)
 
@@ -253,15 +262,18 @@ def _toolpath(
     corners: Corners | None,
     progress: Progress,
 ) -> Toolpath:
-    """Return the tool path for cleaned edges; its ``source`` contains rows of the drawing.
+    """Return the tool path for cleaned edges.
+
+    Its ``source`` contains for each move the index in the drawing of the edge that the move makes,
+    or -1.
 
     Parameters
     ----------
     offset
         Offset that is added to the coordinates of the drawing on the sheet (mm).
     corners
-        Types of the cutter's path round outer corners (B, C or D); None chooses the types that are
-        fastest on the machine.
+        How the cutter moves round outer corners: on an arc (type B), on straight lines (C), or on a
+        line, an arc and a line (D).  None chooses the types that are fastest on the machine.
     progress
         Called at the start of each stage with the completed fraction of the compile, 0 … 1.
     """

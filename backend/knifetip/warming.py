@@ -1,11 +1,13 @@
 """Find and compile the kernels (compiled functions) of which no machine code is on disk.
 
 A kernel declares the types of its arguments, so it can be compiled before it is used.
-``GROUPS`` are in the order in which a server needs them.  Each kernel belongs to one group;
-a function that a kernel calls is compiled with the kernel, whatever its own group.
+``GROUPS`` divides the kernels by purpose, such as "drawings", in the order in which a server needs
+them.  Each kernel belongs to one group; a function that a kernel calls is compiled with the kernel,
+whatever its own group.
 
 Compiling all kernels takes minutes of processor time, and loading their machine code takes seconds.
-Finding that none is missing takes one second.  ``jobs.warm_up`` compiles them in several processes.
+Checking that none is missing takes one second.  ``jobs.warm_up`` compiles them in several
+processes.
 """
 
 from __future__ import annotations

@@ -34,7 +34,7 @@ from knifetip.model.words import Repeated
 
 
 class KnownUnit(NamedTuple):
-    """The unit of a file, if it is known, and the information in the file header about the unit."""
+    """The unit of a file, which may be unknown, and the data about the unit in the file header."""
 
     scale: float  #: millimetres per file unit, 0 if unknown
     unit: str  #: empty if unknown
@@ -130,7 +130,10 @@ def assemble(
 
 
 def _owned(column: NDArray[Any]) -> NDArray[Any]:
-    """Return the array ``column`` after making it read-only, so that a record need not copy it."""
+    """Make the array ``column`` read-only in place, and return it.
+
+    Records copy writable arrays; a read-only array is used without a copy.
+    """
     column.flags.writeable = False
     return column
 
@@ -140,10 +143,15 @@ def _sealed(words: Sequence[str]) -> Sequence[str]:
 
 
 def _attributes(styles: list[Style]) -> tuple[tuple[str, ...], tuple[str, ...], I32]:
-    """Return the layer names, the linetype names, and s styles as numbers, (s, 5).
+    """Return the layer names, the linetype names, and an array with one row per style, (s, 5).
 
-    The columns are: index of the layer, number of the layer regardless of upper and lower case,
-    colour index, true colour, and index of the linetype.
+    The five columns are:
+
+    * index of the layer in the layer names;
+    * number of the layer name, the same for names that differ only in upper and lower case;
+    * colour index;
+    * true colour;
+    * index of the linetype in the linetype names.
     """
     layers: dict[str, int] = {}
     folded: dict[str, int] = {}
@@ -161,21 +169,23 @@ def _attributes(styles: list[Style]) -> tuple[tuple[str, ...], tuple[str, ...], 
 
 
 def _survivors(ends: F64, bulge: F64, style_number: I64, no_length: Bool, point: float) -> I64:
-    """Return for each of n segments the row of the first segment that is equal to it, (n,).
+    """Return for each of n segments the index of the first segment that is equal to it, (n,).
 
-    Two segments are also equal if one has the ends of the other in exchanged order.
+    The index is the segment's own if no segment before it is equal.  Segments with the same
+    geometry are also equal if they have opposite directions.
 
     Parameters
     ----------
     ends : (n, 2, 2)
+        Ends of the segments (file units).
     bulge : (n,)
-        Segments in file units.
+        Bulges of the segments.
     style_number : (n,)
-        Number of the style; equal segments have the same number.
+        Number of the style of each segment; equal segments have the same number.
     no_length : (n,)
-        Mask of segments without length, for which their own row is returned.
+        Mask of segments without length, which are not compared with other segments.
     point
-        Distance within which ends are rounded to the same point (file units).
+        Size of the grid to which coordinates are rounded before they are compared (file units).
     """
     slots = np.zeros(1 << max(4, (2 * len(bulge)).bit_length()), np.uint64)
     first = np.arange(len(bulge))
@@ -193,18 +203,25 @@ def _find_survivors(
     slots: OutU64_1,
     first: OutI64_1,
 ) -> None:
-    """Write the row of the first equal segment for each of n segments to ``first``.
+    """Write the index of the first equal segment of each of n segments into ``first``.
+
+    Segments with the same geometry are also equal if they have opposite directions.
 
     Parameters
     ----------
-    ends, bulge, style_number, no_length
-        See ``_survivors``.
+    ends : (n, 2, 2)
+        Ends of the segments (file units).
+    bulge, style_number : (n,)
+        Bulge and number of the style of each segment; equal segments have the same number.
+    no_length : (n,)
+        Mask of segments that are not compared; their entries in ``first`` are not changed.
     points
-        1 divided by the distance to which ends are rounded (per file unit).
+        1 divided by the size of the grid to which coordinates are rounded (1 / file unit).
     slots
-        Empty hash table (zeros); its length is a power of two.
+        Working array for a hash table, filled with zeros; its length is a power of two.  The
+        function changes it.
     first : (n,)
-        On entry, it must contain the own row of each segment.
+        On entry, entry i must be i.
     """
     mask, low = np.uint64(len(slots) - 1), np.uint64(0xFFFFFFFF)
     for row in range(len(bulge)):
@@ -250,17 +267,22 @@ def _segment_key(ends: F64_3, bulge: F64_1, row: int, points: float) -> Any:
 def _outcomes(
     sheet: ReportRows, segments: Columns, length: F64, no_length: Bool, duplicate: Bool, first: I64
 ) -> tuple[U8, Repeated[Message]]:
-    """Return the outcome and the reason for each of m rows of the import report, (m,) each.
+    """Return the outcome (kept, merged or dropped) and its reason for each entity, (m,) each.
+
+    The reason of a kept entity contains the notes about changes that were made to it.
 
     Parameters
     ----------
     sheet
-        The m rows of the import report.
+        The import report, with one row for each of the m entities.
     segments
-        n segments of the file, with the report row of each segment.
-    length, no_length, duplicate, first : (n,)
-        Length of each segment, masks of the segments without length and of the duplicates, and row
-        of the first equal segment.
+        n segments of the entities, with the report row of each segment.
+    length : (n,)
+        Length of each segment (file units).
+    no_length, duplicate : (n,)
+        Masks of the segments without length, and of those equal to an earlier segment.
+    first : (n,)
+        Index of the first segment that is equal to each segment.
     """
     rows = len(sheet.handle)
     outcome = np.full(rows, ImportOutcome.KEPT, np.uint8)
@@ -360,17 +382,18 @@ def _pieces_drawn_twice(pieces: int, total: int, same: list[str], further: int) 
 def _duplicate_handles(
     row: int, equal_segments: Counter[int], handles: Sequence[str]
 ) -> tuple[list[str], int]:
-    """Return up to 5 handles of entities with equal segments, and the number of further entities.
+    """Return up to 5 handles of entities that one entity duplicates, and the number of the others.
 
     Entities with the most equal segments come first.
 
     Parameters
     ----------
     row
-        Report row of the entity whose duplicate segments were dropped.  In place of the handle of
-        this entity, "itself" is returned.
+        Report row of the one entity, whose duplicate segments were dropped.  If it duplicates its
+        own segments, its handle is replaced by "itself".
     equal_segments
-        Number of equal segments of each entity, by its report row.
+        Number of segments that equal a segment of the one entity, by the report row of the entity
+        to which they belong.
     handles
         Handle of the entity of each report row.
     """

@@ -41,7 +41,10 @@ def too_many(limits: Limits, format_name: str) -> DrawingTooLarge:
 
 
 class PlacedSegments:
-    """The segments of a ``Table`` in file units: ends, control points of curves, axes of arcs."""
+    """The segments of the paths of an SVG or PDF file, converted to file units.
+
+    For Bézier curves these are the control points; for elliptic arcs, centre, axes and angles.
+    """
 
     def __init__(self, table: Table, matrices: F64) -> None:
         numbers = table.numbers
@@ -83,7 +86,8 @@ def _centre_form(numbers: F64) -> tuple[F64, F64, F64, F64, F64]:
     Parameters
     ----------
     numbers : (n, 8)
-        Rows of ``Table.numbers`` that are arcs.
+        For each arc: x and y of the start, x and y of the end, both radii, the angle of the first
+        radius (degrees), and flags: 1 for a sweep above 180° plus 2 for increasing angles.
     """
     angle = np.radians(numbers[:, 6])
     cosine, sine = np.cos(angle), np.sin(angle)
@@ -187,14 +191,16 @@ def _lines(placed: PlacedSegments, rows: I64) -> tuple[F64, F64, I64]:
 def _are_straight(control: F64, chord: F64, tolerance: float) -> Bool:
     """Return the mask of the Bézier curves that are straight, (n,).
 
-    All control points of a straight curve are within ``tolerance`` of its chord.
+    A curve is straight if all its control points are near its chord, or are equal.
 
     Parameters
     ----------
     control : (n, 4, 2)
-        Control points of each curve.
+        Control points of each curve (file units).
     chord : (n, 2)
         Vector from the start to the end of each curve.
+    tolerance
+        Maximum distance of a control point from the chord (file units).
     """
     size = np.hypot(chord[:, 0], chord[:, 1])
     ahead = chord / np.where(size > 0.0, size, 1.0)[:, None]
@@ -211,16 +217,21 @@ def _are_straight(control: F64, chord: F64, tolerance: float) -> Bool:
 
 
 def _circular(placed: PlacedSegments, indices: I64) -> tuple[F64, F64, I64]:
-    """Return circular arcs as arcs of at most 180°: ends, bulge and source segment of each.
-
-    The source segment is the index in ``placed`` of the arc that was split.
+    """Return circular arcs with ends and bulges, split in two if the arc is longer than 180°.
 
     Parameters
     ----------
     placed
         Segments of the paths of the file.
     indices
-        Indices of the circular arcs in ``placed.arc``.
+        Indices into ``placed.arc`` of the arcs that are circular.
+
+    Returns
+    -------
+    ends, bulge : (m, 2, 2) and (m,)
+        Ends (file units) and bulges of m arcs.
+    source : (m,)
+        Index of the segment in ``placed`` from which each arc was made.
     """
     rows = placed.arc[indices]
     u, v, first, turn = (
@@ -302,24 +313,32 @@ def _fit_arcs(
     tangent: EvaluateEach,
     tolerance: float,
 ) -> tuple[F64, F64, I64]:
-    """Fit arcs to curves; return ends, bulge and source segment of each fitted arc.
+    """Approximate curves by circular arcs, and return the arcs.
 
-    The source segment is the index in ``placed`` of the curve.  If several curves cannot be fitted
-    together, the first and the second half of the curves are fitted separately.  The error of a
-    single curve that cannot be fitted is written to ``placed.failed``.
+    If the fit of several curves fails, each half of the curves is fitted separately, until the
+    curve that cannot be fitted is found.  The message about this curve is written to
+    ``placed.failed``.
 
     Parameters
     ----------
     placed
         Segments of the paths of the file.
     indices
-        Indices of the curves to fit, which are arguments of ``point`` and ``tangent``.
+        Numbers of the curves to fit, as ``point`` and ``tangent`` take them.
     numbers
-        Index in ``placed`` of the curve with each index.
+        ``numbers[i]`` is the index in ``placed`` of the curve with number i.
     point, tangent
-        Functions from indices of curves and parameters 0 … 1 to points and derivatives.
+        Functions that take numbers of curves and parameters 0 … 1, and return points and
+        derivatives.
     tolerance
         Maximum distance between a curve and its arcs (file units).
+
+    Returns
+    -------
+    ends, bulge : (m, 2, 2) and (m,)
+        Ends (file units) and bulges of m arcs.
+    source : (m,)
+        Index in ``placed`` of the curve that each arc approximates.
     """
     try:
         start, end, bulge, origin = fit_many(

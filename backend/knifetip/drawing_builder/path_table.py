@@ -134,14 +134,16 @@ def transform_points(matrices: F64, points: F64) -> F64:
 
 
 def half_chords(numbers: F64) -> tuple[F64, F64]:
-    """Return half the chord of n elliptic arcs along their first and second axis, (n,) each.
+    """Return half the vector from the end to the start of n elliptic arcs, in units of the radii.
 
-    Each value is divided by the radius of its arc along that axis.
+    The two arrays, (n,) each, contain the components of the half vector along the first and the
+    second axis of the ellipse, each divided by the radius along that axis.
 
     Parameters
     ----------
     numbers : (n, 8)
-        Rows of ``Table.numbers`` that are arcs.
+        For each arc: x and y of the start, x and y of the end, both radii, the angle of the first
+        radius (degrees), and flags that are not used here.
     """
     angle = np.radians(numbers[:, 6])
     cosine, sine = np.cos(angle), np.sin(angle)

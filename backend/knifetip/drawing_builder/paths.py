@@ -1,8 +1,8 @@
 """Convert paths of SVG and PDF files to arrays of lines and arcs.
 
 Curves are approximated by ``path_segments``.  The tolerance of the approximation is
-``tolerance.CURVE`` (mm).  If the unit is unknown, it is 1 / 250,000 of the diagonal of the drawing;
-this is at most 0.01 mm in every unit in which the drawing is smaller than 2.5 m.
+``tolerance.CURVE`` (0.01 mm).  If the unit of the file is unknown, the tolerance is 1 / 250,000 of
+the diagonal of the drawing, so that it is at most 0.01 mm for drawings smaller than 2.5 m.
 """
 
 from __future__ import annotations
@@ -83,10 +83,13 @@ def columns(
 def _tolerance_without_unit(start: F64, end: F64) -> float:
     """Return the fitting tolerance for a drawing whose unit is unknown (file units).
 
+    It is 1 / 250,000 of the diagonal of the drawing, at most 0.01, and 0.01 for a drawing without
+    extent.
+
     Parameters
     ----------
     start, end : (n, 2)
-        Ends of the segments of the drawing, whose extent determines the tolerance.
+        Ends of the segments of the drawing (file units).
     """
     if not len(start):
         return CURVE

@@ -17,7 +17,10 @@ _LEAST_SPACING: Final = 10.0
 
 
 class DeflectionTable(Table):
-    """The TOML table with the greatest deflection, in X and Y (mm), of one tool in the board."""
+    """The TOML table with the deflection of one tool in the board, in X and Y (mm).
+
+    The deflection is the greatest distance by which the cutting force pushes the tool off its path.
+    """
 
     x: NotNegative = Field(description="greatest deflection in X (mm)")
     y: NotNegative = Field(description="greatest deflection in Y (mm)")

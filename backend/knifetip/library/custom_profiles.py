@@ -88,24 +88,34 @@ def profile_text(name: str, fields: Mapping[str, Any]) -> str:
 
 
 def library_text(name: str) -> str:
-    """Return the TOML text of the profile with the name ``name`` in the library."""
+    """Return the TOML text of the profile with the name ``name`` in the library.
+
+    The profile must exist; a missing file raises ``FileNotFoundError``.
+    """
     return (resources.files(__package__) / "profiles" / f"{name}.toml").read_text("utf-8")
 
 
 def parse_fields(text: str) -> dict[str, Any]:
-    """Return the fields in the TOML text of a profile, in the form that ``profile_text`` takes."""
+    """Return the fields in the TOML text of a profile, in the form that ``profile_text`` takes.
+
+    ``text`` must be valid TOML, otherwise ``tomllib.TOMLDecodeError`` is raised.  The fields are
+    not checked.
+    """
     return tomllib.loads(text)
 
 
 def inherited_rules(fields: Mapping[str, Any], rules: LineRules) -> list[bool]:
     """Return for each rule of a profile whether the rule is inherited from an extended profile.
 
+    The result has one entry per rule, in the order of ``rules``.
+
     Parameters
     ----------
     fields
-        Fields of the profile, as in ``profile_text``; the inherited rules are not among them.
+        Fields of the profile, as in ``profile_text``.  Their ``rule`` lists only the rules that the
+        profile adds itself.
     rules
-        All rules of the profile, with the inherited rules.
+        The complete profile: its own rules and the inherited ones.
     """
     own = [False] * len(fields["rule"])
     base = [True] * (len(rules.rules) - len(own))

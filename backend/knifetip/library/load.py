@@ -203,20 +203,22 @@ def _parse_file(
 def _name_document(
     shelf: str, name: str, error: type[KnifetipError] = LibraryError
 ) -> Iterator[None]:
-    """Name the document in the error of its invalid fields.
+    """Context manager that replaces an ``InvalidFields`` error by an error that names the document.
 
     Parameters
     ----------
-    shelf, name
-        Kind of the document ("machine", "board" or "profile") and its name.
+    shelf
+        Kind of the document: "machine", "board" or "profile".
+    name
+        Name of the document, of which the error contains the first 200 characters.
     error
-        Class of the error that is raised if the fields are invalid.
+        Class of the error that is raised instead, by default ``LibraryError``.
 
     Raises
     ------
-    LibraryError
-        A field is missing, invalid or unknown; ``source`` is the path of the first such field.
-        If the caller gives another class as ``error``, that class is raised instead.
+    KnifetipError
+        An error of class ``error``: the code inside the ``with`` statement found a missing, invalid
+        or unknown field.  The attribute ``source`` is the path of the first such field.
     """
     try:
         yield
@@ -318,10 +320,9 @@ def parse_board(name: str, fields: Mapping[str, Any], file: str = "") -> Board:
 def parse_profile(name: str, fields: Mapping[str, Any], file: str = "") -> LineRules:
     """Return the profile that the fields of a TOML document describe: a title and a list of rules.
 
-    If the profile extends a profile of the library, the rules of the library's profile come first,
-    because the name of a layer is better evidence than the colours that most profiles add.  If the
-    field ``overrules`` is true, the rules in the document come first, as in profiles that were made
-    from a user's corrections.
+    A profile may extend a profile of the library.  Then the rules of the library's profile come
+    first in the list, then the rules in the document.  If the field ``overrules`` is true,
+    the rules in the document come first, as in profiles that are made from a user's corrections.
 
     Parameters
     ----------

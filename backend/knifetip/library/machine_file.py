@@ -58,7 +58,10 @@ class Axes(Table):
 
 
 class Datum(Table):
-    """The TOML table of a station's offset: joint position = programmed position + offset."""
+    """The TOML table with the offset of a station from the reference position of the machine.
+
+    The position of each axis of the machine is the programmed position plus this offset.
+    """
 
     x: float = Field(description="mm")
     y: float = Field(description="mm")
@@ -101,7 +104,15 @@ _AnyTool: Any = reduce(or_, map(_tool_table, KINDS))
 
 
 def _check_kind(tool: Any) -> Any:
-    """Return the table of a tool unchanged; raise an error if there is no such kind of tool."""
+    """Return the table of a tool unchanged after checking the name of its kind.
+
+    ``tool`` is the value in the TOML file.  Values without a field ``kind`` are not checked.
+
+    Raises
+    ------
+    PydanticCustomError
+        The field ``kind`` is not the name of a kind of tool.
+    """
     if isinstance(tool, dict) and "kind" in tool and tool["kind"] not in list(_CLASSES):
         raise field_error(
             "field.unknown-kind",
