@@ -48,9 +48,10 @@ _MESSAGES = {
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Stretches:
-    """q stretches (parts of drawn edges) that together cover all drawn edges with machining.
+    """q stretches (parts of drawn edges), each with the cleaned edge that covers it, if any.
 
-    They are in the order of the edges in the drawing.
+    The stretches are in the order of the edges in the drawing.  They cover the whole length of each
+    drawn edge that is to be machined; edges that are ignored or not classified have no stretches.
     """
 
     row: I32  #: (q,) row in the drawn dieline
@@ -78,11 +79,15 @@ class Cleaned:
 
     The cleaned dieline has m ≥ n edges.  Its first n rows correspond to the drawn edges; an edge
     that was merged or dropped keeps its row and has the line type *ignored*.  If a drawn edge was
-    split, its first piece keeps the row and the other pieces follow at the end.  ``dieline.source``
-    contains for each of the m edges the row of the drawn edge that represents it.
+    split, its first piece keeps the row of the drawn edge and the other pieces follow after the
+    first n rows.
+    ``dieline.source`` contains for each of the m edges the row of the drawn edge that represents
+    it.
 
-    For each drawn edge ``kept + merged + dropped`` is its drawn length.  The total length of the
-    edges to be machined is the sum of ``kept`` and ``added`` over all drawn edges.
+    The length of each drawn edge is the sum of its ``kept`` (machined), ``merged`` (covered by
+    other edges) and ``dropped`` (too short to be machined) lengths.  The total length to be
+    machined is the sum of ``kept`` and ``added`` (length added by closing gaps and fitting curves)
+    over all drawn edges, except those that are ignored or not classified.
     """
 
     dieline: Dieline
@@ -151,10 +156,12 @@ class Cleaned:
 
     @property
     def lengths(self) -> dict[str, float]:
-        """Total lengths of the edges (mm), by name.
+        """Total lengths (mm) by name, over the drawn edges to be machined.
 
-        ``drawn`` is ``kept`` + ``merged`` + ``dropped``, and ``worked`` is ``kept`` + ``added``.
-        None of these includes ``no_work``, the length of edges that are ignored or not classified.
+        ``drawn``: length in the drawing; ``kept``, ``merged`` and ``dropped``: parts of ``drawn``
+        that are machined, covered by other edges, or too short to be machined; ``added``: length
+        added by closing gaps and fitting curves; ``worked``: machined length, ``kept`` + ``added``.
+        ``no_work`` is the length of all other drawn edges, which are ignored or not classified.
         """
         at_work = self.reason != CleaningReason.NO_WORK
         kept, merged, dropped, added = (

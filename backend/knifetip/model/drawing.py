@@ -16,7 +16,10 @@ from knifetip.model.unit import UnitHint
 
 
 class ImportOutcome(IntEnum):
-    """The outcome of import for an entity of the file, or of cleaning for an edge."""
+    """The outcome of import for an entity of the file, or of cleaning for an edge.
+
+    The entity or edge was kept, was merged into others, or was dropped.
+    """
 
     KEPT = 0
     MERGED = 1
@@ -24,7 +27,10 @@ class ImportOutcome(IntEnum):
 
 
 class LocationBoxes(NamedTuple):
-    """Bounding boxes that show the positions of k entities without edges, with report rows."""
+    """Bounding boxes of k entities without edges, which show where the entities are in the drawing.
+
+    Each box has the row of its entity in the import report.
+    """
 
     rows: I32  #: (k,) row of each entity in the import report, ascending
     box: F64  #: (k, 4) x min, y min, x max, y max (mm; file units while the unit is unknown)
@@ -87,7 +93,10 @@ class Annotation(NamedTuple):
     layer: str
 
     def scaled(self, divisor: float, factor: float) -> Annotation:
-        """Return the annotation with all its lengths multiplied by ``factor`` / ``divisor``."""
+        """Return the annotation with position and lengths multiplied by ``factor`` / ``divisor``.
+
+        This is a conversion of units; NaN stays NaN.
+        """
         if divisor == factor == 1.0:
             return self
         return Annotation(

@@ -18,7 +18,8 @@ NO_OVERRIDE: Final = 255
 class Interpretation:
     """The user's decisions about a drawing: unit, profile, overrides and corner types.
 
-    The record contains only plain data, so that it can be stored and sent to another process.
+    An override is a line type that the user has set for one edge.  The record contains only plain
+    data, so that it can be stored and sent to another process.
     """
 
     unit: str = ""  #: "mm", "cm", "m", "in", "ft", "pt" or "px"; "" for the unit of the file

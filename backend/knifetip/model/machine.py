@@ -25,7 +25,8 @@ class Axis:
 class Station:
     """A mount on the head of the machine, with one tool.
 
-    The joint position of the machine is the programmed position plus the datum of the station.
+    The position of a machine axis is the programmed position plus the offset of the station (``x``,
+    ``y``, ``z``, ``c``), which is called its datum.
     """
 
     number: int  #: number in the T word of programs
@@ -91,7 +92,7 @@ class Machine:
     def offset_cuts(self) -> bool:
         """Whether cuts are offset from the drawn line by the radius of a tool.
 
-        Only then corner types apply.
+        Corner types of a job apply only if this is True.
         """
         station = self.station_for(LineType.CUT)
         return station is not None and station.planner(LineType.CUT) == Planner.OFFSET_CUTS
@@ -101,9 +102,11 @@ class Machine:
 
         Parameters
         ----------
+        line_type
+            The line type.
         caliper
             Thickness of the board (mm).  If several tools of one kind make the line type, the tool
-            that suits this thickness is chosen; None chooses the first.
+            that suits this thickness best is chosen; None chooses the first.
         """
         for kind in KINDS:
             held = [station for station in self.stations if type(station.tool) is kind.tool]

@@ -16,7 +16,10 @@ from knifetip.model.tool import Tool
 
 
 class End(IntEnum):
-    """The surroundings of an end of a path, which determine whether the tool may cut beyond it."""
+    """What a path meets at one of its ends.
+
+    It determines whether the tool may cut beyond the end.
+    """
 
     FREE = 0  #: no other path; the tool must not cut beyond the end
     CONTINUED = 1  #: another path of the same tool that continues in the same direction
@@ -27,9 +30,9 @@ class End(IntEnum):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Operation:
-    """p paths with n segments and one line type that one tool machines, with feeds and depths.
+    """p paths, with n segments in total, that one tool machines, with feeds and depths.
 
-    All coordinates are in the coordinate system of the sheet.
+    All paths have the same line type.  All coordinates are in the coordinate system of the sheet.
     """
 
     paths: Paths  #: p paths of n segments, which the tip must follow

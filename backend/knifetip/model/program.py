@@ -1,4 +1,4 @@
-"""Record of a program: its bytes, and for each program line the row of the tool path."""
+"""Record of a program: its bytes, and the move of the tool path that each program line makes."""
 
 from __future__ import annotations
 
@@ -11,7 +11,10 @@ from knifetip.geometry.columns import I32, freeze
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Program:
-    """A program for one controller: bytes, and for each program line the row of the tool path."""
+    """A program for one controller.
+
+    For each program line it contains the row of the tool path whose move the line makes.
+    """
 
     text: bytes  #: all program lines, each with a newline at its end
     dialect: str

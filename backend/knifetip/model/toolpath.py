@@ -24,11 +24,12 @@ class Motion(IntEnum):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Toolpath:
-    """n moves between n + 1 poses of the head's axis (x, y, c) and the tool's tip (z).
+    """n moves of a tool between n + 1 poses.
 
-    Moves with the same ``track`` ≥ 0 form one track and keep their order.  Rapids with ``track`` -1
-    connect the tracks.  Before sequencing, the tracks are in the order of the drawing and the
-    rapids are placeholders, which ``sequence`` replaces.
+    A pose is the position of the head's axis (x, y), the angle c and the height z of the tip.
+    Moves with the same ``track`` ≥ 0 are machined without a lift and keep their order.  Rapids with
+    ``track`` -1 connect the tracks.  Before sequencing, the tracks are in the order of the drawing,
+    and the rapids are placeholders that the function ``sequence`` replaces.
     """
 
     pose: F64  #: (n + 1, 4) x y z in mm, c in degrees, unwrapped

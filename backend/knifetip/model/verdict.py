@@ -63,7 +63,7 @@ class Samples:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Unreached:
-    """Areas in the waste that the cutter cannot reach: q contours of m lines and arcs."""
+    """q areas in the waste that the cutter cannot reach, bounded by m lines and arcs in total."""
 
     ends: F64 = field(default_factory=lambda: np.zeros((0, 2, 2)))  #: (m, 2, 2) mm
     bulge: F64 = field(default_factory=_none)  #: (m,) tan(sweep / 4)
@@ -85,7 +85,10 @@ class Unreached:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Verdict:
-    """The verifier's verdict on a program: accepted or refused, with measurements for n edges."""
+    """The verifier's verdict on a program: accepted or refused, with its faults and measurements.
+
+    The measurements, such as the deviation, have one value for each of n edges.
+    """
 
     accepted: bool
     tolerance: float  #: mm

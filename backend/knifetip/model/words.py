@@ -13,7 +13,10 @@ _T = TypeVar("_T")
 
 
 class _Column(Sequence[_T]):
-    """Base class of columns of values; a column equals a tuple or list with equal items."""
+    """Base class of columns of values.
+
+    A column is equal (==) to a tuple, list or column with the same items.
+    """
 
     @overload
     def __getitem__(self, row: int) -> _T: ...
@@ -51,7 +54,7 @@ class Repeated(_Column[_T]):
     names
         The distinct values.
     number : (m,)
-        Index into ``names`` for each row; -1 is the last value.
+        Index into ``names`` for each row; -1 means the last element, as in Python.
     """
 
     def __init__(self, names: Sequence[_T], number: I32) -> None:
@@ -74,7 +77,10 @@ class Repeated(_Column[_T]):
 
 
 def number_words(words: Sequence[str]) -> tuple[list[str], I32]:
-    """Return the distinct strings in ``words``, and for each of the m strings its index, (m,)."""
+    """Return the distinct strings in ``words``, in the order of first use, and indices into them.
+
+    The indices have the shape (m,), one for each of the m strings in ``words``.
+    """
     number: dict[str, int] = {}
     if isinstance(words, Repeated):
         names = [number.setdefault(name, len(number)) for name in words.names]

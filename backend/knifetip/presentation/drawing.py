@@ -18,7 +18,11 @@ from knifetip.presentation.outcomes import EdgeOutcomes
 
 
 def drawing_json(drawing: Drawing) -> dict[str, Any]:
-    """Return unit, length, bounding box, edge count and import outcomes of a drawing, as JSON."""
+    """Return unit, total edge length, bounding box and edge count of a drawing as JSON data.
+
+    The data also contain the evidence for the unit, and the numbers of entities that import kept,
+    merged and dropped.
+    """
     min_x, min_y, max_x, max_y = (float(coordinate) for coordinate in drawing.bounds)
     return {
         "unit": drawing.unit or None,
@@ -41,19 +45,19 @@ def classified_json(
     questions: Sequence[Question],
     overrides: U8,
 ) -> dict[str, Any]:
-    """Return the data of ``drawing_json``, and the results of classification and cleaning.
+    """Return the data of a drawing for the page: drawing, classification and cleaning, as JSON.
 
-    The results are the counts by line type, the layers, the open questions, the number of overrides
-    and the outcomes of all edges.
+    The data contain the fields of ``drawing_json`` (such as unit and bounding box), the number of
+    edges by line type, the layers, the open questions, the number of overrides, and the outcomes.
 
     Parameters
     ----------
     drawing, dieline
         The drawing, and its edges with their line types.
     outcomes
-        Outcome and reason of each edge.
+        Outcome (kept, merged or dropped) and reason of each of n edges, with a summary.
     questions
-        The open questions.
+        The open questions, which the user must answer.
     overrides : (n,)
         For each edge ``NO_OVERRIDE`` or the LineType that the user set.
     """

@@ -25,14 +25,25 @@ _BATCH: Final = 1000
 
 
 class EdgeTable(NamedTuple):
-    """Arrays with one row per edge of a drawing, and the names to which indices in them refer."""
+    """Arrays with one row per edge of a drawing, and lists of names.
+
+    Some arrays contain indices into these lists, such as the index of the edge's layer.
+    """
 
     columns: Mapping[str, NDArray[Any]]  #: each has one row per edge
     meta: Mapping[str, Any]  #: handles (n,), layers, linetypes, rules, outcomes, reasons, types
 
     @classmethod
     def from_drawing(cls, drawing: Drawing, dieline: Dieline, outcomes: EdgeOutcomes) -> EdgeTable:
-        """Return the table of the edges of a drawing with their line types and outcomes."""
+        """Return the table of the edges of a drawing, with their line types and outcomes.
+
+        Parameters
+        ----------
+        drawing, dieline
+            The drawing, and its edges with their line types.
+        outcomes
+            Whether each edge was kept, merged or dropped, with the reason.
+        """
         return cls(
             {
                 "ends": dieline.ends,

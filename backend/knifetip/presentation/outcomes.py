@@ -35,7 +35,10 @@ _ORDER: Final = (ImportOutcome.DROPPED, ImportOutcome.MERGED, ImportOutcome.KEPT
 
 @dataclass(frozen=True, eq=False, slots=True)
 class EdgeOutcomes:
-    """Outcome and reason of each of n edges, and a summary that includes entities without edges."""
+    """Outcome (kept, merged or dropped) and reason of each of n edges, and a summary by reason.
+
+    The summary also contains entities of the file without edges, such as texts.
+    """
 
     outcome: U8  #: (n,) ImportOutcome of each edge
     reason: I32  #: (n,) index into ``reasons`` for each edge
@@ -98,7 +101,11 @@ def edge_outcomes(drawing: Drawing, dieline: Dieline, cleaned: Cleaned | None) -
 
 
 def _entity_groups(drawing: Drawing) -> list[dict[str, Any]]:
-    """Return the entities that import merged or dropped, grouped by outcome and reason."""
+    """Return the entities that import merged or dropped, grouped by outcome and reason.
+
+    A group is JSON data of the schema ``ReportGroup``, with number and total length of the
+    entities.
+    """
     report = drawing.import_report
     rows = np.flatnonzero(report.outcome != ImportOutcome.KEPT)
     examples: dict[str, Message] = {}
@@ -121,16 +128,18 @@ def _groups(
     length: F64,
     kinds: NDArray[np.object_],
 ) -> list[dict[str, Any]]:
-    """Return n edges or n entities in groups with equal outcome and equal code of the reason.
+    """Return edges or entities in groups, one for each pair of outcome and reason that occurs.
 
-    The groups are JSON data of the schema ``ReportGroup``.
+    A group is JSON data of the schema ``ReportGroup``, with number and total length of its edges or
+    entities.  Reasons with the same code count as equal.
 
     Parameters
     ----------
     row_kind
-        "edges" if the n rows are edges, "entities" if they are entities.
+        "edges" if the n rows of the arrays are edges, "entities" if they are entities.
     outcome, reason, length, kinds : (n,)
-        ImportOutcome, index into ``reasons``, length in mm and entity kind of each edge or entity.
+        For each row the ImportOutcome, the index into ``reasons``, the length (mm) and the kind of
+        the entity, such as LINE.
     reasons
         Messages to which ``reason`` refers.
     """
@@ -174,7 +183,11 @@ def _merge_groups(groups: list[dict[str, Any]]) -> list[dict[str, Any]]:
 
 
 def _summary(groups: list[dict[str, Any]]) -> dict[str, Any]:
-    """Return the groups in sorted order, and the total length (mm) of each outcome, as JSON."""
+    """Return all groups of edges and entities, and the total length (mm) of each outcome, as JSON.
+
+    Groups of dropped edges or entities come first, then merged, then kept; groups with the same
+    outcome are in the order of decreasing length.
+    """
     groups = sorted(
         groups,
         key=lambda group: (_ORDER.index(group["outcome"]), -group["length"], -group["count"]),

@@ -27,9 +27,9 @@ def used_stations(compiled: Compiled, machine: Machine) -> list[dict[str, Any]]:
 def pack_toolpath(compiled: Compiled, machine: Machine) -> bytes:
     """Return the tool path as a block of bytes, with the stations of the machine as metadata.
 
-    The array ``line`` contains for each row of the path the number of the last program line that
-    moves along the row; the row is complete when that line has been executed.  The number is -1 for
-    rows without a program line.
+    The array ``line`` contains for each move of the tool path the number (from 1) of the program
+    line that makes this move, or of the last such line if there are several.  The move is complete
+    when this line has been executed.  The number is -1 for moves without a program line.
     """
     path = compiled.toolpath
     source = compiled.program.source

@@ -43,9 +43,12 @@ def finite_column(measures: F64) -> F64:
 def verdict_summary(verdict: Verdict) -> dict[str, Any]:
     """Return the maxima and totals of the measurements in a verdict as JSON data.
 
-    ``deviation``, ``overcut`` and ``uncut`` are the maximum over all edges (mm), ``uncut_total``
-    and ``setback_total`` the sum over all edges (mm).  ``unreached`` is the total of the areas that
-    no cutter reaches (mm²), ``unreached_places`` their number.
+    The maxima over all edges (mm) are ``deviation`` (distance of the tip from the edge),
+    ``overcut`` (length machined beyond the ends of the edge) and ``uncut`` (length not machined by
+    mistake).  The sums over all edges (mm) are ``uncut_total`` and ``setback_total`` (length not
+    machined by plan).  ``unreached`` is the total of the areas that no cutter reaches (mm²),
+    ``unreached_places`` the number of these areas.  ``accepted``, ``tolerance`` (mm) and
+    ``seconds`` are those of the verdict.
     """
     return {
         "accepted": bool(verdict.accepted),

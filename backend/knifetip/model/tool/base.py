@@ -18,7 +18,10 @@ NotNegative: TypeAlias = Annotated[float, Ge(0)]
 
 
 class Reversal(IntEnum):
-    """Which ends of a track are permitted as the start of a tool: one or both."""
+    """Whether a tool may follow a track only in its direction, or also in the reverse direction.
+
+    A track is a path that the tool follows without a lift.
+    """
 
     ONE = 0  #: only at the start
     EITHER = 1  #: at both ends; the reverse direction has the same poses in reverse order
@@ -47,9 +50,15 @@ class Footprint:
 
     ``shape`` is the shape of the mark:
 
-    - ``line``: no width.  - ``disc``: a disc with radius ``radius`` about the tip.  - ``groove``: a
-    flank along the cutting edge of length ``blade``, ``slope`` mm wide per mm of depth.  -
-    ``wheel``: the rim, of width ``width``, of a wheel with radius ``radius``.
+    ``line``
+        a line without width
+    ``disc``
+        a disc with radius ``radius`` about the tip
+    ``groove``
+        one side of a groove: as long as the cutting edge (``blade``), and as wide as ``slope``
+        times the depth
+    ``wheel``
+        the rim, of width ``width``, of a wheel with radius ``radius``
     """
 
     shape: Literal["line", "disc", "groove", "wheel"] = "line"
@@ -89,13 +98,21 @@ class Tool(ABC):
 
     @abstractmethod
     def tip_circle(self, depth: float) -> TipCircle:
-        """Return the tip circle while the tip is ``depth`` mm below the top face of the board."""
+        """Return the circle about the tool's axis that contains every point of the tip.
+
+        Parameters
+        ----------
+        depth
+            Depth of the tip below the top face of the board (mm).
+        """
 
     @property
     def reversal(self) -> tuple[Reversal, float]:
         """The ends of a track at which the tool may start, and an angle (degrees).
 
-        The angle is added to the C axis if the tool starts at the end of the track.
+        A track is a path that the tool follows without a lift.  The angle is the rotation that is
+        added to the C axis if the tool starts at the end of the track and moves in the reverse
+        direction.
         """
         return Reversal.ONE, 0.0
 
@@ -114,7 +131,10 @@ class Tool(ABC):
 
     @property
     def spindle_missing(self) -> Message | None:
-        """Error message if the tool needs an S word and its dimensions give none, else None."""
+        """Error message if the program cannot switch the tool on because its S word would be 0.
+
+        None if the S word is greater than 0 or the tool needs none.
+        """
         return None
 
     @property

@@ -35,9 +35,14 @@ class CreaseWheel(Tool):
         return math.sqrt(max(depth * (2.0 * self.radius - depth), 0.0))
 
     def tip_circle(self, depth: float) -> TipCircle:
-        """Return the circle that contains the contact of wheel and board at a depth (mm).
+        """Return the circle about the tool's axis that contains the contact of wheel and board.
 
         The contact is a rectangle as long as the wheel touches the board and as wide as the rim.
+
+        Parameters
+        ----------
+        depth
+            Depth to which the wheel is pressed into the board (mm).
         """
         return TipCircle(math.hypot(self.contact(max(depth, 0.0)), self.width / 2.0), 0.0, 0.0)
 
@@ -45,8 +50,9 @@ class CreaseWheel(Tool):
     def reversal(self) -> tuple[Reversal, float]:
         """The ends of a track at which the wheel may start, and an angle (degrees).
 
-        The angle is added to the C axis if the wheel starts at the end of the track.  The wheel may
-        start at both ends, because it rolls in both directions.
+        A track is a path that the tool follows without a lift.  The angle is added to the C axis if
+        the wheel starts at the end of the track.  The wheel may start at both ends, because it
+        rolls in both directions.
         """
         return Reversal.EITHER, 0.0
 
@@ -57,7 +63,7 @@ class CreaseWheel(Tool):
 
     @property
     def footprint(self) -> Footprint:
-        """The mark that the wheel leaves on the board: that of its rim."""
+        """The mark that the wheel leaves: radius and rim width of the wheel."""
         return Footprint("wheel", radius=self.radius, width=self.width)
 
     @classmethod

@@ -1,6 +1,8 @@
-"""The registry of tools: one row for each kind, with its line types, planners and engine.
+"""The registry of tools: one row for each kind of tool.
 
-To add a kind of tool, write its class, its row in this module, and its checks in
+A row names the line types that the tool makes, the planner for each line type (function that makes
+operations from edges) and the engine (function that makes a tool path from an operation).  To add a
+kind of tool, write its class, its row in this module, and its checks in
 ``knifetip.verification.tools``.
 """
 
@@ -42,7 +44,11 @@ class Engine(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Kind:
-    """A kind of tool: its class, name, line types, planners and engine; one row of the registry."""
+    """One row of the registry of tools: a kind of tool with its class, name and line types.
+
+    The row also names the planner for each line type (function that makes operations from edges)
+    and the engine (function that makes a tool path from an operation).
+    """
 
     name: str  #: name in files of machines and in REST
     tool: type[Tool]

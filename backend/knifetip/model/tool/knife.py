@@ -34,7 +34,7 @@ class Knife(Tool):
     def lead(self, thickness: float) -> float:
         """Return how far the cut in the top face is ahead of the cut in the bottom face (mm).
 
-        "Ahead" is in the direction of travel.
+        The distance is caused by the slant of the blade and measured in the direction of travel.
 
         Parameters
         ----------
@@ -46,8 +46,8 @@ class Knife(Tool):
     def tip_circle(self, depth: float) -> TipCircle:
         """Return the circle about the axis of the head that contains the blade.
 
-        Its radius is the trail of the tip plus the width of the blade; it does not depend on
-        ``depth``.
+        Its radius is ``trail``, the distance of the tip behind the axis, plus the width of the
+        blade.  It does not depend on ``depth``.
         """
         del depth  # the same at any depth
         return TipCircle(self.trail + self.blade_width, 0.0, 0.0)
@@ -56,8 +56,9 @@ class Knife(Tool):
     def reversal(self) -> tuple[Reversal, float]:
         """The ends of a track at which the knife may start, and an angle (degrees).
 
-        The angle is added to the C axis if the knife starts at the end of the track.  A slanted or
-        trailing blade may start only at the start of a track, other blades at both ends.
+        A track is a path that the tool follows without a lift.  The angle is added to the C axis if
+        the knife starts at the end of the track.  A slanted or trailing blade may start only at the
+        start of a track, other blades at both ends.
         """
         if self.blade_angle == 0.0 and self.trail == 0.0:
             return Reversal.EITHER, 180.0

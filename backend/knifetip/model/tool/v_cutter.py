@@ -32,13 +32,13 @@ class VCutter(Tool):
 
     @property
     def slope(self) -> float:
-        """Width of the flank of the groove per mm of depth, in plan view: tan(``tilt``)."""
+        """Width of one side of the groove, seen from above, per mm of depth: tan(``tilt``)."""
         return math.tan(math.radians(self.tilt))
 
     def tip_circle(self, depth: float) -> TipCircle:
         """Return the circle with radius ``half_width`` about the tilted axis of the blade.
 
-        It is the same at every depth.
+        The tip is on this circle.  The circle does not depend on ``depth``.
         """
         del depth  # the same at any depth
         return TipCircle(self.half_width, self.back, self.tilt)
@@ -47,8 +47,9 @@ class VCutter(Tool):
     def reversal(self) -> tuple[Reversal, float]:
         """The ends of a track at which the V-cutter may start, and an angle (degrees).
 
-        The angle is added to the C axis if the V-cutter starts at the end of the track.  It may
-        start at both ends, because either flank can be cut first.
+        A track is a path that the tool follows without a lift.  The angle is added to the C axis if
+        the V-cutter starts at the end of the track.  The V-cutter may start at both ends, because
+        either flank of the groove can be cut first.
         """
         return Reversal.SIDES, 0.0
 
