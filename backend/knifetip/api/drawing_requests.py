@@ -208,7 +208,8 @@ def apply_change(
 def drawing_etag(drawing: DrawingOut) -> str:
     """Return the ETag of a drawing, made from its revision and the state of its profile.
 
-    The profile's state is "current", "changed" or "deleted" since the drawing was classified.
+    The state is "current", or "changed" or "deleted" if the profile was changed or deleted since
+    the drawing was classified.
     """
     return etag(drawing.revision, drawing.profile_state)
 

@@ -1,9 +1,10 @@
 """Changes of jobs and drawings as server-sent events.
 
 The events are ``job`` with a JobOut, ``drawing`` with a DrawingSummary and ``deleted`` with
-``{"drawing": id}``.  Each has the number of the change as its id, except progress of a job, which
-has none.  A client that reconnects sends the last id that it received (``Last-Event-ID``) and gets
-one event for each job and drawing that has changed since then.
+``{"drawing": id}``.  The id of an event is the number of the change.  Events that report only the
+progress of a job, or only a new reason why a job waits, have no id.  A client that reconnects sends
+the last id that it received (``Last-Event-ID``) and gets one event for each job and drawing that
+has changed since then.
 """
 
 from __future__ import annotations
@@ -117,8 +118,8 @@ class Stream:
     def _queued(self, sent: Collection[str]) -> list[ServerSentEvent]:
         """Return one event for each queued job whose reason to wait changed since the last call.
 
-        The reason is in the fields ``waiting_for`` and ``message`` of a job.  Changes of other jobs
-        and new gateways change these fields without an event of the job itself.
+        The reason is in the fields ``waiting_for`` and ``message`` of a job.  It can change without
+        a change of the job itself, when another job changes or a gateway connects.
 
         Parameters
         ----------

@@ -66,7 +66,7 @@ class Service:
         Raises
         ------
         KnifetipError
-            The task raised it, the task exceeded its limit of time or memory, or its process died.
+            Raised by the task, or because the task exceeded its time or memory or its process died.
         TaskCancelled
             The server was stopped.
         TaskFailed

@@ -129,10 +129,11 @@ def welcome(request: Request, key: str, now: float) -> Response:
 
 
 def retry_url(request: Request) -> str:
-    """Return the URL from which a browser loads a refused page once more; "" if it has done so.
+    """Return the URL from which a browser loads a refused page once more.
 
     If a user follows a link from another web site, the browser omits the session cookie.  It sends
-    the cookie when the page then loads itself again.
+    the cookie when the page then loads itself from the returned URL.  The result is "" if the page
+    was already loaded from such a URL.
     """
     # A different URL: a reload of the same one would still count as a request of the other site.
     if _AGAIN in request.query_params:

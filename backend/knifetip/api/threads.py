@@ -1,8 +1,8 @@
 """Separate threads for the requests of gateways.
 
 Uploads and new jobs occupy threads of the server's shared pool while they wait for a process.
-Heartbeats must not wait for these threads: if one is late by the duration of a lease, the service
-interrupts its job.
+Heartbeats of gateways must not wait for these threads: the service interrupts a job if it
+receives no heartbeat within a fixed time, the lease.
 """
 
 from __future__ import annotations
@@ -18,16 +18,19 @@ T = TypeVar("T")
 
 
 class GatewayThreads:
-    """Two thread pools for requests of gateways, so that claims do not delay reports."""
+    """Two thread pools for requests of gateways: one for claims of jobs, one for reports on jobs.
+
+    Waiting claims therefore cannot delay a report.
+    """
 
     def __init__(self) -> None:
         self._reports = ThreadPoolExecutor(4, "report")
         self._claims = ThreadPoolExecutor(2, "claim")
 
     async def reports(self, call: Callable[P, T], *args: P.args, **named: P.kwargs) -> T:
-        """Execute a call for a heartbeat, a finish or a health check, and return its result.
+        """Execute a call for a heartbeat, the end of a job or a health check; return its result.
 
-        The call has threads of its own, so that claims do not delay it.
+        The call uses other threads than the claims of jobs, so that claims do not delay it.
         """
         return await _run(self._reports, partial(call, *args, **named))
 
@@ -36,7 +39,7 @@ class GatewayThreads:
         return await _run(self._claims, partial(call, *args, **named))
 
     def close(self) -> None:
-        """Shut the threads down after their current calls."""
+        """Shut the threads down after their current calls; waiting calls are cancelled."""
         for pool in (self._reports, self._claims):
             pool.shutdown(wait=False, cancel_futures=True)
 

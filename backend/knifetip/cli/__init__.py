@@ -4,8 +4,9 @@
     knifetip profile | machine | calibrate | schema | job
     knifetip serve | worker | gateway | simulator
 
-Exit codes: 0 success; 1 the program was refused; 2 questions are open (``classify`` also prints its
-result), or the command line is wrong; 3 the input cannot be used.
+Exit codes: 0 success; 1 the verifier refused the program; 2 the user must first answer questions
+about the drawing (``classify`` also prints its result), or the command line is wrong; 3 the input
+cannot be used.
 Results are printed on stdout, progress and problems on stderr.
 """
 

@@ -233,9 +233,9 @@ def register(app: typer.Typer) -> None:
     ) -> None:
         """Show the line type of each edge and the rule that decided it.
 
-        Exits with 2 while questions are open, about the unit of the drawing or the line types of
-        some edges.  They must be answered with --unit, --layer or a profile before a program can
-        be made.
+        Exits with 2 if the user must decide the unit of the drawing or the line types of some
+        edges. Use --unit, --layer or a profile for these decisions; no program can be made without
+        them.
         """
         result = load_drawing(file, unit, profile, layer)
         open_questions = result.questions()

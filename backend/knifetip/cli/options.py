@@ -45,7 +45,9 @@ def expand(command: Callable[..., None]) -> Callable[..., None]:
 
 
 def _parameter(field: Field[Any], kind: Any) -> inspect.Parameter:
-    """Return a keyword parameter of a function with the name and the default of a field.
+    """Return a keyword-only parameter that has the name and the default value of a field.
+
+    ``expand`` adds it to the signature of a command.
 
     Parameters
     ----------

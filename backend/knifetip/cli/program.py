@@ -197,9 +197,9 @@ def _parse_placement(text: str) -> tuple[float, float]:
 
 
 def _refuse_questions(loaded: LoadedDrawing, machine: Machine) -> None:
-    """Exit with the code 2 if the user must first answer questions about a drawing.
+    """Print the questions about a drawing that the user must answer first, and exit with code 2.
 
-    The questions are printed before.  If there are none, the function returns.
+    If there are no questions, the function returns and prints nothing.
 
     Parameters
     ----------

@@ -26,7 +26,10 @@ class ClaimIn(Strict):
 
 
 class Claim(BaseModel):
-    """A job that is assigned to the gateway until the lease expires."""
+    """A job that is assigned to a gateway until its lease expires.
+
+    Each heartbeat renews the lease.
+    """
 
     job: str = Field(description="Id of the job")
     epoch: int = Field(description="Increases with each claim; to be sent with every report")

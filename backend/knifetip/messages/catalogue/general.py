@@ -1,4 +1,4 @@
-"""general: messages that belong to no single area: stored texts, positions, lists of errors."""
+"""general: messages of no single area, such as stored texts and the positions of faults."""
 
 from __future__ import annotations
 

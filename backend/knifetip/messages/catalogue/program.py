@@ -1,4 +1,4 @@
-"""program: messages about toolpaths and programs that cannot be made or read."""
+"""program: messages about toolpaths, programs and controller languages, and faults in them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""reading: messages about files that cannot be read as a drawing."""
+"""reading: messages about files that cannot be read as a drawing, and names of kinds of files."""
 
 from __future__ import annotations
 

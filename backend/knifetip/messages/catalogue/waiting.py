@@ -1,4 +1,4 @@
-"""waiting: messages about the event that a job waits for, and the operator's possible actions."""
+"""waiting: messages that state why a job waits, and what the operator can do."""
 
 from __future__ import annotations
 
