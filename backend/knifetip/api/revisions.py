@@ -80,7 +80,10 @@ def check_revision(revision: int | None, row: Drawing) -> None:
 
 
 def is_known(tag: str, none_match: str | None) -> bool:
-    """Return whether an If-None-Match header contains the ETag ``tag``."""
+    """Return whether an If-None-Match header contains the ETag ``tag`` or is ``*``.
+
+    The result is False if ``none_match`` is None, because the request has no such header.
+    """
     tags = list(_tags(none_match or ""))
     return "*" in tags or tag.strip('"') in tags
 

@@ -123,7 +123,7 @@ def check_library_name(shelf: str, name: str) -> str:
 
 
 def customer_rules(service: Service, name: str) -> str:
-    """Return the TOML text of a customer's profile; "" if it is a profile of the library.
+    """Return the TOML text of a customer's profile, or "" for a profile of the library.
 
     Parameters
     ----------

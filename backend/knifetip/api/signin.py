@@ -64,9 +64,16 @@ def new_session(key: str, now: float) -> str:
 
 
 def is_session(cookie: str, key: str, now: float) -> bool:
-    """Return whether a cookie is a session that is signed with the key and not expired.
+    """Return whether a session cookie is signed with the key and has not expired.
 
-    ``now`` is the current time in seconds since 1970.
+    Parameters
+    ----------
+    cookie
+        Value of the cookie; "" if the request has none.
+    key
+        Access key of the server.
+    now
+        Current time in seconds since 1970.
     """
     expiry, _, signature = cookie.partition(".")
     if not (expiry.isascii() and expiry.isdecimal() and len(expiry) < 16):
@@ -81,7 +88,11 @@ def _signature(key: str, expiry: str) -> str:
 
 
 async def given_key(request: Request) -> str | None:
-    """Return the key in the URL or in the sign-in form of a request, or None if there is no key."""
+    """Return the key in the URL or in the sign-in form of a request.
+
+    The result is None if the request is neither a sign-in form nor a URL with a key, and "" if the
+    form is too long or contains no key.
+    """
     path = request.url.path
     if request.method == "GET" and path != "/api" and not path.startswith("/api/"):
         return request.query_params.get("key")

@@ -140,7 +140,7 @@ class ConfirmIn(Strict):
 
 
 class JobTool(BaseModel):
-    """A station that the program of a job uses."""
+    """One tool that the program of a job uses: its station and its kind."""
 
     station: int = Field(description="Number of the station")
     name: str = Field(description="Name of the station")

@@ -11,7 +11,7 @@ from knifetip.fields import LISTED
 
 
 class FormatOut(BaseModel):
-    """An import format of drawings."""
+    """A file format from which drawings can be imported."""
 
     name: str = Field(description="Name of the format, such as dxf")
     title: str = Field(description="Name of the format for display")
