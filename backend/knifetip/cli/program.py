@@ -232,7 +232,7 @@ def program(
         Path | None,
         typer.Option(
             help="File to write a JSON report of the program to, with its "
-            "figures and the verdict of "
+            "measured deviations and times, and the verdict of "
             "the verifier. Default: no report."
         ),
     ] = None,

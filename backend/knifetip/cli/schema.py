@@ -26,7 +26,7 @@ def register(app: typer.Typer) -> None:
     def schema(
         file: Annotated[
             File,
-            typer.Argument(metavar="FILE", help="Kind of TOML file: machine, board or profile."),
+            typer.Argument(metavar="KIND", help="Kind of TOML file: machine, board or profile."),
         ],
     ) -> None:
         """Print the JSON Schema of machine, board or profile files.

@@ -159,7 +159,7 @@ def gateway(
         Path | None,
         typer.Option(
             help="File that records the program lines sent and executed, so that the gateway can "
-            "report them after a power failure."
+            "report them after a power failure. Default: no file."
         ),
     ] = None,
     key: Annotated[

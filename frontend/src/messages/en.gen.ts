@@ -20,7 +20,7 @@ export const TEXTS = {
     "hint": ""
   },
   "advice.queued": {
-    "text": "Wait until the machine of the job has claimed it.",
+    "text": "Wait until the gateway of the machine has claimed the job.",
     "hint": ""
   },
   "advice.ready": {
@@ -33,7 +33,7 @@ export const TEXTS = {
   },
   "bridges.no-room": {
     "text": "The contour at edge {edge} is {length:.1f} mm long, which is too short for {fewest:# bridge|# bridges} of {gap:.2f} mm width. The board requires bridges (uncut gaps that hold a part) at most {spacing:.1f} mm apart, and away from corners and narrow slots.",
-    "hint": "Choose narrower bridges or a larger spacing of bridges, or choose a board without bridges."
+    "hint": "Choose narrower bridges or a larger spacing of bridges in the board file, or choose a board without bridges."
   },
   "calibration.bad-points": {
     "text": "The {count:# measured point|# measured points} of the test cut cannot be used. At least one point is needed, and all values must be finite numbers.",
@@ -212,7 +212,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.none-closes": {
-    "text": ", and no edge with the same layer, colour and line style closes an outline",
+    "text": ", and almost all edges with the same layer, colour and line style divide panels",
     "hint": ""
   },
   "classification.not-made": {
@@ -652,7 +652,7 @@ export const TEXTS = {
     "hint": "Set the line type of the cut to ignored, join the cut to another cut, or choose a knife with a steeper blade."
   },
   "cutter.does-not-fit": {
-    "text": "The cutter of {diameter:.2f} mm diameter does not fit into the contour at edge {edge}, nor into {others:# other contour|# other contours}.",
+    "text": "The cutter of {diameter:.2f} mm diameter does not fit into the contour at edge {edge}. Number of other contours that are too narrow: {others}.",
     "hint": "Choose a thinner cutter, or set the line type of the contours to ignored."
   },
   "cutter.misses-bridge": {
@@ -948,7 +948,7 @@ export const TEXTS = {
     "hint": ""
   },
   "file.compound-file": {
-    "text": "an old Office file, or a CAD file that is built like one",
+    "text": "an old Office file, or a CAD file in the same container format",
     "hint": ""
   },
   "file.dwg": {
@@ -996,7 +996,7 @@ export const TEXTS = {
     "hint": ""
   },
   "file.riff": {
-    "text": "a picture or a film (RIFF)",
+    "text": "a picture or a video (RIFF)",
     "hint": ""
   },
   "file.step": {
@@ -1012,11 +1012,11 @@ export const TEXTS = {
     "hint": ""
   },
   "file.xml": {
-    "text": "XML of the kind {element!r}",
+    "text": "an XML file of the type {element!r}",
     "hint": ""
   },
   "file.zip": {
-    "text": "a ZIP archive (or an Office or a 3MF file, which are such)",
+    "text": "a ZIP archive, or an Office or 3MF file",
     "hint": ""
   },
   "finding.at-edge": {
@@ -1357,7 +1357,7 @@ export const TEXTS = {
   },
   "hpgl.depth-change": {
     "text": "{place} changes the depth of the tool during a cut, which HPGL cannot express.",
-    "hint": "Choose a board and a tool that need only one pass."
+    "hint": "Choose a board and a tool with which each cut needs only one pass."
   },
   "hpgl.ends-down": {
     "text": "The program ends while the tool is down.",
@@ -1532,11 +1532,11 @@ export const TEXTS = {
     "hint": ""
   },
   "import.area-outline": {
-    "text": "the object is the outline of a filled area, which is used because the drawing has no lines",
+    "text": "the object is the outline of a filled area, which was imported because the drawing has no lines",
     "hint": ""
   },
   "import.area-outline-on-page": {
-    "text": "the object is the outline of a filled area, which is used because the page has no lines",
+    "text": "the object is the outline of a filled area, which was imported because the page has no lines",
     "hint": ""
   },
   "import.array": {
@@ -1660,15 +1660,15 @@ export const TEXTS = {
     "hint": ""
   },
   "import.filled-area": {
-    "text": "the object is a filled area without a line",
+    "text": "the object is a filled area without a line, which is not cut",
     "hint": ""
   },
   "import.filled-area-beside-strokes": {
-    "text": "the object is a filled area without a line, and the drawing has lines",
+    "text": "the object is a filled area without a line, which is not cut because the drawing has lines",
     "hint": ""
   },
   "import.filled-area-on-page": {
-    "text": "the object is a filled area without a line, and the page has lines",
+    "text": "the object is a filled area without a line, which is not cut because the page has lines",
     "hint": ""
   },
   "import.fit-points": {
@@ -2277,11 +2277,11 @@ export const TEXTS = {
   },
   "machine.busy": {
     "text": "Job {job} already occupies the table of {machine}.",
-    "hint": "Mark that job finished, queue it again or scrap it. A machine can process only one job at a time."
+    "hint": "Wait until that job has ended. If it is interrupted, mark it finished, queue it again or scrap it."
   },
   "machine.busy-with-another": {
     "text": "Another job already occupies the table of {machine}.",
-    "hint": "Mark that job finished, queue it again or scrap it. A machine can process only one job at a time."
+    "hint": "Wait until that job has ended. If it is interrupted, mark it finished, queue it again or scrap it."
   },
   "machine.no-cutter": {
     "text": "{machine} has no cutter with the name {cutter!r}, because none of its tools is a rotating cutter or a laser.",
@@ -2320,7 +2320,7 @@ export const TEXTS = {
     "hint": ""
   },
   "motion.swivel": {
-    "text": "swivel",
+    "text": "turn of the tool",
     "hint": ""
   },
   "motion.unknown": {
@@ -2357,7 +2357,7 @@ export const TEXTS = {
   },
   "override.ambiguous": {
     "text": "The request changes the line type of edges, but does not select these edges in exactly one way.",
-    "hint": "Give either edges (edge numbers), or handles, or layer and colour."
+    "hint": "Give edges (edge numbers), or handles, or a layer and/or a colour."
   },
   "override.no-edges-there": {
     "text": "The drawing has no edge {place: and }.",
@@ -2416,7 +2416,7 @@ export const TEXTS = {
     "hint": "Export the drawing again with fewer nested layers."
   },
   "pdf.nested-arrays": {
-    "text": "its arrays are nested too deeply",
+    "text": "arrays are nested too deeply",
     "hint": ""
   },
   "pdf.no-header": {
@@ -2636,7 +2636,7 @@ export const TEXTS = {
     "hint": "Explode the blocks, symbols or groups in the program that drew the file, and export again."
   },
   "reading.too-large": {
-    "text": "The file has {size:.1f} MB, but the limit is {limit:.1f} MB.",
+    "text": "The file is {size:.1f} MB large, but the limit is {limit:.1f} MB.",
     "hint": "Export a single carton, without pictures."
   },
   "reading.too-many-elements": {
@@ -3228,7 +3228,7 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.drawn-in-inches": {
-    "text": "inches with fractions",
+    "text": "inches",
     "hint": ""
   },
   "unit.drawn-in-metric": {
@@ -3244,7 +3244,7 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.header": {
-    "text": "the header of the DXF file states the unit ($INSUNITS = {value})",
+    "text": "the header of the DXF file states the unit of the drawing ($INSUNITS = {value})",
     "hint": ""
   },
   "unit.header-decimal-inches": {
@@ -3444,7 +3444,7 @@ export const TEXTS = {
     "hint": "Move the drawing on the table, or choose a larger machine."
   },
   "verify.bridge-near-corner": {
-    "text": "The bridge at {place:.3f} mm from the start of the contour is {distance:.3f} mm too close to a sharp corner.",
+    "text": "The bridge at {place:.3f} mm from the start of the contour is too close to a sharp corner, by {distance:.3f} mm.",
     "hint": "Compile the job again, or choose a smaller spacing of bridges in the board file."
   },
   "verify.bridge-spacing": {
@@ -3680,7 +3680,7 @@ export const TEXTS = {
     "hint": "Release station {other} (M65 P{output}) before this station is used."
   },
   "verify.unclassified": {
-    "text": "The edge has no line type, so the required tool is not known.",
+    "text": "The edge has no line type (such as cut or crease), so the required tool is not known.",
     "hint": "Give the edge a line type."
   },
   "verify.unknown-position": {
@@ -3744,7 +3744,7 @@ export const TEXTS = {
     "hint": "Switch on the machine and start its gateway."
   },
   "waiting.for-machine": {
-    "text": "The job waits until the gateway of {machine} claims it.",
+    "text": "The job waits until the gateway of {machine} (the program that sends jobs to the machine) takes the job from the queue.",
     "hint": ""
   },
   "waiting.for-person": {

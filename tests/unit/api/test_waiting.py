@@ -122,7 +122,8 @@ def test_a_machine_without_a_gateway_is_named(store: Store, clock: Clock) -> Non
     store.gateways.record_contact("demo-table", "gateway")
     assert shown(store, job) == (
         "machine",
-        f"The job waits until the gateway of {TITLE} claims it.",
+        f"The job waits until the gateway of {TITLE} (the program that sends jobs to the machine) "
+        "takes the job from the queue.",
         "",
     )
     clock.now += ABSENT + 0.1

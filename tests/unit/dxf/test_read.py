@@ -431,7 +431,7 @@ def test_byte_order_mark_blank_lines_and_utf_16_are_read() -> None:
 
 
 def test_file_larger_than_the_limit_is_refused_unread() -> None:
-    with pytest.raises(DrawingTooLarge, match=r"2\.0 MB, but the limit is 1\.0 MB"):
+    with pytest.raises(DrawingTooLarge, match=r"2\.0 MB large, but the limit is 1\.0 MB"):
         read(bytes(2 * 2**20), limits=Limits(bytes=2**20))
 
 

@@ -55,7 +55,7 @@ def test_a_file_goes_to_its_reader(data: bytes, kind: str) -> None:
         (b"PK\x03\x04", "a ZIP archive"),
         (b"AC1032", "a DWG drawing"),
         (b"<!DOCTYPE html><html>", "an HTML page"),
-        (b"<?xml version='1.0'?><kml/>", "XML of the kind 'kml'"),
+        (b"<?xml version='1.0'?><kml/>", "an XML file of the type 'kml'"),
         (gzip.compress(DXF), "a gzip archive"),
         (b"\x1f\x8b", "a gzip archive"),
     ],

@@ -529,7 +529,11 @@ def test_every_object_has_a_row_and_dropped_ones_a_reason() -> None:
     )
     assert outcomes(drawing) == [
         ("path", "the object was imported unchanged"),
-        ("path", "the object is a filled area without a line, and the page has lines"),
+        (
+            "path",
+            "the object is a filled area without a line, "
+            + "which is not cut because the page has lines",
+        ),
         ("path", "the object only limits the visible area of other objects (clipping path)"),
         ("path", "the object has neither a stroke nor a fill, so it is not visible"),
         ("image", "the object is an image, which is not cut"),
@@ -562,8 +566,8 @@ def test_fills_are_lines_only_on_pages_without_strokes() -> None:
     assert len(drawing) == 4
     assert drawing.true_colour.tolist() == [0xFF0000] * 4
     assert reasons(drawing)["#1"] == (
-        "the object was imported; note: the object is the outline of a filled area, which is "
-        "used because the page has no lines"
+        "the object was imported; note: the object is the outline of a filled area, which was "
+        "imported because the page has no lines"
     )
 
 

@@ -388,14 +388,15 @@ def test_fills_are_lines_only_in_drawings_without_strokes() -> None:
     assert len(alone) == 3
     assert alone.true_colour.tolist() == [0xFF0000] * 3
     assert reasons(alone)["area"] == (
-        "the object was imported; note: the object is the outline of a filled area, which is "
-        "used because the drawing has no lines"
+        "the object was imported; note: the object is the outline of a filled area, which was "
+        "imported because the drawing has no lines"
     )
     beside = only(area + '<path d="M0 0h1"/>')
     assert len(beside) == 1
     assert (
         reasons(beside)["area"]
-        == "the object is a filled area without a line, and the drawing has lines"
+        == "the object is a filled area without a line, which is not cut because the drawing has "
+        "lines"
     )
 
 

@@ -108,7 +108,7 @@ MESSAGES: Final[Entries] = {
         shape="message",
     ),
     "classification.none-closes": entry(
-        ", and no edge with the same layer, colour and line style closes an outline",
+        ", and almost all edges with the same layer, colour and line style divide panels",
     ),
     "classification.not-made": entry(
         ", so the edge must not be processed",

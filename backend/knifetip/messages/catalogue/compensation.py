@@ -11,8 +11,8 @@ MESSAGES: Final[Entries] = {
         "The contour at edge {edge} is {length:.1f} mm long, which is too short for {fewest:# "
         "bridge|# bridges} of {gap:.2f} mm width. The board requires bridges (uncut gaps that "
         "hold a part) at most {spacing:.1f} mm apart, and away from corners and narrow slots.",
-        "Choose narrower bridges or a larger spacing of bridges, or choose a board without "
-        "bridges.",
+        "Choose narrower bridges or a larger spacing of bridges in the board file, or choose "
+        "a board without bridges.",
         edge="count",
         length="number",
         fewest="count",
@@ -54,7 +54,7 @@ MESSAGES: Final[Entries] = {
     ),
     "cutter.does-not-fit": entry(
         "The cutter of {diameter:.2f} mm diameter does not fit into the contour at edge "
-        "{edge}, nor into {others:# other contour|# other contours}.",
+        "{edge}. Number of other contours that are too narrow: {others}.",
         "Choose a thinner cutter, or set the line type of the contours to ignored.",
         diameter="number",
         edge="count",

@@ -148,7 +148,7 @@ MESSAGES: Final[Entries] = {
     "override.ambiguous": entry(
         "The request changes the line type of edges, but does not select these edges in "
         "exactly one way.",
-        "Give either edges (edge numbers), or handles, or layer and colour.",
+        "Give edges (edge numbers), or handles, or a layer and/or a colour.",
     ),
     "override.no-edges-there": entry(
         "The drawing has no edge {place: and }.",

@@ -48,7 +48,7 @@ MESSAGES: Final[Entries] = {
     ),
     "hpgl.depth-change": entry(
         "{place} changes the depth of the tool during a cut, which HPGL cannot express.",
-        "Choose a board and a tool that need only one pass.",
+        "Choose a board and a tool with which each cut needs only one pass.",
         place="message",
     ),
     "hpgl.ends-down": entry(

@@ -16,11 +16,12 @@ MESSAGES: Final[Entries] = {
         count="count",
     ),
     "import.area-outline": entry(
-        "the object is the outline of a filled area, which is used because the drawing has no "
-        "lines",
+        "the object is the outline of a filled area, which was imported because the drawing "
+        "has no lines",
     ),
     "import.area-outline-on-page": entry(
-        "the object is the outline of a filled area, which is used because the page has no lines",
+        "the object is the outline of a filled area, which was imported because the page has "
+        "no lines",
     ),
     "import.array": entry(
         "the object inserts a grid of copies ({columns} columns × {rows} rows)",
@@ -137,12 +138,15 @@ MESSAGES: Final[Entries] = {
         "the object is a polyline with {vertices:# vertex|# vertices}, but needs at least 2",
         vertices="count",
     ),
-    "import.filled-area": entry("the object is a filled area without a line"),
+    "import.filled-area": entry(
+        "the object is a filled area without a line, which is not cut",
+    ),
     "import.filled-area-beside-strokes": entry(
-        "the object is a filled area without a line, and the drawing has lines",
+        "the object is a filled area without a line, which is not cut because the drawing has "
+        "lines",
     ),
     "import.filled-area-on-page": entry(
-        "the object is a filled area without a line, and the page has lines",
+        "the object is a filled area without a line, which is not cut because the page has lines",
     ),
     "import.fit-points": entry(
         "the curve was computed from its fit points, through which it passes",

@@ -292,7 +292,7 @@ MESSAGES: Final[Entries] = {
         reason="message",
     ),
     "advice.queued": entry(
-        "Wait until the machine of the job has claimed it.",
+        "Wait until the gateway of the machine has claimed the job.",
     ),
     "advice.ready": entry(
         "Release the job first.",
@@ -302,15 +302,15 @@ MESSAGES: Final[Entries] = {
     ),
     "machine.busy": entry(
         "Job {job} already occupies the table of {machine}.",
-        "Mark that job finished, queue it again or scrap it. A machine can process only one "
-        "job at a time.",
+        "Wait until that job has ended. If it is interrupted, mark it finished, queue it "
+        "again or scrap it.",
         job="text",
         machine="text",
     ),
     "machine.busy-with-another": entry(
         "Another job already occupies the table of {machine}.",
-        "Mark that job finished, queue it again or scrap it. A machine can process only one "
-        "job at a time.",
+        "Wait until that job has ended. If it is interrupted, mark it finished, queue it "
+        "again or scrap it.",
         machine="text",
     ),
     "machine.no-cutter": entry(

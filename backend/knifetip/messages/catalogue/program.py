@@ -13,7 +13,9 @@ MESSAGES: Final[Entries] = {
     "motion.lift": entry("lift"),
     "motion.plunge": entry("plunge"),
     "motion.rapid": entry("rapid move"),
-    "motion.swivel": entry("swivel"),
+    "motion.swivel": entry(
+        "turn of the tool",
+    ),
     "motion.unknown": entry("motion {number}", number="count"),
     "program.bad-tolerance": entry(
         "A tolerance of {tolerance} mm is too small for the path blending (rounding of "

@@ -39,7 +39,7 @@ MESSAGES: Final[Entries] = {
         format="text",
     ),
     "reading.too-large": entry(
-        "The file has {size:.1f} MB, but the limit is {limit:.1f} MB.",
+        "The file is {size:.1f} MB large, but the limit is {limit:.1f} MB.",
         "Export a single carton, without pictures.",
         size="number",
         limit="number",
@@ -89,7 +89,9 @@ MESSAGES: Final[Entries] = {
     ),
     "file.7z": entry("a 7z archive"),
     "file.bmp": entry("a BMP picture"),
-    "file.compound-file": entry("an old Office file, or a CAD file that is built like one"),
+    "file.compound-file": entry(
+        "an old Office file, or a CAD file in the same container format",
+    ),
     "file.dwg": entry("a DWG drawing"),
     "file.eps": entry("an EPS file"),
     "file.gif": entry("a GIF picture"),
@@ -101,12 +103,19 @@ MESSAGES: Final[Entries] = {
     "file.png": entry("a PNG picture"),
     "file.postscript": entry("a PostScript or an Illustrator file"),
     "file.rar": entry("a RAR archive"),
-    "file.riff": entry("a picture or a film (RIFF)"),
+    "file.riff": entry(
+        "a picture or a video (RIFF)",
+    ),
     "file.step": entry("a STEP file"),
     "file.stl": entry("an STL model"),
     "file.tiff": entry("a TIFF picture"),
-    "file.xml": entry("XML of the kind {element!r}", element="text"),
-    "file.zip": entry("a ZIP archive (or an Office or a 3MF file, which are such)"),
+    "file.xml": entry(
+        "an XML file of the type {element!r}",
+        element="text",
+    ),
+    "file.zip": entry(
+        "a ZIP archive, or an Office or 3MF file",
+    ),
     "dxf.at-line": entry(
         "at line {line} of the file",
         line="count",
@@ -298,7 +307,7 @@ MESSAGES: Final[Entries] = {
         limit="count",
     ),
     "pdf.nested-arrays": entry(
-        "its arrays are nested too deeply",
+        "arrays are nested too deeply",
     ),
     "pdf.no-header": entry(
         "The file is not a PDF: it does not begin with %PDF.",

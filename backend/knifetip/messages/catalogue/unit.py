@@ -64,7 +64,7 @@ MESSAGES: Final[Entries] = {
         unit="text",
     ),
     "unit.drawn-in-inches": entry(
-        "inches with fractions",
+        "inches",
     ),
     "unit.drawn-in-metric": entry(
         "millimetres, but stored as numbers in {unit:unit}",
@@ -75,7 +75,7 @@ MESSAGES: Final[Entries] = {
         "the user set the unit of the drawing",
     ),
     "unit.header": entry(
-        "the header of the DXF file states the unit ($INSUNITS = {value})",
+        "the header of the DXF file states the unit of the drawing ($INSUNITS = {value})",
         value="count",
     ),
     "unit.header-decimal-inches": entry(

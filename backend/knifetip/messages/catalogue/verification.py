@@ -48,8 +48,8 @@ MESSAGES: Final[Entries] = {
         high="number",
     ),
     "verify.bridge-near-corner": entry(
-        "The bridge at {place:.3f} mm from the start of the contour is {distance:.3f} mm too "
-        "close to a sharp corner.",
+        "The bridge at {place:.3f} mm from the start of the contour is too close to a sharp "
+        "corner, by {distance:.3f} mm.",
         "Compile the job again, or choose a smaller spacing of bridges in the board file.",
         place="number",
         distance="number",
@@ -431,7 +431,7 @@ MESSAGES: Final[Entries] = {
         output="count",
     ),
     "verify.unclassified": entry(
-        "The edge has no line type, so the required tool is not known.",
+        "The edge has no line type (such as cut or crease), so the required tool is not known.",
         "Give the edge a line type.",
     ),
     "verify.unknown-position": entry(

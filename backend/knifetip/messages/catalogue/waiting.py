@@ -18,7 +18,8 @@ MESSAGES: Final[Entries] = {
         machine="text",
     ),
     "waiting.for-machine": entry(
-        "The job waits until the gateway of {machine} claims it.",
+        "The job waits until the gateway of {machine} (the program that sends jobs to the "
+        "machine) takes the job from the queue.",
         machine="text",
     ),
     "waiting.for-person": entry(
