@@ -23,7 +23,7 @@
     │   └── GrooveTooDeep         a V-groove too deep for the board or its free ends
     ├── ProgramError              the emitted program is wrong
     │   ├── ProgramUnreadable     a line that the verifier cannot parse
-    │   └── ProgramRefused        the verdict is outside tolerance
+    │   └── ProgramRefused        the program deviates too much from the drawing
     ├── ControllerError           the controller or the connection to it failed
     │   ├── ControllerAlarm       the controller reported an alarm
     │   ├── ControllerRejected    the controller reported an error for a line
@@ -35,7 +35,7 @@
     └── JobError                  the state of the job does not permit the action
         ├── NoSuchJob             no stored object, such as a job, has the name
         ├── WrongState            the state of the object does not permit the change
-        ├── StaleEpoch            a gateway that no longer owns the job
+        ├── StaleEpoch            a report on a job that the sender no longer owns
         ├── StoreError            the database cannot be used
         ├── KeyReused             an Idempotency-Key of another request
         ├── StaleVersion          the object was changed since the client read it

@@ -262,10 +262,10 @@ def _slots(state: _State, count: int) -> tuple[I64, I64]:
     """Return the cleaned row and the source row of each of the k current edges, both (k,).
 
     The source row is the index of the first drawn edge of which the current edge contains a part.
-    The cleaned row is the index of the current edge in the cleaned dieline.  It equals the source
-    row, unless several current edges have the same source row.  Then the one nearest to the start
-    of the drawn edge gets this row, and the others get new rows from ``count`` on; ``count`` is the
-    number of drawn edges.
+    The cleaned row is the index of the current edge in the cleaned dieline.  It is the source row
+    if no other current edge has this source row.  Otherwise, only the current edge that is nearest
+    to the start of the drawn edge gets the source row; the others get rows from ``count`` on, where
+    ``count`` is the number of drawn edges.
     """
     owned = np.flatnonzero((state.edge >= 0) & ~state.overlapping)
     order = owned[np.lexsort((state.begin[owned], state.row[owned], state.edge[owned]))]
@@ -385,16 +385,21 @@ def _main_row(row: I64, size: F64, target: I64, overlapping: Bool, count: int) -
 def _outcomes(
     state: _State, final_rows: _FinalRows, lengths: _Lengths, at_work: Bool
 ) -> tuple[U8, U8]:
-    """Return the outcome of each of n drawn edges, (n,), and the reason for that outcome, (n,).
+    """Return the outcome and the reason for it, as codes, for each of n drawn edges, (n,) each.
+
+    The outcomes are ``ImportOutcome`` codes (kept, merged or dropped), and the reasons are
+    ``CleaningReason`` codes.
 
     Parameters
     ----------
-    state, final_rows
-        The current edges after the last step of cleaning, and their rows in the cleaned dieline.
+    state
+        The current edges after the last step of cleaning.
+    final_rows
+        Indices of the current edges in the cleaned dieline and of the drawn edges in them.
     lengths
-        Kept length, merged length and displacement of each drawn edge.
+        Kept length, merged length and displacement of each drawn edge (mm).
     at_work : (n,)
-        Mask of the edges whose line type is cut or creased.
+        Mask of the drawn edges whose line type is cut or creased.
     """
     row, edge, overlapping, slot, source, target_row = final_rows
     kept, merged, moved = lengths

@@ -1,12 +1,14 @@
 """close_gaps: remove debris, and join ends of edges that should meet but leave a small gap.
 
-Debris is an edge shorter than ``GAP`` that connects nothing: it is isolated, is attached at one
-end only, or is shorter than ``SAME`` and connects two edges that are not shorter than ``GAP``.
+Debris is an edge shorter than ``GAP`` that is isolated, or attached to other edges at one end only.
+An edge shorter than ``SAME`` is also debris if it lies between two edges that are at least as long
+as ``GAP``: their ends can be joined without it.
 
 If an end meets no other end of its line type, and an end of this line type lies within ``GAP``, the
 two ends are moved to one point: to the intersection of two lines if it is within ``GAP`` of both
-ends, otherwise to the point halfway between the ends.  If several ends meet at only one side of the
-gap, they are not moved, and the single end is moved to their point.
+ends, otherwise to the point halfway between the ends.  If several ends meet on one side of the gap,
+they are not moved, and the single end on the other side is moved to their point.  If several ends
+of the line type meet on each side, the gap is left open.
 
 T-junctions, where an end touches the inside of another edge, and edges that end side by side are
 not changed.  An arc keeps its bulge.  No end moves by more than ``GAP``.
@@ -239,13 +241,17 @@ def _close(
         Index of the point of each end; ends that meet have the same point.
     near_pairs : (q, 2)
         Pairs of ends that are near each other, nearest pair first.
-    gap, join, same
-        Tolerances ``GAP``, ``JOIN`` and ``SAME`` (mm).
+    gap
+        Largest distance by which an end may be moved (mm).
+    join
+        Distance within which ends or edges touch; no edge may become as short as this (mm).
+    same
+        Distance from both ends of an edge beyond which a point is inside the edge (mm).
     side_cosine, straight
-        Cosines of the largest angles between edges that end side by side, and between edges that
-        continue each other.
+        Cosines of the largest angles between edges that end side by side, which are not joined, and
+        between edges that continue each other.
     slant
-        Sine of the smallest angle at which the intersection of two lines is used.
+        Sine of the smallest angle between two lines whose intersection is used.
     """
     moved = points.copy()
     by_place = np.argsort(place, kind="mergesort")

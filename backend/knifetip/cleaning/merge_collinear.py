@@ -43,7 +43,7 @@ _FEW: Final = 3
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Merged:
-    """The m edges that result from merging k edges, and which of them contains each of the k."""
+    """The m edges that result from merging k edges, and which of them replaces each of the k."""
 
     ends: F64  #: (m, 2, 2) mm
     bulge: F64  #: (m,)
@@ -118,9 +118,8 @@ def _continuations(
     """Return for each end of k edges the end of another edge with which it may be merged, (2k,).
 
     The entry is -1 unless exactly two edges meet at the end, both edges have the same line type,
-    and no end of a third edge is near.  An end that is near another one is ignored if an edge
-    shorter than ``FINE`` ends at one of them, because the ends along a flattened curve are always
-    near each other.
+    and no end of a third edge is near.  Nearness does not count if an edge shorter than ``FINE``
+    ends at either point: the points along a flattened curve are always near each other.
 
     Parameters
     ----------

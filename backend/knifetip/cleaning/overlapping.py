@@ -92,11 +92,12 @@ def _frame_boxes(rows: F64_2, fan: float, max_angle: float, same: float) -> Any:
     Returns
     -------
     boxes : (k, 4)
-        Lower and upper corner of the bounding box of each edge, in its frame (mm).
+        x min, y min, x max, y max of the bounding box of each edge, in its frame (mm).
     bucket : (k,)
         Number of the frame of each edge.
     angle, width : (k,)
-        Direction of each line, and tolerance of this direction (radians); 0 for arcs.
+        Direction of each line, 0 … π, and the angle by which the direction of a line that overlaps
+        it may differ (radians).  Both are 0 for arcs.
     """
     count = len(rows)
     boxes = np.empty((count, 4))

@@ -182,20 +182,21 @@ def _duplicates(ends: F64, bulge: F64, kind: U8) -> I64:
 def _covered(
     rows: F64_2, e: int, piece: F64_2, p: int, length: float, same: float, out: OutF64_1
 ) -> int:
-    """Return 1 if a piece covers a stretch of an edge, else 0; write the stretch into ``out``.
+    """Find the stretch of an edge that a piece covers; return 1 if there is one, else 0.
 
-    The edge is ``rows[e]`` and the piece is ``piece[p]``, both x0, y0, x1, y1, bulge.
+    The edge is ``rows[e]`` and the piece is ``piece[p]``, both x0, y0, x1, y1, bulge.  The piece is
+    coincident with a part of the edge.
 
     Parameters
     ----------
     length
         Length of the edge (mm).
     same
-        A stretch that is not longer than this is neglected, and the result is 0 (mm).
+        A stretch that is not longer than this is neglected (mm).
     out
-        The first four entries are changed if the result is 1.  They become the start and the end of
-        the stretch (0 … 1 of the edge), the index ``p``, and the column of ``piece`` (0 or 2) with
-        the x of that end of the piece that is nearer to the start of the edge.
+        If a stretch is found, its start and its end (0 … 1 of the edge) are written into entries 0
+        and 1, and ``p`` into entry 2.  Entry 3 becomes 0 if the piece has the direction of the
+        edge, and 2 if it has the opposite direction.
     """
     low, high = range_of(rows, e, piece[p])
     # Ends within the tolerance are equal.
@@ -271,8 +272,8 @@ def _remove(
     same
         Length up to which stretches are neglected (mm).
     max_stretches
-        If there are more stretches than this, the function stops and returns an incomplete result,
-        which the caller must reject.
+        Limit of the number q of stretches.  The function may stop early if the limit is exceeded,
+        so the caller must reject a result with more stretches than this.
 
     Returns
     -------

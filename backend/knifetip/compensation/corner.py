@@ -5,9 +5,9 @@ bend; D is a line, an arc and a line, without a stop or contact.  The parameter 
 from 0 (equal to B) to 1 (equal to C).  The policy "auto" selects the fastest type for each corner
 on the machine, and B only if its contact is short enough not to burn the corner.
 
-Source: radius compensation patent of Dalian Jiaotong University (B, C and D types); the durations
-are our derivation: trapezoidal speed profiles, with a stop at each jump of direction and
-v² ≤ a r′ on arcs.
+Source: radius compensation patent of Dalian Jiaotong University (B, C and D types).  The durations
+are our derivation.  They assume trapezoidal speed profiles with a stop at each jump of direction,
+and on an arc of radius r′ a speed of at most √(a r′), with a the acceleration of the machine.
 """
 
 from __future__ import annotations
@@ -35,10 +35,12 @@ _MIN_TURN: Final = 1e-9
 
 
 def turn_angles(paths: Paths, side: int) -> F64:
-    """Return the turn φ at the start of each segment, (n,) radians, > 0 if convex for the tool.
+    """Return the turn φ at the start of each segment, (n,) radians.
 
-    With u1 the tangent into the corner and u2 the tangent out of it,
-    φ = atan2(−σ u1 × u2, u1 · u2).  φ is 0 at the start of an open path.
+    φ > 0 if the path turns away from the tool, so that the tool passes outside the corner.  With u1
+    the tangent of the segment before and u2 the tangent of the segment after the corner,
+    φ = atan2(−σ u1 × u2, u1 · u2).  The segment before the first segment of a closed path is its
+    last one.  At the start of an open path φ is 0.
 
     Parameters
     ----------
@@ -57,10 +59,12 @@ def turn_angles(paths: Paths, side: int) -> F64:
 
 
 def d_type_shape(turn: F64, radius: float, k: F64) -> tuple[F64, F64]:
-    """Return the length l of each line and the radius r′ of the arc of n D corners, (n,) mm each.
+    """Return the dimensions of n corners of type D: a line, an arc and a line round the corner.
 
-    For turns φ ≤ 90°, l = k r tan(φ/2); for greater turns, l = k (L_C − L_B) / (2 − φ cot(φ/2)),
-    with L_B and L_C the path lengths of types B and C.  In both cases r′ = r − l cot(φ/2).
+    The dimensions are the length l of each of the two lines and the radius r′ of the arc, (n,) mm
+    each.  For turns φ ≤ 90°, l = k r tan(φ/2); for greater turns,
+    l = k (L_C − L_B) / (2 − φ cot(φ/2)), with L_B = ``b_type_length`` and L_C = ``c_type_length``.
+    In both cases r′ = r − l cot(φ/2).
 
     Parameters
     ----------
@@ -69,7 +73,7 @@ def d_type_shape(turn: F64, radius: float, k: F64) -> tuple[F64, F64]:
     radius : mm
         Radius r of the cutter.
     k : (n,), in [0, 1]
-        0 gives a B corner, 1 a C corner.
+        Shape of type D: 0 gives only an arc around the corner (type B), 1 only lines (type C).
     """
     b, c = b_type_length(turn, radius), c_type_length(turn, radius)
     half = turn / 2.0
@@ -84,7 +88,8 @@ def d_type_shape(turn: F64, radius: float, k: F64) -> tuple[F64, F64]:
 def b_type_length(turn: F64, radius: float) -> F64:
     """Return the path length L_B = r φ of n corners of type B, (n,) mm.
 
-    ``turn`` (n,) is the angle φ of each corner in radians, and ``radius`` r is the cutter's (mm).
+    In type B the centre of the cutter moves around the corner on an arc with the radius r of the
+    cutter.  ``turn`` (n,) is the angle φ of each corner in radians, and ``radius`` is r in mm.
     """
     return radius * turn
 
@@ -92,8 +97,10 @@ def b_type_length(turn: F64, radius: float) -> F64:
 def c_type_length(turn: F64, radius: float) -> F64:
     """Return the path length L_C of n corners of type C, (n,) mm.
 
+    In type C the centre of the cutter moves around the corner on two or three lines.
     L_C = 2 r tan(φ/2) for turns φ ≤ 90°, and 2 r (1 + sin(φ/2) − cos(φ/2)) for greater turns.
-    ``turn`` (n,) is the angle φ of each corner in radians, and ``radius`` r is the cutter's (mm).
+    ``turn`` (n,) is the angle φ of each corner in radians, and ``radius`` is the radius r of the
+    cutter in mm.
     """
     half = turn / 2.0
     wide = turn > _RIGHT_ANGLE
@@ -104,7 +111,9 @@ def c_type_length(turn: F64, radius: float) -> F64:
 
 
 def corner_lengths(turn: F64, radius: float, k: F64) -> F64:
-    """Return the path length of each corner as type B, C and D, (n, 3) mm.
+    """Return the length of a cutter's path round each of n corners, in three types, (n, 3) mm.
+
+    The columns are type B (an arc), C (lines) and D (a line, an arc and a line).
 
     Parameters
     ----------
@@ -113,7 +122,7 @@ def corner_lengths(turn: F64, radius: float, k: F64) -> F64:
     radius : mm
         Radius of the cutter.
     k : (n,), in [0, 1]
-        Parameter of type D: 0 gives a B corner, 1 a C corner.
+        Shape of type D: 0 gives a B corner, 1 a C corner.
     """
     straight, bend = d_type_shape(turn, radius, k)
     return np.stack(
@@ -125,7 +134,8 @@ def corner_lengths(turn: F64, radius: float, k: F64) -> F64:
 def contact_time(turn: F64, radius: float, feed: float, acceleration: float) -> F64:
     """Return the time for which a cutter touches each corner in type B, (n,) s.
 
-    Types C and D leave the corner at once.
+    In type B the cutter moves around the corner on an arc and touches it all the time; in the other
+    types it leaves the corner at once.
 
     Parameters
     ----------
@@ -145,11 +155,12 @@ def contact_time(turn: F64, radius: float, feed: float, acceleration: float) -> 
 
 
 def corner_durations(turn: F64, radius: float, k: F64, feed: float, acceleration: float) -> F64:
-    """Return the duration of each corner as type B, C and D, (n, 3) s.
+    """Return the time that a cutter needs for each of n corners, in three types, (n, 3) s.
 
-    The duration includes the path around the corner and the time lost by slowing down before it and
-    speeding up after it: (v − w)² / (2 a v) for each change between the feed v and a speed w, with
-    a the acceleration.
+    The columns are type B (an arc), C (lines with a stop at each bend) and D (a line, an arc and a
+    line).  The time includes the path around the corner and the time lost by slowing down before it
+    and speeding up after it: (v − w)² / (2 a v) for each change between the feed v and a speed w,
+    with a the acceleration.
 
     Parameters
     ----------
@@ -158,11 +169,12 @@ def corner_durations(turn: F64, radius: float, k: F64, feed: float, acceleration
     radius : mm
         Radius of the cutter.
     k : (n,), in [0, 1]
-        Parameter of type D: 0 gives a B corner, 1 a C corner.
+        Shape of type D: 0 gives a B corner, 1 a C corner.
     feed : mm/s
         Speed of the cutter's centre before and after the corner.
     acceleration : mm/s²
-        Largest acceleration along the path and across it; infinite to compare lengths only.
+        Largest acceleration along the path and across it.  If it is infinite, no time is lost, and
+        the durations are the path lengths divided by the feed.
     """
     length = corner_lengths(turn, radius, k)
     straight, bend = d_type_shape(turn, radius, k)
@@ -205,14 +217,16 @@ def _arc_speed(radius: F64, feed: float, acceleration: float) -> F64:
 def select_corner_types(operation: Operation) -> tuple[U8, F64]:
     """Return the type and the parameter k of the corner at the start of each segment, both (n,).
 
-    The operation sets type B, C, D or "auto" for all corners, and may set another one for single
-    corners.  "auto" selects the type with the shortest duration, and B only if the cutter touches
-    the corner for at most the cutter's ``dwell`` (s).
+    Type B is an arc, C consists of lines with a stop at each bend, and D of a line, an arc and a
+    line; k from 0 to 1 sets the shape of type D between B and C.  The operation sets a type and a k
+    for all corners, and may set others for single corners.  For the type "auto", the function
+    selects the type with the shortest duration.  It selects B only if the cutter touches the corner
+    for at most the cutter's ``dwell`` (s), or if the path does not turn away from the tool.
 
     For "auto" corners, the k of the operation is reduced to at most 1 − v² / (a r), with feed v,
     acceleration a and cutter radius r.  In turns of up to 90° the arc of type D then has a radius
-    of at least v² / a, so that the cutter need not slow down.  The limit is not used if it is too
-    small, or for a k that is set for a single corner.
+    of at least v² / a, so that the cutter need not slow down.  k is not reduced if this limit is
+    0.05 or less, or if k is set for the single corner.
 
     Raises
     ------

@@ -95,9 +95,14 @@ def crease_toolpath(operation: Operation) -> Toolpath:
 def _presses(operation: Operation, wheel: CreaseWheel, short_paths: I32) -> Strokes:
     """Return one press of the wheel for each path that is too short for its setback.
 
-    A press lowers and lifts the wheel without travel.  It is midway between the ends of the path if
-    the wheel must not crease beyond either of them, otherwise at the end beyond which it may.
-    ``short_paths`` are the numbers of these paths in the operation.
+    A press lowers and lifts the wheel without travel.  If other paths continue the path at one end,
+    the wheel is pressed at this end, because it may crease beyond it.  If both ends are free, it is
+    pressed midway between them.
+
+    Parameters
+    ----------
+    short_paths
+        Indices of the short paths in the operation.
 
     Raises
     ------

@@ -135,10 +135,10 @@ def shift_centres(
 ) -> tuple[Paths, I32]:
     """Return paths of a cutter's centre aimed deeper into the board by the deflection.
 
-    Valid for corner types B, C and D: only the direction of travel of the centre matters, which is
-    the direction of the contour wherever the cutter touches it.  At jumps of direction (a bend of
-    type C, an inside corner), the neighbouring segments are extended or trimmed to their
-    intersection.
+    The paths may go round corners on arcs or on lines (types B, C and D).  The shift of a point
+    depends only on the direction of the path there.  Where the direction jumps, as at the bend of a
+    corner of type C or at an inside corner, the two neighbouring segments are extended or trimmed
+    to their intersection.
 
     Parameters
     ----------
@@ -236,8 +236,9 @@ class _ShiftedSegments:
     def intersect_neighbours(self, paths: Paths) -> tuple[F64, F64]:
         """Return the parameters at which each of n shifted segments starts and ends, (n,) each.
 
-        ``paths`` are the segments before the shift.  If the direction jumps from one segment of a
-        path to the next, the two shifted segments end and start at their intersection.
+        If the direction jumps from one segment of a path to the next, the shifted segments do
+        not meet.  There, the first one ends and the second one starts at their intersection.
+        All other starts and ends are unchanged.  ``paths`` contains the segments before the shift.
 
         Raises
         ------

@@ -1,11 +1,12 @@
 """knife: keep a knife's blade on the cut, and adjust the ends of cuts to the slant of the blade.
 
-The leading edge of the blade slants by α, so the cut in the top face is ahead of the cut in the
-bottom face, where the tip is, by T tan α for a thickness T.  A closed path therefore runs past its
-start by this lead, as does an end that meets another cut; an end inside a panel or at a bridge
-stops earlier, so that the cut in the *top* face does not pass it.  Around a blank the knife may
-enter from the waste and leave into it along a quarter circle.  At sharp corners the knife is lifted
-and turned above the board.
+The leading edge of the blade slants by α, so the cut in the top face of the board is ahead of the
+cut in the bottom face, where the tip is, by T tan α for a thickness T.  Therefore
+the tip runs past the start of a closed path by this length before it is lifted, and likewise past
+an end that meets another cut.  At an end inside a panel or at a bridge it stops earlier by this
+length, so that the cut in the *top* face does not pass the end.  Around a blank the knife may enter
+from the waste and leave into it along a quarter circle.  At sharp corners the knife is lifted and
+turned above the board.
 
 A drag knife trails the head's axis by e: the head is at tip + e u, with u the direction of travel,
 and swings around the tip at corners.
@@ -37,8 +38,8 @@ _QUARTER_BULGE = math.tan(math.pi / 8.0)
 def knife_toolpath(operation: Operation) -> Toolpath:
     """Return the toolpath of a knife along every path of an operation.
 
-    At corners sharper than the ``swivel`` angle the blade turns above the board, at other corners
-    in the board.
+    At corners sharper than the knife's ``swivel`` angle (degrees) the blade is lifted and turned
+    above the board; at other corners it turns in the board.
 
     Raises
     ------
@@ -187,8 +188,8 @@ def _quarter_circles(
 ) -> tuple[Paths, I32]:
     """Return quarter circles by which the knife enters or leaves p closed paths.
 
-    Returns p paths, of which those with length 0 are empty.  Also returns, for each quarter circle,
-    the segment of ``paths`` that it touches.
+    Returns p paths of one quarter circle each; a path is empty if its ``size`` is 0.  Also returns,
+    for each quarter circle, the index of the segment of ``paths`` that it touches.
 
     Parameters
     ----------

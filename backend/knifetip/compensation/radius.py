@@ -1,15 +1,15 @@
 """radius: offset the centre of a cutter by its radius, so that its disc touches the part.
 
 The computation is the same for a router and for a laser, with the radius r = kerf / 2.  The tool
-plunges and lifts in the waste: on a straight lead-in that is longer than r the centre moves from
-the contour's line to the offset path, and on a lead-out back.  Without room for leads the tool
-plunges on the offset path.  The last pass of a hole cuts its waste loose, so the tool lifts from
-there without a lead-out.  Contours are milled in several passes; a cut without a side is milled on
-its centre line, forth and back.
+plunges and lifts in the waste.  On a straight lead-in, which is longer than r, the centre moves
+from the waste to the offset path; on a lead-out it moves back into the waste.  Without room for
+leads the tool plunges on the offset path.  The last pass of a hole cuts its waste loose, so the
+tool lifts from there without a lead-out.  Contours are milled in several passes; a cut without a
+side is milled on its centre line, forth and back.
 
-Source: the paper "Tool radius compensation", eqs 1–5, in the offset engine.  The offset is set up
-and cancelled as controllers do: straight to the point beside the start of the contour (type A), or
-on an arc around the start (type B).
+Source: the paper "Tool radius compensation", eqs 1–5.  The offset is set up and cancelled as
+controllers do: straight to the point beside the start of the contour (type A), or on an arc around
+the start (type B).
 """
 
 from __future__ import annotations
@@ -226,16 +226,16 @@ def radius_toolpath(operation: Operation) -> Toolpath:
 def _add_bridge_gaps(
     operation: Operation, cutter: DiscTool, centre: CentrePaths
 ) -> tuple[CentrePaths, Bool]:
-    """Return the centre paths with gaps at bridges, and the mask of the returned paths beside which
-    there is a bridge.
+    """Return the centre paths with gaps at bridges, and the mask of returned paths at bridges.
 
-    A gap is longer than the width of its bridge by the diameter of the cutter, so that the bridge
-    remains between two positions of the disc.
+    The gaps divide a centre path into several paths; the mask marks each of them.  A gap is longer
+    than the width of its bridge by the diameter of the cutter, so that the bridge remains between
+    two positions of the disc.
 
     Raises
     ------
     CompensationError
-        No centre path runs beside a bridge.
+        A bridge has no centre path beside it in which a gap could be made.
     """
     if len(operation.bridges) == 0:
         return centre, np.zeros(len(centre.paths), np.bool_)
@@ -361,8 +361,8 @@ def _lead_in(
 ) -> tuple[F64, F64, F64]:
     """Return lead-ins to centre paths, shortened near other contours.
 
-    A lead-in along which the disc would enter a contour is halved.  If this is not enough, it is
-    omitted: the tool plunges beside the contour and touches it.
+    A lead-in along which the disc would enter a contour is halved.  If this is not enough, its
+    length becomes 0, so that the tool plunges beside the contour and touches it.
 
     Parameters
     ----------
@@ -376,7 +376,8 @@ def _lead_in(
     Returns
     -------
     from, to : (m, 2) mm
-        Position of the centre at the start and at the end of the straight lead-in.
+        Position of the centre at the start and at the end of the straight lead-in; equal if its
+        length is 0.
     bulge : (m,)
         Bulge of the arc from ``to`` to the start of the centre path; 0 for no arc.
     """

@@ -41,7 +41,8 @@ def head_offset(start: F64, end: F64, cutter: VCutter) -> F64:
     start, end : (n, 2) float64, mm
         Ends of each edge, in the order of travel.
     cutter : VCutter
-        Its ``back`` is d, its ``half_width`` r.
+        Its ``back`` is d, the distance of tip and head axis across the cutting edge; its
+        ``half_width`` is r, their distance along the cutting edge.
 
     Raises
     ------
@@ -272,8 +273,15 @@ def _write_passes(
 def _check_paths(operation: Operation, cutter: VCutter) -> None:
     """Raise an error if a path of a V-groove operation cannot be cut.
 
-    A path cannot be cut if it has an arc, is shorter than the blade is wide, is cut as deep as the
-    board is thick, or has an end inside a panel that the blade would overrun too far.
+    Raises
+    ------
+    CurvedGroove
+        A path contains an arc.
+    EdgeTooShort
+        A path is shorter than the blade is wide.
+    GrooveTooDeep
+        A groove is as deep as the board is thick, or a path has an end inside a panel and the blade
+        is wider than the overrun that the board allows there.
     """
     paths = operation.paths
     curved = np.flatnonzero(np.abs(paths.bulge) >= BULGE)

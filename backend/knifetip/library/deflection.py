@@ -24,7 +24,8 @@ def deflection_toml(deflection: Deflection) -> str:
 def replace_deflection(text: str, deflection: Deflection) -> str:
     """Return the TOML text of a board with the deflection of one tool added or replaced.
 
-    ``text`` is the TOML text of the board; ``deflection`` contains the name of the tool.
+    ``text`` is the TOML text of the board; ``deflection`` contains the name of the tool and its
+    greatest deflection in X and Y (mm).
     """
     name = re.escape(deflection.tool)
     quoted = re.escape(json.dumps(deflection.tool, ensure_ascii=False))

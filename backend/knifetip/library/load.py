@@ -148,19 +148,19 @@ def _library_file(shelf: str, name: str) -> Traversable:
 def _load_file(
     shelf: str, name: str, files: bool, parse: Callable[[str, Mapping[str, Any], str], Record]
 ) -> Record:
-    """Return the machine, board or profile that ``parse`` makes of a TOML file of the user.
+    """Return the machine, board or profile that a TOML file of the user describes.
 
     Parameters
     ----------
     shelf
-        "machines", "boards" or "profiles".
+        Kind of the record: "machines", "boards" or "profiles".
     name
         Path of the file.
     files
         Whether files of the user may be read.
     parse
-        Function that returns the machine, board or profile; its arguments are the name, the fields
-        and the path of the file.
+        Function that makes the machine, board or profile from three arguments: its name, the fields
+        in the file, and the path of the file.
 
     Raises
     ------
