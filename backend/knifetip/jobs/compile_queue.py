@@ -3,7 +3,8 @@
 On one computer, the database table of the jobs is the queue.  On PostgreSQL, where several
 processes or computers compile, each job is compiled in a durable workflow of the library DBOS
 (``durable_queue``).  Both kinds of queue take a job with ``CompileStore.begin``, which increases
-the epoch (number of the owner) of the job.  A result is stored only if the epoch is still the same.
+the epoch of the job (a number that identifies the owner).  The result of a compile is stored only
+if the job still has the epoch with which it was taken.
 """
 
 from __future__ import annotations
@@ -60,9 +61,9 @@ class TableQueue:
     poll
         Time between two queries for jobs that another process received (s).
     fraction_compiled
-        Function from the name of a cutting machine to a fraction, 0 … 1: how many of the numba
-        functions that compiling a job for this machine calls have machine code.  Below 1, the jobs
-        for that machine stay ``received`` while jobs for other machines are compiled.
+        Takes the name of a cutting machine and returns a fraction (0 … 1): the part of the kernels
+        for this machine that have machine code.  Kernels are the numba functions that a compile
+        needs.  Below 1, jobs for this machine stay ``received``, and others are compiled.
     """
 
     def __init__(
@@ -102,7 +103,8 @@ class TableQueue:
     def _take_jobs(self, compile: Compile) -> None:
         """Call ``compile`` with one received job after another until the queue is stopped.
 
-        A job is not taken while numba functions that compiling it calls have no machine code.
+        A job stays in the queue until the numba functions that are needed to compile it have
+        machine code.
         """
         with self._store.changes.subscribed(self._received.set):
             while not self._stopping.is_set():
@@ -122,9 +124,9 @@ class TableQueue:
     def _next_job(self) -> Job | None:
         """Take the oldest received job that can be compiled now; return None if there is none.
 
-        A job can be compiled if the numba functions that compiling it calls have machine code.  If
-        these functions of a machine are without machine code for ``_PATIENCE`` seconds, a message
-        in the jobs for the machine says that the jobs wait.
+        A job can be compiled if the numba functions that are needed for this have machine code.  If
+        they have no machine code after ``_PATIENCE`` seconds, the jobs that need them get a message
+        about it.
         """
         machines = self._store.compiles.received_machines()
         compiled = {machine: self._fraction_compiled(machine) for machine in machines}
@@ -173,9 +175,9 @@ def queue_of(
     compiles
         False in a process that receives jobs and does not compile them.
     fraction_compiled
-        Function from the name of a cutting machine to a fraction, 0 … 1: how many of the numba
-        functions that compiling a job for this machine calls have machine code.  Not used with
-        PostgreSQL.
+        Takes the name of a cutting machine and returns a fraction (0 … 1): the part of the kernels
+        for this machine that have machine code.  Kernels are the numba functions that a compile
+        needs.  Not used with PostgreSQL.
     """
     if store.database.url.startswith("postgresql"):
         # DBOS needs 24 MB and polls the database, so it is imported only for PostgreSQL.

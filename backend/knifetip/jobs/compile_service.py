@@ -1,9 +1,9 @@
 """compile_service: compiles received jobs in worker processes, and takes back abandoned jobs.
 
-An UPDATE takes a job from the queue: it sets the state ``compiling``, the owner, the epoch (a
-number that increases with each new owner) and the lease (the time until which the owner keeps the
-job without renewing the lease; ADR 28).  One transaction stores the result and moves the job to its
-next state, but only if the job still has the epoch of the worker.  A job that is compiled twice
+An UPDATE takes a job from the queue.  It sets the state ``compiling``, the owner, the epoch (a
+number that increases with each new owner) and the lease (the time at which the owner loses the job
+unless it has renewed the lease; ADR 28).  One transaction stores the result and moves the job to
+its next state, but only if the job still has the epoch of the worker.  A job that is compiled twice
 therefore has one result.  A job whose worker process ended unexpectedly is compiled again.
 """
 
@@ -58,7 +58,8 @@ def _kernels_for(machine: str) -> tuple[str, ...]:
 class CompileService:
     """Threads that compile received jobs, and take jobs back from owners whose lease has expired.
 
-    The lease is the time until which a worker or a gateway owns a job without renewing it.
+    The owner of a job is a worker or a gateway; it loses the job unless it renews its lease in
+    time.
     """
 
     store: Store

@@ -48,11 +48,10 @@ class CompileStore:
             return list(session.scalars(query))
 
     def report_waiting(self, machine: str, progress: float) -> None:
-        """Store in each received job of a machine how much of the machine code exists.
+        """Store a message and the progress in the received jobs for a machine.
 
-        The job waits for this code, and a message in the job says so.
-
-        The first call that concerns a job also writes an event about the job.
+        The message says that the job waits until numba functions are compiled to machine code.  The
+        first call that concerns a job also writes an event about the job.
 
         Parameters
         ----------
@@ -183,7 +182,8 @@ class CompileStore:
         Parameters
         ----------
         id, epoch
-            Id of the job, and the epoch (number of the owner) that it had when the worker took it.
+            Id of the job, and the epoch that it had when the worker took it: a number that
+            increases with each new owner of the job.
         stage, progress
             Present stage of the compile, and completed fraction of the compile (0 … 1).
 
@@ -211,7 +211,8 @@ class CompileStore:
         Parameters
         ----------
         id, epoch
-            Id of the job, and the epoch (number of the owner) that it had when the worker took it.
+            Id of the job, and the epoch that it had when the worker took it: a number that
+            increases with each new owner of the job.
         result
             Program, tool path, verdict and tools.
 
@@ -274,7 +275,8 @@ class CompileStore:
         Parameters
         ----------
         id, epoch
-            Id of the job, and the epoch (number of the owner) that it had when the worker took it.
+            Id of the job, and the epoch that it had when the worker took it: a number that
+            increases with each new owner of the job.
         message
             Reason for which the job is refused.
         source
@@ -309,7 +311,8 @@ class CompileStore:
         Parameters
         ----------
         id, epoch
-            Id of the job, and the epoch (number of the owner) that it had when the worker took it.
+            Id of the job, and the epoch that it had when the worker took it: a number that
+            increases with each new owner of the job.
 
         Raises
         ------

@@ -231,6 +231,8 @@ class DrawingStore:
 
         Raises
         ------
+        NoSuchJob
+            There is no drawing with this id (jobs and drawings have the same error class).
         WrongState
             A job was made from the drawing.
         """

@@ -108,7 +108,7 @@ class DurableQueue:
                 self._received.wait(_POLL)
 
     def compile(self, id: str, attempt: int) -> None:
-        """Compile a job, unless the job or its attempt is outdated.
+        """Compile a job, unless it no longer waits for this attempt to compile it.
 
         Parameters
         ----------

@@ -212,7 +212,8 @@ class GatewayStore:
         Parameters
         ----------
         id, epoch
-            Id of the job, and the epoch (number of the owner) of the gateway's claim.
+            Id of the job, and the epoch of the gateway's claim: a number that increases with each
+            new owner of the job.
         report
             Progress of the job.
 
@@ -387,7 +388,8 @@ class GatewayStore:
         Parameters
         ----------
         id, epoch
-            Id of the job, and the epoch (number of the owner) of the gateway's claim.
+            Id of the job, and the epoch of the gateway's claim: a number that increases with each
+            new owner of the job.
         outcome
             ``done``, ``interrupted`` or ``cancelled``; ``returned`` puts the job back into the
             queue, if the gateway has sent nothing to the machine.

@@ -31,10 +31,10 @@ def interruption(
     row
         The job before the interruption, or already interrupted.
     cause
-        Cause of the interruption: reported by the gateway, or that its lease has expired.
+        Cause of the interruption: as reported by the gateway, or the expiry of its lease.
     line, copies_done
-        Numbers of executed lines and of completed copies that the gateway reported last; None for
-        the stored values of the job.
+        Number of executed lines of the current copy and number of completed copies, as the gateway
+        reported last; None for the stored values of the job.
     """
     at = row.line if line is None else min(line, row.lines)
     done = row.copies_done if copies_done is None else min(copies_done, row.copies)

@@ -211,7 +211,13 @@ class JobStore:
             return list(session.scalars(query))
 
     def release(self, id: str) -> Job:
-        """Move a ready job to the queue of its machine, and return it."""
+        """Move a ready job to the queue of its machine, and return it.
+
+        Raises
+        ------
+        WrongState
+            The job is not ``ready``.
+        """
         with self._db.writing() as session:
             self._transitions.move(
                 session,
@@ -224,14 +230,14 @@ class JobStore:
         return self.get(id)
 
     def requeue(self, id: str) -> Job:
-        """Queue an interrupted job again, at its former position in the queue.
+        """Queue an interrupted job again, at its former position in the queue, and return it.
 
         The operator calls this after clearing the table.
 
         Raises
         ------
         WrongState
-            The job is not interrupted, or was executed to its last line.
+            The job is not ``interrupted``, or its last sheet was executed to the last program line.
         """
         with self._db.writing() as session:
             row = self._transitions.lock(session, id)
@@ -253,7 +259,13 @@ class JobStore:
         return self.get(id)
 
     def scrap(self, id: str) -> Job:
-        """Give up an interrupted job, which frees the table of its machine; return the job."""
+        """Give up an interrupted job, which frees the table of its machine; return the job.
+
+        Raises
+        ------
+        WrongState
+            The job is not ``interrupted``.
+        """
         with self._db.writing() as session:
             self._transitions.move(
                 session, id, Action.SCRAP, OPERATOR, Message("job.scrapped"), requested_action=""
@@ -359,6 +371,11 @@ class JobStore:
         """Store the request to hold a job, which its gateway carries out; return the job.
 
         The job becomes ``held`` when the machine has stopped.
+
+        Raises
+        ------
+        WrongState
+            The job cannot be held now.
         """
         return self._request(id, OperatorAction.HOLD)
 
@@ -366,13 +383,23 @@ class JobStore:
         """Store the request to resume a job, which its gateway carries out; return the job.
 
         Between two copies, the request also confirms that a new sheet is on the table.
+
+        Raises
+        ------
+        WrongState
+            The job cannot be resumed now.
         """
         return self._request(id, OperatorAction.RESUME)
 
     def cancel(self, id: str) -> Job:
         """Cancel a job and return it.
 
-        A running or held job is cancelled later by its gateway, any other job at once.
+        For a running or held job, only the request is stored, and its gateway cancels it later.
+
+        Raises
+        ------
+        WrongState
+            The job is interrupted or has already ended.
         """
         with self._db.writing() as session:
             state = session.scalar(sa.select(Job.state).where(Job.id == id).with_for_update())
@@ -391,14 +418,21 @@ class JobStore:
         return self._request(id, OperatorAction.CANCEL)
 
     def _request(self, id: str, action: OperatorAction) -> Job:
-        """Store the request that the gateway of a job performs an action; return the job.
+        """Store an operator's request for the gateway of a job; return the job.
+
+        A repeated request has no effect.
 
         Parameters
         ----------
         id
             Id of a job that is on a table.
         action
-            Hold, resume or cancel.
+            Requested action: hold, resume or cancel.
+
+        Raises
+        ------
+        WrongState
+            The job does not allow the action in its present state.
         """
         with self._db.writing() as session:
             row = self._transitions.lock(session, id)
@@ -421,7 +455,15 @@ class JobStore:
 
 
 def _refused_request_error(row: Job, action: OperatorAction) -> WrongState:
-    """Return the error that a job in its present state does not allow an action."""
+    """Return the error that a job does not allow the action in its present state.
+
+    Parameters
+    ----------
+    row
+        The job.
+    action
+        Action that the operator requested.
+    """
     if action is OperatorAction.RESUME and row.confirmation == Confirmation.AWAITED:
         return WrongState("job.not-confirmed", job=row.id)
     if row.requested_action == OperatorAction.CANCEL:

@@ -17,7 +17,7 @@ from knifetip.messages import Message
 class LeaseSweep:
     """Takes jobs back from workers and gateways whose lease has expired.
 
-    The lease is the time until which a worker or a gateway owns a job without renewing it.
+    A worker or gateway that owns a job loses it unless it renews its lease in time.
     """
 
     def __init__(

@@ -28,8 +28,8 @@ _REQUESTED = frozenset({Action.HOLD, Action.RESUME, Action.CANCEL})
 def allowed_actions(row: Job, now: float) -> list[OperatorAction]:
     """Return the actions that an operator may perform or request on a job now.
 
-    All other actions are refused, except the action that was accepted last: it may be repeated
-    without effect.
+    All other actions are refused.  The exception is the action that was accepted last: it may be
+    sent again, and then has no effect.
 
     Parameters
     ----------

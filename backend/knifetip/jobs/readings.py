@@ -68,7 +68,7 @@ def restore_or_read(
 # Changes of overrides or profile need the same drawing again: cache the last few.
 @lru_cache(maxsize=4)
 def read_drawing(content: bytes, unit: str) -> Drawing:
-    """Return the drawing that a file contains; the drawings read last are cached.
+    """Return the drawing that a file contains; the last four drawings read are cached.
 
     Parameters
     ----------
@@ -85,9 +85,9 @@ def read_drawing(content: bytes, unit: str) -> Drawing:
 def _new_overrides(stored: Interpretation, interpretation: Interpretation) -> U8 | None:
     """Return the overrides that must still be applied to a stored drawing, (n,), or None.
 
-    An override is the LineType that the user has set for an edge.  Edges that already have the
-    right line type have ``NO_OVERRIDE``.  Returns None if the file must be read again, because unit
-    or profile differ or an override was removed.
+    An override is the LineType that the user has set for an edge.  An edge that already has the
+    right line type gets ``NO_OVERRIDE``.  Returns None if the file must be read again: if unit or
+    profile differ, the numbers of overrides differ, or an override was removed.
 
     Parameters
     ----------

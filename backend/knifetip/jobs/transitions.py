@@ -180,7 +180,7 @@ def stale_epoch_error(id: str, state: str, current: int, epoch: int) -> StaleEpo
 
 
 def same_request(row: Row, key: str, fingerprint: str) -> Row:
-    """Return a stored drawing or job if the present request is the one that created it.
+    """Return ``row`` if the present request is the one that created it; otherwise raise an error.
 
     Parameters
     ----------

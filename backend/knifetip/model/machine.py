@@ -10,9 +10,9 @@ from knifetip.model.tool import KINDS, Planner, Switching, Tool, kind_of
 
 @dataclass(frozen=True, slots=True)
 class Axis:
-    """Travel, maximum velocity and acceleration of one axis of a machine (mm, mm/s, mm/s²).
+    """Range of positions, maximum velocity and acceleration of one axis of a machine.
 
-    Degrees replace millimetres for a rotary axis.
+    The units are mm, mm/s and mm/s²; for a rotary axis degrees, degrees/s and degrees/s².
     """
 
     low: float  #: minimum joint position

@@ -25,9 +25,10 @@ _BATCH: Final = 1000
 
 
 class EdgeTable(NamedTuple):
-    """Arrays with one row per edge of a drawing, and lists of names.
+    """Arrays with one row per edge of a drawing, with metadata.
 
-    Some arrays contain indices into these lists, such as the index of the edge's layer.
+    The metadata contain the lists of names to which indices in the arrays refer, such as the
+    layers.
     """
 
     columns: Mapping[str, NDArray[Any]]  #: each has one row per edge

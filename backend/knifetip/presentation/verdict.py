@@ -141,10 +141,12 @@ def pack_verdict(
 
     Parameters
     ----------
+    verdict
+        The verifier's measurements per edge, which become arrays.
     findings
-        Result of ``findings_json``.
+        The faults in the program as JSON data, from ``findings_json``.
     summary
-        Result of ``verdict_summary``, to which the caller may have added values.
+        Maxima and totals as JSON data, from ``verdict_summary``; the caller may have added values.
     """
     return pack_columns(
         {
