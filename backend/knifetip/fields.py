@@ -89,9 +89,9 @@ def _path(fault: ErrorDetails) -> tuple[str, ...]:
 
 
 def _field(fault: ErrorDetails) -> tuple[str, ...]:
-    """Return the path of the field that a pydantic error names.
+    """Return the path of the field that a pydantic error names, without the index of a list item.
 
-    If the error names an item of a list, the path is that of the list, without the item's number.
+    If the error names an item of a list, the result is the path of the list.
     """
     path = _path(fault)
     if len(path) > 1 and isinstance(fault["loc"][-1], int):

@@ -249,7 +249,9 @@ def verify(
     ProgramError
         The tolerance is not a positive, finite number.
     GeometryError
-        A coordinate of the dieline or the placement is not finite.
+        A coordinate of the dieline or the placement is not finite, or is too far from the origin.
+    DrawingTooLarge
+        Too many edges overlap.
     """
     return _verdict(text, dieline, clean(dieline), placement, machine, board, tolerance)
 

@@ -395,7 +395,7 @@ def _outcomes(
     state
         The current edges after the last step of cleaning.
     final_rows
-        Indices of the current edges in the cleaned dieline and of the drawn edges in them.
+        Indices that relate the drawn edges to the current edges and to the cleaned edges.
     lengths
         Kept length, merged length and displacement of each drawn edge (mm).
     at_work : (n,)

@@ -43,7 +43,10 @@ _FEW: Final = 3
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Merged:
-    """The m edges that result from merging k edges, and which of them replaces each of the k."""
+    """The m edges that result from merging k edges.
+
+    ``merged_edge`` contains for each of the k edges the index of the edge that replaces it.
+    """
 
     ends: F64  #: (m, 2, 2) mm
     bulge: F64  #: (m,)
