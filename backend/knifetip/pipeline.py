@@ -249,7 +249,8 @@ def verify(
     ProgramError
         The tolerance is not a positive, finite number.
     GeometryError
-        A coordinate of the dieline or the placement is not finite, or is too far from the origin.
+        A coordinate of the dieline is not finite or too far from the origin, or the placement is
+        not finite.
     DrawingTooLarge
         Too many edges overlap.
     """
