@@ -76,7 +76,7 @@ def test_killed_while_it_runs_it_comes_back_as_interrupted(database: Path) -> No
             f"The job was interrupted at program line {found['line']} of {found['lines']}. "
             in found["reason"]
         )
-        assert "was stopped" in found["reason"]
+        assert "sends jobs to the machine) was stopped" in found["reason"]
         # No other job gets the table before the operator has decided about this one.
         other = order_job(client, drawing, release=True)["id"]
         wait_for_state(client, other, "queued")
@@ -143,7 +143,7 @@ def test_a_regular_stop_of_the_server_stops_its_machine(database: Path) -> None:
     with Running(database, simulator=False) as client:
         found = client.get(f"/api/jobs/{job}").json()
         assert found["state"] == "interrupted"
-        assert "was stopped" in found["reason"]
+        assert "sends jobs to the machine) was stopped" in found["reason"]
 
 
 def test_a_claim_that_waited_during_a_power_failure_is_confirmed_again(database: Path) -> None:

@@ -1044,7 +1044,7 @@ export const TEXTS = {
     "hint": "Wait until the controller is idle, or reset the controller at the table."
   },
   "gateway.job-withdrawn": {
-    "text": "The server withdrew the job from the gateway, and the machine was stopped.",
+    "text": "The server withdrew the job from the gateway (the program that sends jobs to the machine), and the machine was stopped.",
     "hint": "Check the table and the board on it."
   },
   "gateway.job-withdrawn-before-start": {
@@ -1052,7 +1052,7 @@ export const TEXTS = {
     "hint": ""
   },
   "gateway.no-reason": {
-    "text": "The gateway ended the job without stating a reason.",
+    "text": "The gateway (the program that sends jobs to the machine) ended the job without stating a reason.",
     "hint": "Look for the cause in the log of the gateway."
   },
   "gateway.switched-off": {
@@ -1064,7 +1064,7 @@ export const TEXTS = {
     "hint": "Start the gateway if it is not running."
   },
   "gateway.switched-off-in-run": {
-    "text": "The gateway (the program that sends jobs to the machine) was ended while it executed the job. Before it ended, it stopped the machine.",
+    "text": "The gateway (the program that sends jobs to the machine) was stopped while it executed the job. Before it ended, it stopped the machine.",
     "hint": "Check the table, then start the gateway again."
   },
   "gateway.system-error": {

@@ -360,7 +360,7 @@ async def test_switching_the_gateway_off_stops_the_machine_and_says_so() -> None
         assert server.table.position[2] == 20.0
         assert server.table.position[0] < 560.0
     assert office.finished[0]["outcome"] == "interrupted"
-    assert "was stopped" in office.finished[0]["why"]["text"]
+    assert "sends jobs to the machine) was stopped" in office.finished[0]["why"]["text"]
     assert office.finished[0]["line"] == 6
 
 

@@ -18,7 +18,8 @@ MESSAGES: Final[Entries] = {
         state="text",
     ),
     "gateway.job-withdrawn": entry(
-        "The server withdrew the job from the gateway, and the machine was stopped.",
+        "The server withdrew the job from the gateway (the program that sends jobs to the "
+        "machine), and the machine was stopped.",
         "Check the table and the board on it.",
     ),
     "gateway.job-withdrawn-before-start": entry(
@@ -26,7 +27,8 @@ MESSAGES: Final[Entries] = {
         "sent to the machine.",
     ),
     "gateway.no-reason": entry(
-        "The gateway ended the job without stating a reason.",
+        "The gateway (the program that sends jobs to the machine) ended the job without "
+        "stating a reason.",
         "Look for the cause in the log of the gateway.",
     ),
     "gateway.switched-off": entry(
@@ -39,8 +41,8 @@ MESSAGES: Final[Entries] = {
         "Start the gateway if it is not running.",
     ),
     "gateway.switched-off-in-run": entry(
-        "The gateway (the program that sends jobs to the machine) was ended while it executed "
-        "the job. Before it ended, it stopped the machine.",
+        "The gateway (the program that sends jobs to the machine) was stopped while it "
+        "executed the job. Before it ended, it stopped the machine.",
         "Check the table, then start the gateway again.",
     ),
     "gateway.system-error": entry(
