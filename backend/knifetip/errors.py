@@ -22,8 +22,7 @@
     │   ├── EdgeTooShort          an edge shorter than its tool
     │   └── GrooveTooDeep         a V-groove too deep for the board or its free ends
     ├── ProgramError              the emitted program is wrong
-    │   ├── ProgramUnreadable     a line that the verifier cannot parse
-    │   └── ProgramRefused        the program deviates too much from the drawing
+    │   └── ProgramUnreadable     a line that the verifier cannot parse
     ├── ControllerError           the controller or the connection to it failed
     │   ├── ControllerAlarm       the controller reported an alarm
     │   ├── ControllerRejected    the controller reported an error for a line
@@ -223,10 +222,6 @@ class ProgramError(KnifetipError):
 
 class ProgramUnreadable(ProgramError):
     """Raised when the verifier cannot parse a program line."""
-
-
-class ProgramRefused(ProgramError):
-    """Raised when the verifier refuses a program because it deviates too much from the drawing."""
 
 
 class ControllerError(KnifetipError):

@@ -366,9 +366,7 @@ async def run_gateway(
     connect
         Function that connects to the controller, and returns it with the machine in its safe state.
         It is called at the start and after every failure, with two arguments: the safe state, and
-        whether to stop a machine that still moves.  Example: ``lambda safe, stop_motion:
-        dial("127.0.0.1:2323", safe, stop_motion=stop_motion)`` with the ``dial`` of
-        ``gateway.grbl.driver``.
+        whether to stop a machine that still moves.
     client
         HTTP client to use, which is not closed; None to create one.
     jobs

@@ -39,7 +39,7 @@ export interface paths {
         };
         /**
          * Get Drawing
-         * @description Get a drawing with its open questions and its import report.
+         * @description Get a drawing with its import report and the questions that the user must still answer.
          *
          *     The status is 304 if ``If-None-Match`` contains the ETag of the drawing.
          */
@@ -163,9 +163,11 @@ export interface paths {
         put?: never;
         /**
          * Order Job
-         * @description Create a job and compile it; 409 with ``questions`` if the drawing has open questions.
+         * @description Create a job; the server then compiles and verifies its program in the background.
          *
-         *     The program is compiled and verified while the job is ``received`` and ``compiling``.
+         *     Meanwhile the state of the job is ``received``, then ``compiling``.  If the user must first
+         *     answer questions about the drawing, the status is 409 and the response contains the
+         *     ``questions``.
          */
         post: operations["order_job"];
         delete?: never;
@@ -263,12 +265,13 @@ export interface paths {
         };
         /**
          * Get Toolpath
-         * @description Get the tool path of a job as binary columns with one row per move of the head.
+         * @description Get the tool path of a job as binary columns; each of its n moves of the head is one row.
          *
-         *     The columns are ``pose`` (X and Y of the head's axis, Z of the tool's tip in mm, C in degrees;
-         *     one row more than moves), ``bulge`` (tan(sweep / 4) of an arc, 0 for a line), ``motion`` (kind
-         *     of the move), ``feed`` (mm/min), ``source`` (row of the edge), ``tool`` (station number) and
-         *     ``line`` (program line).
+         *     The columns are ``pose`` (n + 1 positions, at the start and after each move: X and Y of the
+         *     head's axis and Z of the tool's tip in mm, C in degrees), ``bulge`` (tan(sweep / 4) of an arc, 0
+         *     for a line), ``motion`` (number of the kind of the move, such as 0 for a rapid move), ``feed``
+         *     (mm/min), ``source`` (row of the processed edge in the drawing; -1 between edges), ``tool``
+         *     (station number) and ``line`` (number of the program line; -1 for none).
          */
         get: operations["get_toolpath"];
         put?: never;
@@ -312,9 +315,9 @@ export interface paths {
          * Confirm Job
          * @description Confirm that table, board and tools are ready; then the machine starts.
          *
-         *     Between two copies, this confirms the new sheet.  A confirmation is valid for the present claim
-         *     of the gateway.  The status is 409 if the job does not wait for a confirmation, or if the
-         *     request names another board than the job.
+         *     If the job waits between two copies, the request confirms that the next sheet is on the table.
+         *     If a gateway claims the job again, a new confirmation is necessary.  The status is 409 if the
+         *     job does not wait for a confirmation, or if the request names another board than the job.
          */
         post: operations["confirm_job"];
         delete?: never;
@@ -354,7 +357,10 @@ export interface paths {
         put?: never;
         /**
          * Resume Job
-         * @description Request to resume a held job; between two copies this confirms the new sheet.
+         * @description Request to resume a held job.
+         *
+         *     If the job is held between two copies, the request also confirms that the next sheet is on the
+         *     table.
          */
         post: operations["resume_job"];
         delete?: never;
@@ -709,7 +715,9 @@ export interface paths {
         put?: never;
         /**
          * Learn From Corrections
-         * @description Propose rules that give edges the line types which the user has set; nothing is stored.
+         * @description Propose classification rules from the line types that the user has set in a drawing.
+         *
+         *     A proposed rule gives the edges these line types.  Nothing is stored.
          */
         post: operations["learn_from_corrections"];
         delete?: never;
@@ -729,10 +737,11 @@ export interface paths {
         put?: never;
         /**
          * Claim
-         * @description Wait for the next job of a machine and claim it; 204 if there is none for ``wait`` seconds.
+         * @description Claim the next job of a machine for a gateway, and wait for one if there is none yet.
          *
-         *     If ``confirm`` is true in the response, nothing may be sent to the machine before the operator
-         *     confirms the job.
+         *     The status is 204 if no job is available within ``wait`` seconds, a field of the request.  If
+         *     ``confirm`` is true in the response, the gateway must send nothing to the machine before the
+         *     operator confirms the job.
          */
         post: operations["claim"];
         delete?: never;
@@ -794,8 +803,9 @@ export interface paths {
          * Finish
          * @description Report that a job has ended, with its outcome.
          *
-         *     The last gateway of an interrupted job may report late; the report ends the job, or corrects the
-         *     last executed line and the message of the job.
+         *     A job is interrupted by the server if its gateway sends no heartbeats.  This gateway may still
+         *     report later: the outcome ``done`` ends the job, and any other outcome corrects the last
+         *     executed line and the message of the interrupted job.
          */
         post: operations["finish"];
         delete?: never;
@@ -853,7 +863,9 @@ export interface paths {
         };
         /**
          * Status
-         * @description Get the version of the server, and the progress of compiling functions after installation.
+         * @description Get the version of the server, and its progress in compiling functions to machine code.
+         *
+         *     They are compiled once after an installation; uploads and jobs wait until this is complete.
          */
         get: operations["status"];
         put?: never;
@@ -1032,7 +1044,9 @@ export interface components {
         };
         /**
          * Claim
-         * @description A job that is assigned to the gateway until the lease expires.
+         * @description A job that is assigned to a gateway until its lease expires.
+         *
+         *     Each heartbeat renews the lease.
          */
         Claim: {
             /**
@@ -1314,11 +1328,12 @@ export interface components {
         };
         /**
          * Corners
-         * @description Types of the outer corners of a job: the path of a cutter or a laser round these corners.
+         * @description Types of the outer corners of a job.
          *
-         *     Type B is an arc.  Type C consists of straight lines with a stop at each bend.  Type D consists
-         *     of a line, an arc and a line.  ``auto`` chooses for each corner the type that is fastest on the
-         *     machine.
+         *     At an outer corner the cutter or laser stays on the waste side of the contour and so moves
+         *     around the corner.  The type is the shape of this path.  Type B is an arc.  Type C consists of
+         *     straight lines with a stop at each bend.  Type D consists of a line, an arc and a line.
+         *     ``auto`` chooses for each corner the type that is fastest on the machine.
          */
         Corners: {
             /**
@@ -1350,7 +1365,7 @@ export interface components {
         };
         /**
          * DeflectionOut
-         * @description Measured maximum deflection of one cutter in a board, by the force of cutting (mm).
+         * @description Measured maximum displacement of one cutter by the cutting force in a board (mm).
          */
         DeflectionOut: {
             /**
@@ -1763,9 +1778,9 @@ export interface components {
         };
         /**
          * FootprintOut
-         * @description Shape of the mark of a tool on the board, and position of the tool's tip, for drawing both.
+         * @description Data to draw a tool on the board: the shape of its mark, and the position of its tip.
          *
-         *     The direction C is the direction in which the tool points, its heading.
+         *     The direction C is the direction in which the tool points.
          */
         FootprintOut: {
             /**
@@ -1812,7 +1827,7 @@ export interface components {
         };
         /**
          * FormatOut
-         * @description An import format of drawings.
+         * @description A file format from which drawings can be imported.
          */
         FormatOut: {
             /**
@@ -2278,7 +2293,7 @@ export interface components {
         };
         /**
          * JobTool
-         * @description A station that the program of a job uses.
+         * @description One tool that the program of a job uses: its station and its kind.
          */
         JobTool: {
             /**
@@ -2862,9 +2877,10 @@ export interface components {
         };
         /**
          * RuleIn
-         * @description A rule of a profile: an edge that meets all conditions of the rule gets its line type.
+         * @description A rule of a profile in a request: conditions on an edge, and a line type.
          *
-         *     Conditions on names are shell patterns that ignore case; an empty list is no condition.
+         *     Edges that meet all conditions get the line type.  Conditions on names are lists of shell
+         *     patterns that ignore case; an empty list is met by any name.
          */
         RuleIn: {
             /**
@@ -2906,7 +2922,9 @@ export interface components {
         };
         /**
          * RuleOut
-         * @description A rule of a profile: an edge that meets all conditions of the rule gets its line type.
+         * @description A rule of a profile in a response: conditions on an edge, and a line type.
+         *
+         *     Edges that meet all conditions get the line type.
          */
         RuleOut: {
             /**
@@ -2956,7 +2974,9 @@ export interface components {
         };
         /**
          * ServiceOut
-         * @description Version of the server, and progress of compiling functions after an installation.
+         * @description Version of the server, and its progress in compiling functions to machine code.
+         *
+         *     They are compiled once after an installation.
          */
         ServiceOut: {
             /**
@@ -2990,7 +3010,8 @@ export interface components {
          * StationOut
          * @description A tool station on the head of a machine.
          *
-         *     The position of each axis is the programmed position plus the datum of the station in use.
+         *     While the station is in use, its datum (the offset of its tool) is added to the programmed
+         *     position of each axis.
          */
         StationOut: {
             /**
@@ -3175,10 +3196,12 @@ export interface components {
          * VerdictOut
          * @description A verdict with columns of measurements; value i of a column belongs to edge i of the drawing.
          *
-         *     ``format=columns`` also contains samples of the deviation: ``sample_edge``, ``sample_place``
-         *     (position along the edge, 0 … 1) and ``sample_deviation`` (mm, positive to the left).  The
-         *     outlines of the areas that no cutter reaches are in the columns ``area_ends``, ``area_bulge``,
-         *     ``area_first`` (first row of each outline) and ``area_size`` (mm²).
+         *     ``format=columns`` also contains the deviation of the tip from an edge at m samples:
+         *     ``sample_edge`` (row of the edge), ``sample_place`` (position along the edge, 0 … 1) and
+         *     ``sample_deviation`` (mm, positive to the left of the edge).  The outlines of the areas that no
+         *     cutter reaches consist of lines and arcs, one per row of ``area_ends`` (start and end points,
+         *     mm) and ``area_bulge`` (tan(sweep / 4)).  ``area_first`` contains the first row of each outline,
+         *     and ``area_size`` the area of each outline (mm²).
          */
         VerdictOut: {
             /**

@@ -161,7 +161,7 @@ READ: Mapping[str, tuple[str, int, Maker]] = {
     "dxf: cyclic blocks": ("inserts itself", 1, cyclic_blocks),
     "dxf: not numbers": ("not a number", 1, not_numbers),
     "dxf: absurd knots": ("damaged", 1, absurd_knots),
-    "dxf: in UTF-16": ("kept", 1, lambda: dxf.dxf(_LINE).decode().encode("utf-16")),
+    "dxf: in UTF-16": ("imported unchanged", 1, lambda: dxf.dxf(_LINE).decode().encode("utf-16")),
     "binary dxf: cyclic blocks": ("inserts itself", 1, lambda: binary(cyclic_blocks())),
     "binary dxf: not numbers": ("not a number", 1, lambda: binary(not_numbers())),
     "svg: external references": ("another file", 1, external_references),

@@ -210,7 +210,9 @@ def test_another_board_is_refused_and_a_field_that_is_unknown_too(
 ) -> None:
     other = confirm(client, waiting, board="greyboard-2.0", by="Kim")
     assert other.status_code == 409
-    assert other.json()["hint"] == "Put e-flute on the table."
+    assert other.json()["hint"] == (
+        "Put a sheet of e-flute on the table, then confirm the job again."
+    )
     assert confirm(client, waiting, colour="red").status_code == 422
     assert beat(client, waiting, 0, waiting=True).json()["command"] == "wait"
     assert confirm(client, waiting, board="e-flute", by="Kim").status_code == 200

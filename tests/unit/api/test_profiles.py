@@ -254,7 +254,7 @@ def test_a_drawing_classified_by_a_profile_reports_that_the_profile_changed(
         ({"profile": "acme", "rules": 'title = "x"\n[[rule]]\ntype = "glue"'}, 422, "glue"),
         ({"profile": "../acme", "rules": OURS}, 422, "name"),
         ({"profile": "acme", "rules": "#" * (257 << 10)}, 422, "262144"),
-        ({"profile": "acme", "rules": 7}, 422, "string"),
+        ({"profile": "acme", "rules": 7}, 422, "body.rules is 7, but must be text"),
     ],
 )
 def test_invalid_rules_change_nothing(

@@ -557,7 +557,7 @@ def test_every_object_has_a_row_and_dropped_ones_a_reason() -> None:
                 "ends before the path ends"
             ),
         ),
-        ("annotation", "2 notes and form fields on the page are not cut"),
+        ("annotation", "2 notes and form fields on the PDF page are not cut"),
     ]
 
 
