@@ -1,9 +1,9 @@
 """annotations: the texts and dimensions of a drawing, as written in the file.
 
-The tags of a TEXT, MTEXT, ATTRIB or DIMENSION entity become an ``Annotation`` in file units.  Both
-readers decode the texts from the bytes of the file and do not take them from ezdxf: texts are
-evidence for the unit, and ezdxf may repair them.  Texts in blocks are left out, even if an INSERT
-places the block.
+The tags of a TEXT, MTEXT, ATTRIB or DIMENSION entity become an ``Annotation`` in file units.  The
+fast reader and the ezdxf reader decode the texts from the bytes of the file and do not take them
+from ezdxf: texts are evidence for the unit, and ezdxf may repair them.  Texts in blocks are left
+out, even if an INSERT places the block.
 """
 
 from __future__ import annotations
@@ -91,11 +91,11 @@ def annotation(
 
 
 def has_formatting(kind: str, text: str) -> bool:
-    """Return whether a text must be parsed by ``annotation``, which decodes formatting codes.
+    """Return whether the text of one entity must be parsed by ``annotation``.
 
-    This is so if the text may contain formatting codes or is longer than the longest text that is
-    read.  All other texts are processed together by ``plain_annotations``.  ``kind`` is the kind of
-    the entity that contains the text, such as MTEXT.
+    The result is True if the text may contain formatting codes, which ``annotation`` decodes, or is
+    longer than 2000 characters, to which ``annotation`` shortens it.  All other texts are processed
+    together by ``plain_annotations``.  ``kind`` is the kind of the entity, such as MTEXT.
     """
     return kind in _CODED or "\\" in text or "%%" in text or len(text) > _LONGEST
 

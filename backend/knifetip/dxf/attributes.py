@@ -1,7 +1,7 @@
 """attributes: layer, colour and linetype of entities, with BYLAYER and BYBLOCK resolved.
 
-A layer that is missing from the layer table of the file, although an entity is on it, gets colour
-7 and linetype Continuous, and is on and not frozen.
+If an entity names a layer that the layer table of the file does not contain, the layer is assumed
+to have colour 7 and linetype Continuous, and to be neither off nor frozen.
 """
 
 from __future__ import annotations
@@ -25,8 +25,9 @@ _BYLAYER = 256
 class Layer(NamedTuple):
     """Colour, linetype and notes of a layer of a DXF file.
 
-    Entities with BYLAYER on the layer have its colour and linetype.  The notes, for example that
-    the layer is frozen, are added to the import report for each entity on the layer.
+    An entity whose colour or linetype is BYLAYER has the colour or linetype of its layer.  The
+    notes, for example that the layer is frozen, are added to the import report for each entity on
+    the layer.
     """
 
     colour: int
@@ -91,10 +92,10 @@ class Styles:
         self._layers = layers
 
     def notes(self, layer: str) -> tuple[Message, ...]:
-        """Return the notes in the import report for all entities on a layer.
+        """Return the notes of the layer named ``layer``, for example that it is off or frozen.
 
-        For example, a note reports that the layer is off or frozen.  ``layer`` is the name of the
-        layer.
+        The caller adds them to the import report for each entity on the layer.  The tuple is empty
+        if there are no notes.
         """
         return self._layers.get(layer.lower(), _SILENT).notes
 
@@ -133,8 +134,9 @@ class Styles:
         linetype
             Name of the linetype of the entity; "BYLAYER" if the entity has none.
         insert_style
-            Style of the INSERT that places the entity, None in model space.  An entity in a block
-            takes attributes BYBLOCK from it, and also its layer if the entity is on layer 0.
+            Style of the INSERT that places the entity, None in model space.  An entity whose colour
+            or linetype is BYBLOCK gets the colour or linetype of the INSERT.  An entity in a block
+            that is on layer 0 gets the layer of the INSERT.
         """
         block = insert_style or _SHEET
         if insert_style is not None and name == "0":

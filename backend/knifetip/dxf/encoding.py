@@ -24,9 +24,10 @@ def unescape(name: str) -> str:
 def encoding_of(data: bytes, variables: dict[str, str]) -> str:
     """Return Python's name of the character encoding of the texts in a DXF file.
 
-    From version R2007 on the encoding is UTF-8.  In older files a header variable names a code
-    page, but many programs write UTF-8 and name the code page ANSI_1252 or none.  The texts of such
-    a file are therefore decoded as UTF-8 if they are valid UTF-8.
+    From version R2007 on the encoding is UTF-8.  In older files it is the code page that a header
+    variable names, such as ANSI_932.  Many programs, however, write UTF-8 and name the code page
+    ANSI_1252 or none.  For such a file the result is UTF-8 if the content is valid UTF-8, and
+    Windows-1252 if it is not.
 
     Parameters
     ----------

@@ -148,9 +148,10 @@ def _write_box(
     codes, numbers, count
         Group codes and numbers of the tags of the entity, and the number of tags.
     rules : (k, 4)
-        Rules for k entities.  ``rules[row]`` determines which tags of the entity are coordinates of
-        its points: group codes of the points, as bits; group codes after which and before which the
-        points are written, -1 for none; and whether an extrusion of −Z mirrors the points.
+        One rule for each of k entities, which determines the tags that are coordinates of its
+        points.  Column 0: set of the group codes of x, one bit per code.  Column 1: group code
+        after which points are read, -1 to read them from the start.  Column 2: group code at which
+        reading stops, -1 for none.  Column 3: 1 if an extrusion of −Z mirrors the points, else 0.
     row
         Index of the entity in ``rules`` and ``box``.
     """

@@ -114,8 +114,9 @@ class SourceEntity(Protocol):
 class Entry(NamedTuple):
     """An entity of model space or of a block, to be added to the import report.
 
-    ``counted`` is the entity as written in the file, and ``handle`` is its handle in the import
-    report.  ``source`` is the entity as the fast reader or ezdxf read it, None if ezdxf skipped it.
+    ``counted`` is the entity as ``prescan`` counted it in the bytes of the file, and ``handle`` is
+    its handle in the import report.  ``source`` is the entity as the fast reader or ezdxf read it;
+    None if ezdxf skipped it.
     """
 
     counted: PrescannedEntity
@@ -267,7 +268,7 @@ class BlockExpansion:
     def sheet_entity(self, entry: Entry) -> None:
         """Add ``entry``, an entity of model space, to the import report and to the placed shapes.
 
-        If the entity is an INSERT, the entities of the block that it places are added after it.
+        If the entity is an INSERT, the entities of its block are also added, after the INSERT.
         """
         self._entry(entry, "", (ON_SHEET, np.zeros((1, 2))), None)
 

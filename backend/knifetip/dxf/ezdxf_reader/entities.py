@@ -38,7 +38,9 @@ if TYPE_CHECKING:
 class Lines:
     """The shape of an entity as n segments: lines, and arcs of at most 180 degrees each.
 
-    ``ends`` are the end points, and ``bulge`` is 0 for a line.
+    ``ends`` contains the start and the end point of each segment.  ``bulge`` contains the tangent
+    of a quarter of the sweep angle of each arc, positive if the arc is counter-clockwise; it is 0
+    for a line.
     """
 
     ends: F64  #: (n, 2, 2) file units

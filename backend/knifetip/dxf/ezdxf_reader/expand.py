@@ -94,8 +94,9 @@ def _match(
     """Return each entity as written in the file, with its handle and the matching ezdxf entity.
 
     Entities match if their kinds and handles are equal.  The remaining entities are paired in file
-    order with remaining ezdxf entities of their kind, or with None if there are no more.  Entities
-    that only ezdxf contains are appended.
+    order with remaining ezdxf entities of their kind, or with None if there are no more.  An entity
+    that ezdxf contains and the file does not is appended, with a new ``PrescannedEntity`` made from
+    it.
 
     Parameters
     ----------

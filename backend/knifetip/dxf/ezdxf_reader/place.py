@@ -188,10 +188,17 @@ def _bounds(placed: Placed) -> tuple[F64, F64]:
 
 
 def _transform_exactly(placed: Placed) -> tuple[F64, F64] | None:
-    """Return the segments of all n placements of a shape, if the placements keep arcs circular.
+    """Return the segments of all placements of a shape, if its arcs remain circular.
 
-    The result is the ends, (n, 2, 2) in file units, and the bulges, (n,).  It is None if a
-    placement makes an arc of the shape elliptical, or if the shape is an ellipse or a spline.
+    The result is None if a placement makes an arc of the shape elliptical, or if the shape is an
+    ellipse or a spline.
+
+    Returns
+    -------
+    ends : (n, 2, 2)
+        Start and end point of each of the n segments of all placements together (file units).
+    bulge : (n,)
+        Bulge of each segment.
     """
     shape, linear, shift = placed.shape, placed.linear, placed.shift
     if not isinstance(shape, Lines):
@@ -211,10 +218,17 @@ def _transform_exactly(placed: Placed) -> tuple[F64, F64] | None:
 
 
 def _approximate(placed: Placed, tolerance: float) -> tuple[F64, F64]:
-    """Return lines and arcs that approximate all placements of a shape.
+    """Return n lines and arcs that approximate a shape in all of its placements together.
 
-    The result is the ends, (n, 2, 2) in file units, and the bulges, (n,), of the lines and arcs.
-    ``tolerance`` is their largest permitted distance from the placed shape (file units).
+    ``tolerance`` is the largest permitted distance of a line or arc from the placed shape (file
+    units).
+
+    Returns
+    -------
+    ends : (n, 2, 2)
+        Start and end point of each line or arc (file units).
+    bulge : (n,)
+        Bulge of each line or arc; 0 for a line.
     """
     shape, linear, shift = placed.shape, placed.linear, placed.shift
     ends_of: list[F64] = []

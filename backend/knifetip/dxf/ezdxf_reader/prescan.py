@@ -166,9 +166,10 @@ def _index_after(kind: str, number: int, starts: list[int], values: Sequence[Any
 
 
 def _unpack_layouts(prescan_: Prescan) -> None:
-    """Move the entities of *Model_Space and *Paper_Space to the list ``prescan_.entities``.
+    """Move the entities of the blocks *Model_Space and *Paper_Space to ``prescan_.entities``.
 
-    These are the blocks in which a DXF file may contain the entities of model and paper space.
+    A DXF file may contain the entities of model space and of paper space in these two blocks.
+    Blocks with names such as *Paper_Space0 are treated in the same way.
     """
     for name in [
         name for name in prescan_.blocks if name.startswith(("*model_space", "*paper_space"))

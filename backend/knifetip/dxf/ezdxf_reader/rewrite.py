@@ -63,10 +63,10 @@ class _Records(NamedTuple):
 def with_markers(data: bytes, *, every: bool = False) -> bytes:
     """Return the DXF file ``data`` with subclass markers added to its LWPOLYLINEs and SPLINEs.
 
-    The markers are inserted after the tags of each such entity and before its extension data.  They
-    are followed by a copy of the tags that not all kinds of entities have, such as coordinates,
-    because ezdxf expects these after the markers.  A file that cannot be split into records is
-    returned unchanged.
+    The markers are inserted after the tags of each such entity and before its extension data.  The
+    tags specific to the kind of the entity, such as coordinates, are repeated after the markers,
+    because ezdxf expects them there.  A file that cannot be split into records is returned
+    unchanged.
 
     Parameters
     ----------
@@ -136,18 +136,20 @@ def _records(data: bytes) -> _Records | None:
 
 
 def _split_tags(records: _Records, tag: int, tag_end: int) -> tuple[list[int], list[int], range]:
-    """Return tags of one entity in three lists of indices into ``records.codes``.
+    """Return indices into ``records.codes`` of three selections of the tags of one entity.
 
-    The entity has the tags ``tag`` … ``tag_end`` - 1.
+    The tags of the entity have the indices ``tag`` … ``tag_end`` - 1.  Its extension data starts at
+    the first tag with a group code of at least 1000.
 
     Returns
     -------
     head : list
-        All tags before the extension data (group codes from 1000 on), without subclass markers.
+        Indices of all tags before the extension data, without subclass markers.
     own : list
-        The tags in ``head`` with group codes that only some kinds of entities have.
+        Those indices in ``head`` whose tags are specific to the kind of the entity, such as its
+        coordinates.
     added : range
-        The tags of the extension data.
+        Indices of the tags of the extension data.
     """
     codes = records.codes
     end = next((n for n in range(tag, tag_end) if codes[n] >= _ADDED), tag_end)

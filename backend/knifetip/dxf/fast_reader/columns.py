@@ -1,6 +1,7 @@
 """columns: kernels that compute the segments of entities, and of blocks that INSERTs place.
 
-The results are equal to those of ``shapes`` and ``block_expansion``, bit for bit.
+The segments equal, bit for bit, the segments that the modules ``dxf.shapes`` and
+``block_expansion`` compute for one entity at a time.
 """
 
 from __future__ import annotations
@@ -184,7 +185,10 @@ def inserts(placement: F64_2, base: F64_2, move: OutF64_3) -> None:
 
 
 class SheetRows(NamedTuple):
-    """The k entities of model space in file order, and where their segments are in the drawing."""
+    """The k entities of model space in file order, and the index range of the segments of each.
+
+    The index range refers to the array of all segments of the drawing.
+    """
 
     entity: I64_1  #: (k,) row of each entity
     report_row: I64_1  #: (k,) row of each entity in the import report

@@ -78,8 +78,8 @@ def paths_of(handles: Spelled, placed: list[str], own: I64, insert: I64) -> Spel
     placed
         Complete handles of the rows whose entities were expanded by ``BlockExpansion``.
     own : (m,)
-        Where the handle of each row is found: a value i < e is an index into ``handles``, a greater
-        value means ``placed[i - e]``.
+        Index i of the handle of each row.  If i < e, the handle is element i of ``handles``; if
+        i ≥ e, it is ``placed[i - e]``.
     insert : (m,)
         Index into ``handles`` of the INSERT that places the entity of each row; -1 for entities of
         model space and for rows with a handle in ``placed``.
@@ -179,17 +179,20 @@ def _spell(
 
 @kernel(allocates=False)
 def _measure(end: I64_1, own: I64_1, insert: I64_1, out_end: OutI64_1) -> int:
-    """Compute where the handle of each of m rows ends in a text of all handles, one after another.
+    """Compute the ends of the handles of m report rows in the text in which they are joined.
 
-    The ends are written into ``out_end``, (m,).  Returns the length of the text in bytes.
+    Writes the ends, positions in bytes, into ``out_end``, (m,).  Returns the length of the text in
+    bytes.
 
     Parameters
     ----------
     end
-        End of each source handle in a text that contains all source handles.
-    own, insert : (m,)
-        Indices into ``end`` of the handle of the entity in each row, and of the handle of the
-        INSERT that precedes it, -1 for none.
+        End of the handle of each entity in the text of all entity handles (bytes).
+    own : (m,)
+        Index into ``end`` of the handle of the entity in each row.
+    insert : (m,)
+        Index into ``end`` of the handle of the INSERT that is written before it with a slash; -1 if
+        there is none.
     """
     total = 0
     for row in range(len(own)):

@@ -38,8 +38,9 @@ from knifetip.model.words import Repeated
 class Variant(NamedTuple):
     """Layers, styles and import outcomes of the entities of one block, for INSERTs of one style.
 
-    An outcome is the reason for dropping an entity, None if it is kept, and notes.  The layers,
-    styles and outcomes depend on the style of the INSERT: entities may have attributes BYBLOCK.
+    An import outcome consists of the reason for dropping an entity (None if the entity is kept) and
+    of the notes on the entity.  Layers, styles and outcomes depend on the style of the INSERT,
+    because entities may have attributes BYBLOCK.
     """
 
     layers: list[str]  #: layer of each entity
@@ -170,9 +171,9 @@ def _sheet_outcomes(
 ) -> Iterator[SharedOutcome]:
     """Yield the import outcomes of the entities in model space.
 
-    An outcome is the reason for dropping entities, None if they are kept, and notes.  It is yielded
-    once for several entities with the same reason and notes.  ``dropped`` contains the indices,
-    among the entities of model space, of the entities that are dropped.
+    An import outcome consists of the reason for dropping an entity (None if the entity is kept) and
+    of the notes on the entity.  Entities with the same reason and notes are yielded together.
+    ``dropped`` contains the indices, among the entities of model space, of the dropped entities.
     """
     entity, rows = tables.scan.entity, order.rows
     paper, sort, word, count = (
@@ -203,8 +204,9 @@ def _sheet_outcomes(
 def _block_outcomes(order: Order, inserts: Inserts) -> Iterator[SharedOutcome]:
     """Yield the import outcomes of the entities in blocks.
 
-    An outcome is the reason for dropping an entity of a block, None if it is kept, and notes.  It
-    applies to all copies of the entity that INSERTs of one style place.
+    An import outcome consists of the reason for dropping an entity of a block (None if the entity
+    is kept) and of the notes on the entity.  An outcome is yielded once for all copies of the
+    entity that are placed by INSERTs of the same style.
     """
     of_variant = _group_indices(inserts.variant, len(inserts.variants))
     for variant, same in zip(inserts.variants, of_variant, strict=True):

@@ -344,8 +344,9 @@ class FastReader:
         """Return the mask of the entities in ``rows`` that ``BlockExpansion`` expands one by one.
 
         They are the entities that the scan does not support, except texts, dimensions and entities
-        in paper space, and the entities with a coordinate beyond a third of ``reach``, because an
-        arc may extend beyond the ends of its segments.
+        in paper space, and the entities with a coordinate that may be too large.  Only the ends of
+        the segments are examined, and an arc may extend beyond its ends: a coordinate of an end is
+        therefore limited to a third of ``reach``.
 
         Parameters
         ----------
@@ -486,9 +487,10 @@ class FastReader:
             Segments of the entities that array operations process.
         expansion
             Import report and shapes of the entities that were expanded one by one.
-        segments_before, first_row
-            For each entity that was expanded: the number of elements of ``segments`` that precede
-            it in file order, and its first row in the import report of ``expansion``.
+        segments_before
+            For each expanded entity, the number of ``segments`` that precede it in file order.
+        first_row
+            For each expanded entity, its first row in the import report of ``expansion``.
         whole_row
             For each row of the import report of ``expansion``, its row in the import report of the
             whole file.

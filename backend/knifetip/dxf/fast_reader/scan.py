@@ -126,10 +126,17 @@ class _PartScans:
 
 
 def _scan_parts(data: bytes, bounds: list[int], entities: int) -> _PartScans:
-    """Return the content of all parts of a file, which are scanned in parallel.
+    """Scan the parts of a file in parallel, and return their content.
 
-    ``bounds`` are the positions at which the parts begin, and the end of the last part.
-    ``entities`` is the largest number of entities for which arrays are provided.
+    Parameters
+    ----------
+    data
+        Content of the file.
+    bounds
+        Positions at which the parts begin, and the end of the last part.
+    entities
+        Number of entities for which memory is reserved, in all parts together.  A part with more
+        entities than its proportion of this number is not supported.
     """
     parts = list(pairwise(bounds))
     rows = [entities * (end - begin) // max(len(data), 1) for begin, end in parts]

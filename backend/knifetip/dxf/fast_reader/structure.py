@@ -302,7 +302,8 @@ def _section_record(low: int, word: int, state: OutI64_1) -> int:
     Parameters
     ----------
     low
-        Position of the keyword in the file; it is stored as the end of the section HEADER.
+        Position of the keyword in the file.  If the keyword ends the section HEADER, the position
+        is stored as the end of this section.
     word
         Number of the keyword: ``SECTION``, ``ENDSEC`` or ``EOF``.
     state

@@ -157,9 +157,9 @@ def corrugated_tray(
     length, width, height : float, mm
         Inside dimensions of the tray.
     caliper : float, mm
-        Thickness t of the board.  Creases are in the middle of the board.  The distance from the
-        inside of the tray to a crease is therefore longer by t for each wall between them, and by
-        t/2 for the wall with the crease.
+        Thickness t of the board.  A crease is in the middle of its board.  The distance between two
+        creases is therefore the inside dimension, plus t/2 for each board that has one of the
+        creases, plus t for each board between them.
     """
     t = caliper
     side = width / 2.0 + t / 2.0
@@ -295,12 +295,17 @@ def _contour(*parts: ArrayLike) -> Paths:
 def _notch(radius: float, depth: float, lead: float) -> F64:
     """Return the corners of a thumb notch in the edge of a panel, shape (4, 4).
 
-    The columns are u along the edge and v into the board (mm), 0, and bulge of the side after the
-    corner.  The board is to the left of the edge, and the middle of the notch is at u = 0.  The
-    notch is an arc of radius ``radius`` that reaches ``depth`` into the board, with a fillet of
-    radius ``lead`` at each side (mm).  The centre of the arc is ``radius - depth`` outside the
-    board, so the arc and a fillet touch where their direction differs from the edge by φ,
-    cos φ = (radius - depth + lead) / (radius + lead).
+    The notch is an arc of radius ``radius`` that reaches ``depth`` into the board.  At each side a
+    fillet of radius ``lead`` leads from the edge into the arc (all in mm).  The board is to the
+    left of the edge, and the middle of the notch is at u = 0.
+
+    The columns of the returned array are u along the edge (mm), v into the board (mm), radius of
+    the fillet at the corner, which is always 0, and bulge of the side after the corner.  The
+    fillets at the sides of the notch are not such fillets: they are sides with a bulge.
+
+    The centre of the arc is ``radius - depth`` outside the board.  The common tangent of the arc
+    and a fillet therefore makes the angle φ with the edge, cos φ = (radius - depth + lead) /
+    (radius + lead).
     """
     turned = math.acos((radius - depth + lead) / (radius + lead))
     half = (radius + lead) * math.sin(turned)
