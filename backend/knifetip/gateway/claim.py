@@ -58,10 +58,13 @@ def _not_idle(controller: Controller, state: State) -> Message:
 
 
 def _cause_of(error: KnifetipError | OSError) -> Message:
-    """Return the message that is reported to the server as the cause of the end of a job.
+    """Return the message that the gateway reports as the cause of the end of a job.
 
-    ``error`` is the exception that ended the job.  The result is the message of this exception, or
-    a message that quotes it if it is an ``OSError``.
+    Parameters
+    ----------
+    error
+        Exception that ended the job.  For an ``OSError``, the result is a message that quotes the
+        exception; otherwise it is the message that the exception contains.
     """
     if isinstance(error, KnifetipError):
         return error.message
@@ -90,7 +93,8 @@ class _GatewayLoop:
         Parameters
         ----------
         jobs
-            Number of jobs after which to return; None to run until cancelled.
+            Number of jobs to claim; the method returns when the last one has ended with any
+            outcome.  None to run until cancelled.
         """
         try:
             await asyncio.gather(self._report_unfinished(), self._recover())
@@ -127,11 +131,11 @@ class _GatewayLoop:
         await self._server.finish(end)
 
     async def _recover(self) -> None:
-        """Connect to the controller and stop the machine, if the journal has an unfinished job.
+        """Stop the machine if the journal contains an unfinished job.
 
-        Does nothing if there is no unfinished job.  The machine may still execute that job, because
-        the gateway was killed while the job ran.  If the controller cannot be reached, a warning is
-        logged, and the next connection stops the machine.
+        If the gateway was killed while a job ran, the machine may still execute that job.  The
+        method connects to the controller, which stops the machine.  If the controller cannot be
+        reached, a warning is logged, and the machine is stopped when the gateway next connects.
         """
         if self._journal.unfinished() is None:
             return
@@ -217,14 +221,16 @@ class _GatewayLoop:
         await self._server.finish(JobEnd.of(run, outcome, cause))
 
     async def _wait_for_confirmation(self, run: JobRun) -> None:
-        """Wait until the operator has confirmed the job.
+        """Wait until the operator has confirmed the job; return at once if that is not necessary.
 
         Raises
         ------
         JobReturned
-            The controller is not idle, or cannot be reached.
-        JobWithdrawn, JobCancelled
-            The server withdrew the job, or the operator cancelled it.
+            The controller is not idle or cannot be reached, so the job must return to the queue.
+        JobWithdrawn
+            The server withdrew the job.
+        JobCancelled
+            The operator cancelled the job.
         """
         while run.waiting:
             run.answered.clear()
@@ -312,12 +318,14 @@ class _GatewayLoop:
     async def _wait_for_sheet(self, run: JobRun) -> None:
         """Wait until the operator has laid the sheet for the next copy and resumed the job.
 
-        Meanwhile the heartbeats report the job as held.
+        During the wait, the heartbeats report the job as held.
 
         Raises
         ------
-        JobWithdrawn, JobCancelled
-            The server withdrew the job, or the operator cancelled it.
+        JobWithdrawn
+            The server withdrew the job.
+        JobCancelled
+            The operator cancelled the job.
         """
         run.held, run.requested = True, ""
         while run.requested != "resume":
@@ -364,13 +372,15 @@ async def run_gateway(
     settings
         Settings of the gateway: its server, its machine, its name and its time limits.
     connect
-        Function that connects to the controller, and returns it with the machine in its safe state.
-        It is called at the start and after every failure, with two arguments: the safe state, and
-        whether to stop a machine that still moves.
+        Function that connects to the controller, brings the machine into its safe state, and
+        returns the controller.  It is called at the start and after every failure.  Its first
+        argument is the safe state of the machine; its second argument is True if a machine that
+        still moves must be stopped.
     client
-        HTTP client to use, which is not closed; None to create one.
+        HTTP client to use; it is not closed.  None to create a client.
     jobs
-        Number of jobs after which to return; None for no limit.
+        Number of jobs to claim; the function returns when the last one has ended.  None for no
+        limit.
     """
     http = httpx.AsyncClient() if client is None else client
     http.headers.update({"X-Knifetip": "gateway", **settings.headers})

@@ -32,7 +32,7 @@ class State(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Status:
-    """A status report of a controller, with the numbers of lines sent and answered up to then."""
+    """A status report of a controller, with the numbers of lines sent and answered before it."""
 
     state: State
     position: Pose  #: in work coordinates, as in the program
@@ -65,13 +65,14 @@ class SafeState:
 
 
 class Observer(Protocol):
-    """Compares each status report of a controller with the state that the program requires."""
+    """Interface of an object that checks each status report of a controller against the program."""
 
     @property
     def doubtful(self) -> bool:
-        """Whether the last status report contradicts the program.
+        """Whether the last status report deviates from the program.
 
-        If it does, the connection requests a new status report at once.
+        A single report may be damaged, so it does not stop the machine.  The connection requests a
+        new report at once.
         """
         ...
 
@@ -84,11 +85,11 @@ class Observer(Protocol):
 
 
 class Controller(Protocol):
-    """The controller of one machine.
+    """Interface of a connected controller of one machine.
 
-    After the first failure (alarm, reset, silence, lost connection, refused line) every later call
-    raises the error of that failure, until ``stop`` or ``open`` has brought the machine into its
-    safe state.
+    The first failure (alarm, reset, silence, lost connection or refused line) is kept in ``fault``.
+    Until ``stop`` or ``open`` has brought the machine into its safe state, all methods that use the
+    machine raise this failure, except ``stop`` and ``open``.
     """
 
     observer: Observer | None
@@ -100,9 +101,9 @@ class Controller(Protocol):
 
     @property
     def fault(self) -> ControllerError | None:
-        """First failure since the machine was in its safe state; None if there is none.
+        """First failure since the machine was last in its safe state; None if there is none.
 
-        Every call except ``stop``, ``open`` and ``close`` raises this failure.
+        Every method except ``stop``, ``open`` and ``close`` raises this failure.
         """
         ...
 
@@ -168,7 +169,7 @@ class Controller(Protocol):
         Raises
         ------
         ControllerError
-            The controller failed, or sent more answers than it received lines.
+            The controller has failed, or has sent more answers than lines were sent to it.
         """
         ...
 
@@ -185,17 +186,21 @@ class Controller(Protocol):
         ...
 
     async def stop(self) -> Status:
-        """Discard the rest of the program, make the machine safe, and return its status.
+        """Discard the rest of the program and bring the machine into its safe state.
 
-        The machine is brought into its safe state: tool raised, spindle off, all outputs off.
+        The tool is raised, the spindle is stopped, and all outputs are switched off.  This method
+        can be called after every failure: it clears the failure, and reconnects if the connection
+        is lost.
 
-        Can be called after every failure and clears the failure; reconnects if the connection is
-        lost.
+        Returns
+        -------
+        Status
+            Status of the machine after the tool was raised.
 
         Raises
         ------
         ControllerError
-            The machine could not be reached, or is locked.
+            The controller cannot be reached, or an alarm locks the machine.
         """
         ...
 
@@ -210,14 +215,14 @@ class Driver(Protocol):
     async def __call__(
         self, address: str, safe: SafeState | None = None, *, stop_motion: bool = False
     ) -> Controller:
-        """Return a connected controller whose machine is in the safe state.
+        """Connect to a controller, bring its machine into the safe state and return the controller.
 
         Parameters
         ----------
         address
             HOST:PORT of the controller.
         safe
-            Safe state of the machine; if None, the tool is not raised, and no output is switched
+            Safe state of the machine.  If None, the tool is not raised, and no output is switched
             off.
         stop_motion
             Whether to stop a machine that moves; True if the machine may still execute a program of

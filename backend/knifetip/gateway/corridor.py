@@ -37,12 +37,12 @@ _STATES = (State.IDLE, State.RUN, State.HOLD)
 
 
 class Corridor:
-    """Follows a program as it is sent, and compares every reported position with it.
+    """Checks that each reported position is on the path of the program that is being sent.
 
     Parameters
     ----------
     text
-        The program.
+        Text of the program (G-code).
     start
         Status of the controller before the first program line is sent.
     capacity
@@ -70,8 +70,8 @@ class Corridor:
     def observe(self, status: Status) -> ControllerError | None:
         """Return an error if the machine has left the path of the program, else None.
 
-        The machine has left the path if the positions of the last ``REPORTS`` status reports, up to
-        ``status``, are off the path.
+        A single report may be damaged.  An error is therefore returned only if the last ``REPORTS``
+        positions are off the path; the last one is the position in ``status``.
         """
         self._take(status.sent - self._base)
         self._forget(status.acknowledged - self._base)
@@ -125,9 +125,10 @@ class Corridor:
                 self._moves.append((self._read, move))
 
     def _forget(self, answered: int) -> None:
-        """Delete the oldest stored moves that are certainly executed.
+        """Delete the oldest stored moves that the machine has certainly executed.
 
-        A move is executed if as many later moves as the planner can hold have been answered.
+        The planner of the controller holds a limited number of moves.  When that number of later
+        moves has been answered, a move has left the planner and is executed.
 
         Parameters
         ----------
@@ -139,11 +140,12 @@ class Corridor:
             self._near = max(self._near - 1, 0)
 
     def _nearest(self, position: Pose) -> tuple[float, int]:
-        """Return the distance (mm) of a position from the nearest stored move, and a line number.
+        """Return the distance (mm) of a position from a stored move, and the line of the move.
 
-        The number is that of the program line with the move, or 0 for the position at the start of
-        the program, which counts as a move.  If a move is within ``OFF`` mm of the position, the
-        first such move is used, even if another move is nearer.  At least one move is stored.
+        If stored moves are found within ``OFF`` mm of the position, the first one found is used;
+        otherwise the nearest move is used.  The line is given as the number of the program line,
+        from 1.  It is 0 for the position at the start of the program, which is stored as a move of
+        length 0.  At least one move is stored.
         """
         least, line = math.inf, 0
         count = len(self._moves)

@@ -3,8 +3,8 @@
 For example ``b"G2 X10 Y0 I5 J0 C-90 F1200"`` becomes a ``Block`` with a ``Move``.  A line that the
 controller refuses raises ``LineRefused`` with grbl's error number.
 
-The simulated table executes the blocks.  The gateway compares the reported positions of a real
-machine with them.
+The simulated table executes the blocks.  For a real machine, the gateway checks whether the
+reported positions are on the moves of the blocks.
 """
 
 from __future__ import annotations
@@ -243,7 +243,9 @@ class Interpreter:
 
 
 def _split(text: bytes) -> tuple[dict[str, float], list[tuple[str, float]]]:
-    """Return the words of a line in two groups.
+    """Split a program line into its words, and return the words in two groups.
+
+    A word is a letter with a number, such as ``X10.5`` or ``G1``.
 
     Parameters
     ----------
@@ -253,7 +255,7 @@ def _split(text: bytes) -> tuple[dict[str, float], list[tuple[str, float]]]:
     Returns
     -------
     words
-        Number in each word except G and M, by letter.
+        Number in each word except G and M words, by letter.
     commands
         Letter and number of each G and M word, in the order of the line.
 

@@ -13,9 +13,10 @@ from knifetip.messages import Message, with_text
 
 @dataclass(frozen=True, slots=True)
 class Lease:
-    """The server's answer to a claim: a job with its program, its number of copies and its lease.
+    """The server's answer to a claim: the job, its program, its number of copies and its lease.
 
-    The lease is the time for which the gateway owns the job without a new heartbeat.
+    The lease is a time in seconds.  The gateway loses the job if it sends no heartbeat for this
+    time.
     """
 
     job: str
@@ -40,7 +41,7 @@ class Lease:
 
 
 class JobWithdrawn(Exception):
-    """Raised when the server has assigned the job to another gateway, or has ended it."""
+    """Raised when the server has assigned the job to another gateway, or has ended the job."""
 
 
 class JobCancelled(Exception):

@@ -61,8 +61,8 @@ class JobServer:
     async def claim(self) -> Lease | None:
         """Claim the next job of the machine, and return it with its lease.
 
-        Returns None if the server has no job within the ``wait`` seconds of the settings, or does
-        not answer.
+        Returns None if the server has no job for the machine or does not answer.  The server waits
+        for a new job for at most ``GatewaySettings.wait`` seconds.
         """
         body = {
             "gateway": self._settings.name,
@@ -118,12 +118,14 @@ class JobServer:
         raise ProgramError("program.not-fetched", job=claim.job, reason=reason)
 
     async def send_heartbeats(self, run: JobRun) -> None:
-        """Send the progress of a job at intervals, until the server withdraws the job.
+        """Send the progress of a job to the server at intervals.
+
+        The method returns when the server has withdrawn the job; otherwise it must be cancelled.
 
         Parameters
         ----------
         run
-            State of the job with its progress; the commands in the answers are stored in it.
+            State of the job with its progress.  The commands in the answers are stored in ``run``.
         """
         patience = max(min(run.claim.lease / 3.0, 2.0), self._settings.beat)
         while not run.stale:
@@ -150,8 +152,8 @@ class JobServer:
         end
             The job, and how it ended.
         tries
-            Greatest number of requests; None for no limit.  If none of them is answered, the method
-            returns; the end is reported again when the gateway is next started.
+            Greatest number of requests; None for no limit.  If no request is answered, the method
+            returns, and the gateway reports the end again after its next start.
         """
         job, epoch, outcome, cause = end.job, end.epoch, end.outcome, end.cause
         self._journal.outcome(job, outcome, cause)

@@ -1,8 +1,8 @@
 """journal: a file in which the gateway records the progress and the end of each job.
 
-The file has one JSON object per line; it is closed after each line.  It contains events that the
-server does not receive: progress while the server was unreachable, and the end of a job if the
-gateway was switched off before the server had answered its report.
+The file has one JSON object per line; it is closed after each line.  It contains also events that
+may not reach the server: progress while the server cannot be reached, and the end of a job if the
+gateway is switched off before the server has answered.
 """
 
 from __future__ import annotations
@@ -51,13 +51,17 @@ class Journal:
 
         Parameters
         ----------
-        job, epoch
-            Id of the job, and the epoch of the claim: a number that the server increases whenever
-            the job gets a new owner.
+        job
+            Id of the job.
+        epoch
+            Epoch of the claim: a number that the server increases whenever the job gets a new
+            owner.
         sha256
             Checksum of the program.
-        lines, copies
-            Number of lines of the program, and number of copies to make.
+        lines
+            Number of lines of the program.
+        copies
+            Number of copies to make.
         """
         if self._path is not None and self._path.exists() and self._path.stat().st_size > LONG:
             self._path.replace(self._path.with_name(self._path.name + ".1"))
@@ -82,8 +86,10 @@ class Journal:
             Id of the job.
         copy
             Number of the running copy, from 0.
-        executed, acknowledged
-            Number of program lines executed by the machine, and answered by the controller.
+        executed
+            Number of program lines that the machine has executed.
+        acknowledged
+            Number of program lines that the controller has answered.
         """
         now = (job, copy, executed, acknowledged)
         if now != self._last:
@@ -135,12 +141,15 @@ class Journal:
 
         Parameters
         ----------
-        job, epoch
-            Id of the job, and the epoch of the claim: a number that the server increases whenever
-            the job gets a new owner.
-        outcome, cause
-            ``done``, ``interrupted``, ``cancelled`` or ``returned``, and the cause of the end; None
-            if there is none.
+        job
+            Id of the job.
+        epoch
+            Epoch of the claim: a number that the server increases whenever the job gets a new
+            owner.
+        outcome
+            ``done``, ``interrupted``, ``cancelled`` or ``returned``.
+        cause
+            Cause of the end; None if there is none.
         """
         self._append(
             {
@@ -156,7 +165,8 @@ class Journal:
     def unfinished(self) -> Unfinished | None:
         """Return the last job of the journal if the server has not acknowledged its end.
 
-        Returns None if the server has acknowledged it, or if the journal contains no job.
+        Returns None if the server has acknowledged the end of this job, or if the journal contains
+        no job.
         """
         if self._path is None or not self._path.exists():
             return None
@@ -191,12 +201,13 @@ def _end_last_line(path: Path) -> None:
 
 
 def _apply(unfinished: Unfinished | None, row: dict[str, Any]) -> Unfinished | None:
-    """Return the unfinished job after a further event of the journal, None if there is none.
+    """Process one event of the journal; return the job that is unfinished after it, or None.
 
     Parameters
     ----------
     unfinished
-        Unfinished job before the event, None if there is none; it may be changed.
+        Job that was unfinished before the event; None if there was none.  It may be changed in
+        place.
     row
         JSON object of the event.
     """

@@ -4,8 +4,8 @@ A pose is x, y, z in mm and c in degrees.  The simulated table moves as the plan
 real machine, the gateway uses the same moves to find the point that is nearest to a reported
 position, and to estimate durations.
 
-Lengths are measured over all four axes, mm and degrees alike, as in grblHAL; the feed (G94) is such
-a length per minute.
+Lengths are measured over all four axes, and a degree counts as a millimetre, as in grblHAL.  The
+feed (G94) is the length that is covered per minute.
 """
 
 from __future__ import annotations
@@ -120,10 +120,11 @@ class Move:
         return -pace * (rx * sin + ry * cos), pace * (rx * cos - ry * sin), dz, dc
 
     def nearest(self, pose: Pose) -> tuple[float, float]:
-        """Return the distance of a pose from the move, and where on the move it is nearest.
+        """Return the distance from a pose to the nearest point of the move, and the point itself.
 
-        The distance is measured over all four axes (mm and degrees); on an arc, the point nearest
-        in X and Y is used.  The second value is a fraction (0 … 1) of the length of the move.
+        The point is given as the fraction (0 … 1) of the length of the move at which it lies.  The
+        distance is measured over all four axes (mm and degrees).  On an arc, the nearest point is
+        chosen by X and Y only.
         """
         start, end = self.start, self.end
         if self.centre is None:
@@ -299,10 +300,11 @@ class Planner:
         self.holding = False
 
     def advance(self, seconds: float) -> float:
-        """Advance the point for at most ``seconds``; return the time used (s).
+        """Move the point along the current move for at most ``seconds``; return the time used (s).
 
-        The point stops advancing at the end of the current move.  The same pose is reached by many
-        calls with short times as by one call with their sum.
+        The time used is less than ``seconds`` if the point reaches the end of the current move or
+        comes to rest in a hold.  It is 0 if the queue is empty or the point rests in a hold.
+        Within one move, several calls have the same effect as one call with the sum of their times.
         """
         if not self.moving:
             return 0.0
@@ -369,7 +371,7 @@ def _brake(
     """Return the time used (s), the length covered and the new speed of a decelerating point.
 
     Lengths are in mm and degrees alike.  The time used is less than ``seconds`` if the point comes
-    to rest, or reaches the end of its move, before.
+    to rest or reaches the end of its move earlier.
 
     Parameters
     ----------

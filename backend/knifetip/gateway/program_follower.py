@@ -4,11 +4,11 @@ Line numbers (N words) would make this simple, but they are not added to a progr
 program must run exactly as it was verified.  Instead three facts are combined, each of which is
 reliable by itself:
 
-- the controller answers a line that waits for all motion (G4, M3, M5, M30) only when all lines
-  before it are executed;
-- the field ``Bf`` of a report shows how many blocks the planner contains; all answered moves before
-  these blocks are executed;
-- the first answered move that passes through the reported position is the one being executed.
+- The controller answers a line that waits for all motion (G4, M3, M5, M30) only when all lines
+  before it are executed.
+- The field ``Bf`` of a report shows how many moves are still in the planner.  The answered moves
+  that have left the planner are executed.
+- The first answered move that passes through the reported position is being executed.
 
 If a program does have N words and the controller reports the field ``Ln``, this field is the number
 of the line.  Only the lines from the first one that is not executed to the last answered one are
@@ -142,8 +142,8 @@ class ProgramFollower:
     def _find(self, status: Status) -> tuple[int, float]:
         """Return the index of the line being executed, and the executed fraction of its move.
 
-        The index counts from the first answered line that is not known to be executed.  Returns
-        ``(0, 0.0)`` if no answered move passes through the reported position.
+        The index counts the stored lines from 0; these are the answered lines that may not be
+        executed yet.  Returns ``(0, 0.0)`` if no stored move passes through the reported position.
         """
         nearest, executing = NEAR, (0, 0.0)
         for row, line in enumerate(self._window):
@@ -162,8 +162,9 @@ class ProgramFollower:
     def _take(self, acknowledged: int) -> None:
         """Interpret the program lines that the controller has answered since the last call.
 
-        The lines are stored until they are known to be executed.  If one of them waits for all
-        earlier motion, its answer proves that it and all lines before it are executed.
+        The lines are stored until they are known to be executed.  Some lines are answered only
+        after all earlier motion, such as a dwell.  The answer to such a line proves that the line
+        and all lines before it are executed.
 
         Parameters
         ----------

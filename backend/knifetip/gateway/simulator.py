@@ -1,4 +1,4 @@
-"""simulator: a simulated sample-maker that listens on a TCP port like a grbl controller."""
+"""simulator: a simulated cutting table that listens on a TCP port like a grbl controller."""
 
 from __future__ import annotations
 

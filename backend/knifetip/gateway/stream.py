@@ -146,7 +146,7 @@ def _check_alarm(controller: Controller, status: Status) -> None:
 
 
 async def _make_safe(controller: Controller) -> Status:
-    """Bring the machine into its safe state (tool raised, outputs off) and return its status."""
+    """Bring the machine into its safe state (tool raised, outputs off); return the new status."""
     controller.observer = None
     return await controller.stop()
 
@@ -169,8 +169,8 @@ async def _stop(
     follower
         Follower with the number of executed lines, which the returned error contains.
     base
-        Status before the first line was sent; ``base.sent`` is subtracted from the number of
-        lines that the controller has received since it was opened.
+        Status before the first line of the program was sent.  ``base.sent`` counts the lines sent
+        before the program; the lines of the program are counted from there.
     lines
         Number of lines of the program.
     """

@@ -1,10 +1,15 @@
-"""table: a simulated sample-maker with the protocol of grbl 1.1 and grblHAL.
+"""table: a simulated cutting table with the protocol of grbl 1.1 and grblHAL.
 
-It models all behaviour that a sender must handle: a receive buffer of 128 bytes that overflows, a
-planner of 15 blocks, an ``ok`` only when a line moves from the buffer to the planner, soft limits,
-check mode, holds that decelerate within an arc, M64 and M65 that act when they are read, and alarms
-that lock.  Simulated time passes ``speed`` times as fast as the clock, and only while an axis moves
-or the table dwells.
+It simulates all behaviour that a sender of programs must handle:
+
+- a receive buffer of 128 bytes that can overflow, and a planner of 15 blocks;
+- an ``ok`` that is sent only when the line moves from the buffer to the planner;
+- soft limits, check mode, and holds that decelerate within an arc;
+- M64 and M65, which switch an output as soon as the line is read;
+- alarms that lock the controller until a reset.
+
+Simulated time passes ``speed`` times as fast as real time, and only while an axis moves or the
+table dwells.
 """
 
 from __future__ import annotations
@@ -486,9 +491,10 @@ class Table:
             await asyncio.sleep(TICK if self.busy else 0.0)
 
     def _advance_pending(self, deadline: float, loop: asyncio.AbstractEventLoop) -> None:
-        """Simulate the time that has passed since the last call, at most until ``deadline``.
+        """Simulate the pending time, but return at ``deadline`` at the latest.
 
-        The time that is not simulated before ``deadline`` is left for the next call.
+        The pending time has passed since the last call but is not simulated yet.  The part of it
+        that is not simulated before ``deadline`` is left for the next call.
 
         Parameters
         ----------

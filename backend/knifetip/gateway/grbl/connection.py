@@ -93,7 +93,7 @@ class GrblConnection:
     def start(self) -> None:
         """Clear the recorded fault, and start the tasks that read answers and request reports.
 
-        Tasks that run already continue.
+        Tasks that are running already are not started again.
         """
         if not self._tasks:
             self._start_tasks()
@@ -289,13 +289,13 @@ class GrblConnection:
             raise self.fault
 
     def silent(self) -> ControllerSilent:
-        """Return the error which states that the controller does not answer."""
+        """Return (not raise) a new error which states that the controller does not answer."""
         return ControllerSilent(
             "controller.silent", name=self.name, seconds=self.silence, due=self.buffer.due()
         )
 
     def surplus_answer(self) -> ControllerError:
-        """Return the error for an answer that arrived when no line was unanswered."""
+        """Return (not raise) a new error for an answer that belongs to no unanswered line."""
         return ControllerError("controller.unexpected-answer", name=self.name)
 
     async def wait_until(self, condition: Callable[[], bool], code: str = "") -> None:
@@ -323,7 +323,10 @@ class GrblConnection:
             await self._changed.wait()
 
     def _discard_lines(self) -> None:
-        """Discard all unanswered lines, because a reset of the controller discards them too."""
+        """Remove all lines from the list of unanswered lines, because a reset discards them.
+
+        The tasks that wait for an answer to one of these lines raise an error.
+        """
         self.buffer.fail(ControllerError("controller.was-reset", name=self.name))
         self.buffer.clear()
 
@@ -357,7 +360,11 @@ class GrblConnection:
         self._changed.set()
 
     def _handle_answer(self, code: int) -> None:
-        """Assign an answer to the oldest unanswered line.
+        """Assign an answer of the controller to the oldest unanswered line.
+
+        If the answer refuses a program line, a fault of the connection is recorded; in check mode,
+        the refusal is only stored in ``refusals``.  If no line is unanswered, a fault is recorded
+        too, except during a reset or a recovery.
 
         Parameters
         ----------
@@ -437,9 +444,9 @@ class GrblConnection:
         )
 
     def _compare_buffer(self, free: int | None) -> None:
-        """Record a fault if the receive buffer contains more bytes than the unanswered lines.
+        """Record a fault if the receive buffer contains more bytes than all unanswered lines have.
 
-        The fault is recorded only if ``_CONTRADICTIONS`` consecutive reports show this.
+        The fault is recorded only if ``_CONTRADICTIONS`` consecutive status reports show this.
 
         Parameters
         ----------
@@ -480,6 +487,6 @@ class GrblConnection:
 
 
 def _code(line: str) -> int:
-    """Return the number at the end of an answer such as ``error:9``; -1 if it is damaged."""
+    """Return the code in an answer, such as 9 for ``error:9``; -1 if it is not a number."""
     code = line.partition(":")[2].strip()
     return int(code) if code.isdecimal() else -1

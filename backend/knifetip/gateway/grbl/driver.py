@@ -53,7 +53,8 @@ class Grbl:
         line has no answer although the machine is idle.
     poll
         Longest time between two status requests while the machine moves (s).  While the machine is
-        idle and no line is unanswered, it is a fifth of ``silence``, but at least ``poll``.
+        idle and no line is unanswered, status requests are sent at intervals of ``silence / 5``, or
+        of ``poll`` if that is longer.
     """
 
     def __init__(
@@ -77,9 +78,9 @@ class Grbl:
 
     @property
     def fault(self) -> ControllerError | None:
-        """First failure since the machine was in its safe state; None if there is none.
+        """First failure since the machine was last in its safe state; None if there is none.
 
-        Every call except ``stop``, ``open`` and ``close`` raises this failure.
+        Every method except ``stop``, ``open`` and ``close`` raises this failure.
         """
         return self._connection.fault
 
@@ -95,7 +96,10 @@ class Grbl:
 
     @property
     def last_alarm(self) -> int:
-        """Code of the present alarm, 0 if none was received."""
+        """Code of the alarm that locks the controller.
+
+        The code is 0 if there is no alarm, or if the code of the alarm was not received.
+        """
         return self._connection.last_alarm
 
     @property
@@ -168,9 +172,9 @@ class Grbl:
     async def _require_laser_mode(self) -> None:
         """Raise ``ControllerError`` unless the controller of a laser machine is in laser mode.
 
-        Only in laser mode does grbl switch the spindle output, and with it the laser beam, off for
-        every rapid move and at every hold, no matter whether the gateway or a button of the
-        controller caused the hold.
+        This method is called only for machines with a laser.  In laser mode, grbl switches the
+        laser beam off for every rapid move and at every hold, even if a button of the controller
+        caused the hold.  In other modes the beam stays on.
         """
         if "$32=1" not in await self._connection.command(b"$$"):
             raise self._connection.fail(
@@ -262,7 +266,7 @@ class Grbl:
         Raises
         ------
         ControllerError
-            The controller has failed, or sent more answers than it received lines.
+            The controller has failed, or has sent more answers than lines were sent to it.
         """
         await self.drain()
         idle = 0
@@ -309,7 +313,7 @@ class Grbl:
         Returns
         -------
         Status
-            Status after the machine came to rest and Z was raised, if it had to be raised.
+            Status of the machine at rest, after Z was raised to its safe height.
 
         Raises
         ------

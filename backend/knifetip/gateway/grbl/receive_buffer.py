@@ -1,11 +1,12 @@
 """receive_buffer: counts the bytes of unanswered lines in the receive buffer of a controller.
 
 A controller stores received bytes in a buffer and answers each line after it has taken the line out
-of the buffer.  The sender adds up the bytes of unanswered lines, so that the buffer never overflows
-and the planner of the controller never runs empty.
+of the buffer.  The sender adds up the bytes of the unanswered lines.  It sends a further line,
+without waiting for answers, if the buffer has room for the line.  The buffer therefore never
+overflows, and the controller does not run out of lines.
 
-A doubled ``ok`` makes this count too small.  Until the error is detected, the buffer does not
-overflow, because room for the longest line is always kept free.
+If the controller answers a line twice, the sum of the sender becomes too small.  The buffer still
+does not overflow, because room for the longest line is always kept free.
 """
 
 from __future__ import annotations
@@ -70,9 +71,10 @@ class ReceiveBuffer:
         return self._lines[0] if self._lines else None
 
     def due(self) -> Message | None:
-        """Return a message with the number and the text of the oldest unanswered program line.
+        """Return a message that names the oldest unanswered program line, for error messages.
 
-        Returns None if no program line is unanswered; commands of the driver do not count.
+        The message contains the number and the text of the line.  Returns None if no program line
+        is unanswered; commands of the driver are not program lines.
         """
         line = next((line for line in self._lines if line.number), None)
         if line is None:
@@ -80,9 +82,10 @@ class ReceiveBuffer:
         return Message("controller.due", line=line.number, text=line.excerpt)
 
     def reserve(self, line: PendingLine) -> None:
-        """From now on, keep enough bytes of the buffer free for a second copy of a line.
+        """Keep at least the size of a line free in the buffer from now on.
 
-        With this reserve, the buffer does not overflow if the controller answers such a line twice.
+        If the controller answers a line twice, the byte count becomes too small by the size of the
+        line.  The buffer does not overflow if at least this number of bytes is free.
         """
         self._longest = max(self._longest, line.size)
 
@@ -122,15 +125,17 @@ class ReceiveBuffer:
         self._used = self._longest = self._contradictions = 0
 
     def count_contradictions(self, free: int) -> int:
-        """Return how many consecutive status reports, up to this one, contradict the byte count.
+        """Return the number of consecutive status reports that contradict the byte count.
 
-        A line leaves the buffer of the controller before it is answered, so the buffer may contain
-        fewer bytes than the unanswered lines have, but never more.
+        The present report is the last one counted; if it does not contradict the byte count, the
+        number is 0.  A report contradicts the byte count if the buffer of the controller contains
+        more bytes than the unanswered lines have.  It may contain fewer bytes, because a line
+        leaves the buffer before it is answered.
 
         Parameters
         ----------
         free
-            Free bytes of the buffer according to the status report.
+            Free bytes of the buffer according to the present status report.
         """
         self._most_free = max(self._most_free, min(free, self.capacity + 1))
         occupied = self._most_free - free

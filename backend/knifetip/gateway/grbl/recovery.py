@@ -40,7 +40,10 @@ class Recoverable(Protocol):
 
     @property
     def last_alarm(self) -> int:
-        """Code of the present alarm, 0 if none was received."""
+        """Code of the alarm that locks the controller.
+
+        The code is 0 if there is no alarm, or if the code of the alarm was not received.
+        """
         ...
 
     async def reach(self) -> None:
@@ -68,9 +71,10 @@ class Recoverable(Protocol):
 
 
 async def make_safe(machine: Recoverable, safe: SafeState | None, silence: float) -> Status:
-    """Discard the running program, bring the machine into its safe state, return its status.
+    """Bring a machine into its safe state, discarding its program, and return its status.
 
-    Retries for ``6 * silence`` seconds if the controller does not answer or the connection is lost.
+    If the controller does not answer or the connection is lost, the function tries again for ``6 *
+    silence`` seconds.
 
     Parameters
     ----------
@@ -80,6 +84,11 @@ async def make_safe(machine: Recoverable, safe: SafeState | None, silence: float
         Safe state of the machine; with None the machine is only held and reset.
     silence
         Seconds after which the controller counts as silent.
+
+    Returns
+    -------
+    Status
+        Status of the machine at rest, after Z was raised.
 
     Raises
     ------
@@ -179,14 +188,15 @@ async def _hold(machine: Recoverable, silence: float) -> None:
 
 
 async def _unlock(machine: Recoverable) -> None:
-    """Clear the present alarm if it is a soft limit or a reset during motion (``UNLOCKABLE``).
+    """Clear the present alarm if its code is in ``UNLOCKABLE``: soft limit, or reset during motion.
 
     All other alarms have a cause at the machine that a person must inspect first.
 
     Raises
     ------
     ControllerAlarm
-        It is another alarm, or the controller refuses to clear it.
+        The code of the alarm is not in ``UNLOCKABLE``, or the controller refuses to clear the
+        alarm.
     """
     locked = _locked_error(machine)
     if machine.last_alarm not in UNLOCKABLE:

@@ -42,7 +42,7 @@ class Watched(Protocol):
         ...
 
     def silent(self) -> ControllerSilent:
-        """Return the error for a controller that does not answer."""
+        """Return (not raise) a new error which states that the controller does not answer."""
         ...
 
 
@@ -151,9 +151,10 @@ class Watchdog:
             )
 
     def _interval(self) -> float:
-        """Return the longest time between two status requests (s).
+        """Return the longest time until the next status request is sent (s).
 
-        It is greater than usual while the machine is idle and no line is unanswered.
+        The time is ``poll``.  While the machine is idle and no line is unanswered, the time is a
+        fifth of ``silence`` if that is longer.
         """
         connection = self._connection
         idle = connection.status is not None and connection.status.state is State.IDLE
