@@ -22,16 +22,15 @@ _PLAIN = {float: types.float64, int: types.int64, bool: types.boolean}
 class Group(types.NamedTuple):
     """Numba type of a named tuple in a kernel's signature.
 
-    A tuple is accepted for it if the type of each field can be converted.  numba itself converts no
-    named tuples: it would refuse a named tuple with a writable array if a read-only array is
-    declared.
+    A named tuple is accepted as an argument of this type if the type of each of its fields can be
+    converted.  numba itself converts no named tuples: it would refuse a named tuple with a writable
+    array if a read-only array is declared.
     """
 
     def can_convert_from(self, typingctx: Any, other: Any) -> Any:
         """Return how numba converts a value of type ``other`` to this type; None if it cannot.
 
-        The result is a numba ``Conversion``: that of the field whose conversion loses most, at
-        least ``Conversion.safe``.
+        The result is ``Conversion.safe``, or the conversion of a field that is less safe than that.
         """
         if getattr(other, "instance_class", None) is not self.instance_class:
             return None

@@ -65,7 +65,8 @@ class Kernel(CPUDispatcher):
 
     @property
     def is_cached(self) -> bool:
-        """Return whether machine code of this source is on disk for this processor.
+        """Return whether the cache has machine code for the kernel's present source and this
+        processor.
 
         The machine code is not loaded.
         """

@@ -1,8 +1,8 @@
 """registry: find controller languages by name.
 
 Each module of this package that defines ``LANGUAGE`` is a language.  Other packages register
-languages as entry points.  Entry points are searched only for names that this package does not
-define, since the search takes longer.
+languages as entry points.  A name is first looked up among the modules of this package, and only
+then among the entry points, because a search of entry points takes longer.
 """
 
 from __future__ import annotations

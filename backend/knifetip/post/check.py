@@ -1,4 +1,4 @@
-"""check: check that a toolpath can be written as a program, for any controller language."""
+"""check: refuse toolpaths with rows that no controller language can express as a program."""
 
 from __future__ import annotations
 
@@ -59,8 +59,8 @@ def check_toolpath(toolpath: Toolpath) -> None:
     ------
     ProgramError
         The toolpath is empty; or a row has a number that is not finite or out of range, an unknown
-        motion, no feed although it is no rapid, a feed that is too fast, an arc in a rapid, or an
-        arc of more than half a turn.
+        motion, a feed that is too fast or (except in a rapid) missing, an arc in a rapid, or an arc
+        of more than half a turn.
     """
     if len(toolpath) == 0:
         raise ProgramError("toolpath.empty")

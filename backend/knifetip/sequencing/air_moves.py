@@ -162,12 +162,12 @@ def turns_outside_board(start: F64, end: F64, circle: TipCircle, outline: Paths)
 
 
 def with_full_retracts(toolpath: Toolpath, machine: Machine) -> Toolpath:
-    """Return the toolpath with every rapid below the machine's travel height split into moves.
+    """Return the toolpath with each rapid that starts or ends below the travel height replaced by a
+    lift, a rapid at the machine's travel height, and a descent.
 
-    These are a lift to the travel height, a move at that height, and a descent; the lift or the
-    descent is left out if the rapid starts or ends at the travel height.  The source in the
-    module's docstring lifts the head in this way.  The result is only used to compare its duration
-    with that of the toolpath.
+    The lift is left out if the rapid starts at the travel height, and the descent if it ends there.
+    The source in the module's docstring lifts the head in this way.  The result is only used to
+    compare its duration with that of the given toolpath.
     """
     rapid = toolpath.motion == Motion.RAPID
     height = machine.travel_z

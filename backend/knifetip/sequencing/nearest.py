@@ -91,9 +91,10 @@ def _search_rings(
         Lower left corner of the grid, and width and height of its cells.
     side
         Number of columns of the grid, equal to its number of rows.
-    listed, first, key
-        Candidates sorted by cell, which is changed in place; index in ``listed`` of the first
-        candidate of each cell; and cell of each candidate.
+    listed
+        Candidates sorted by grid cell; changed in place.
+    first, key
+        Index in ``listed`` of the first candidate of each cell, and cell of each candidate.
     count
         Number of tracks.
     """

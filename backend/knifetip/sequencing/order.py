@@ -26,17 +26,17 @@ _MOST_TRIALS: Final = 3_000
 
 
 def greedy_order(entry: F64, leave: F64, origin: F64, reversal: Reversal) -> tuple[I32, Bool]:
-    """Return t tracks in nearest-neighbour order, and which of them are run from their far end.
+    """Return t tracks in nearest-neighbour order, and which of them start at their far end.
 
-    The far end of a track is the other one than the end at which it starts as given.  The first
-    returned array, (t,), contains the indices of the tracks in their order.  The second, (t,), is
-    a mask with one entry per entry of the first.
+    The far end of a track is the end at which the given track stops.  The first returned array,
+    (t,), contains the indices of the tracks in their order.  The second, (t,), is a mask with one
+    entry per entry of the first.
 
     Parameters
     ----------
     entry, leave : (2, t, 3) x y in mm, c in degrees
         Poses of the head at the start and at the end of each track.  Row 0 contains the poses of
-        the track as given, and row 1 the poses of the track if it is run from its far end.
+        the track as given, and row 1 the poses of the track if it starts at its far end.
     origin : (3,) x y in mm, c in degrees
         Pose of the head before the first track.
     reversal
@@ -55,17 +55,17 @@ def greedy_order(entry: F64, leave: F64, origin: F64, reversal: Reversal) -> tup
 def short_order(
     entry: F64, leave: F64, origin: F64, pace: F64, period: float, reversal: Reversal
 ) -> tuple[I32, Bool]:
-    """Return t tracks in a short order, and which of them are run from their far end.
+    """Return t tracks in a short order, and which of them start at their far end.
 
-    The far end of a track is the other one than the end at which it starts as given.  The first
-    returned array, (t,), contains the indices of the tracks in their order.  The second, (t,), is
-    a mask with one entry per entry of the first.
+    The far end of a track is the end at which the given track stops.  The first returned array,
+    (t,), contains the indices of the tracks in their order.  The second, (t,), is a mask with one
+    entry per entry of the first.
 
     Parameters
     ----------
     entry, leave : (2, t, 3) x y in mm, c in degrees
         Poses of the head at the start and at the end of each track.  Row 0 contains the poses of
-        the track as given, and row 1 the poses of the track if it is run from its far end.
+        the track as given, and row 1 the poses of the track if it starts at its far end.
     origin : (3,) x y in mm, c in degrees
         Pose of the head before the first track.
     pace : (2, 3)

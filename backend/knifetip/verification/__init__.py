@@ -36,7 +36,7 @@ stray       ``stray_work``, ``milling_check``, ``motion_checks`` (rapids in the 
 order       ``work_order``
 ==========  ========================================================================
 
-The codes of findings and of phrases in them (``rs274.*`` and ``hpgl.*`` are faults of the readers):
+The codes of findings and of phrases in them, without the codes of faults found by the readers:
 
 =================================  =========================================
 code                               module

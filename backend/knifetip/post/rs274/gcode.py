@@ -107,10 +107,11 @@ def format_lines(
     """Return the program text of rows ``first … last - 1`` of a toolpath, and the toolpath row of
     each program line.
 
-    All rows belong to one station.  The first line has words for all axes: the station change has
-    replaced the datum, and without a word the *joint* of an axis would not move, so the tool would
-    be beside its intended position.  A move that rounds to zero length and turn gets no line; an
-    arc too large for the controller gets several lines.  Lines that belong to no row have row -1.
+    All rows belong to one station.  The first line has words for all axes, even for an axis whose
+    position does not change: the station change has replaced the datum, so the axis must move to
+    reach the same position with the new datum.  A move that rounds to zero length and turn gets no
+    line; an arc too large for the controller gets several lines.  Lines that belong to no row have
+    row -1.
 
     Parameters
     ----------

@@ -1,1 +1,1 @@
-"""The checks of a program; each adds findings, and measured figures of each edge."""
+"""The checks of a program; each adds findings and figures of edges to the ``CheckContext``."""

@@ -99,8 +99,8 @@ class StationCheck(ABC):
         """Return the tool of the checked station, or None if that tool is not of the class
         ``kind``.
 
-        If the check has no tip paths, no station is known.  Then return the first tool of the class
-        ``kind`` that is mounted in the machine, or None if there is none.
+        If there are no tip paths to check, the station is unknown.  The result is then the first
+        tool of the class ``kind`` that is mounted in the machine, or None if there is none.
         """
         stations = self.context.machine.stations
         if len(self.station):

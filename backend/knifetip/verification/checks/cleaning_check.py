@@ -185,17 +185,18 @@ def _measure_stretches(
 def _check_added_work(
     after: Dieline, target: I64, along: F64, report: Callable[[int, float, Message], None]
 ) -> None:
-    """Report each cleaned edge that extends beyond the drawn stretches by more than twice the gap
-    tolerance.
+    """Report each length of a cleaned edge that no drawn stretch covers, if the length is more than
+    twice the gap tolerance.
 
-    A cleaned edge on which no drawn stretch lies is reported too.
+    A cleaned edge that no drawn stretch became is reported too, whatever its length, unless it is
+    unclassified or ignored.
 
     Parameters
     ----------
     after
         Dieline after cleaning.
     target : (q,)
-        Row in ``after`` of the cleaned edge of each of q drawn stretches.
+        Row in ``after`` of the cleaned edge that each of q drawn stretches became.
     along : (q, 2)
         Start and end of each stretch as fractions of the length of its cleaned edge.
     report

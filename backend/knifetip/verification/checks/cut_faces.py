@@ -46,11 +46,11 @@ _RAY_OFFSET: Final = 0.317 * JOIN_DISTANCE
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CutFaces:
-    """The f faces into which p pieces of cuts and links divide the sheet; face 0 is outside all
-    cuts.
+    """The f faces into which cuts and links divide the sheet; face 0 is outside all cuts.
 
-    A link is a straight line that closes a small gap in a contour.  In arrays with one row for each
-    piece, the pieces of cuts come first, and then the links.
+    A link is a straight line that closes a small gap in a contour.  Cuts and links are split into p
+    pieces where they meet.  In arrays with one row for each piece, the pieces of cuts come first,
+    and then the pieces of links.
     """
 
     curve: F64  #: (p, 6)
@@ -99,12 +99,12 @@ def find_cut_faces(cuts: Edges) -> CutFaces:
 
 
 def _gap_links(cuts: Edges) -> F64:
-    """Return k straight links that close gaps at dangling ends of cuts, (k, 6).
+    """Return k straight lines that close gaps in the contours of the cuts, (k, 6).
 
-    The links are lines as rows of six numbers (see ``curves.curve``).  An end of a cut is dangling
-    if it touches no other cut.  Each link leads from a dangling end to a nearby cut or to another
-    dangling end.  Two dangling ends are not linked to each other if a third dangling end is nearer
-    to each of the two than they are to each other.
+    The lines, called links, are rows of six numbers (see ``curves.curve``).  An end of a cut is
+    dangling if it touches no other cut.  Each link leads from a dangling end to a nearby cut or to
+    another dangling end.  Two dangling ends are not linked to each other if a third dangling end is
+    nearer to each of the two than they are to each other.
     """
     a, b = pairs_within(cuts.ends, cuts.ends, JOIN_DISTANCE)
     size, nothing = cuts.curve[:, 5], np.zeros(len(cuts))

@@ -91,7 +91,7 @@ def _edge_stations(work: TipPaths, rows: I64, edges: Edges, tolerance: float) ->
 class _MillingStationCheck(StationCheck):
     """Check that compares the edges with the cuts of a router bit or a laser.
 
-    Unlike a knife, the router bit or laser removes board, over the width of a disc.
+    Unlike a knife, a router bit or laser removes board, in a strip as wide as the bit or the beam.
     """
 
     def check(self) -> None:

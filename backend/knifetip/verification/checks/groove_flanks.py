@@ -38,10 +38,10 @@ class DamagedCuts:
 def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, run_out: F64) -> DamagedCuts:
     """Return the pairs of a groove and a cut that lies inside the groove's strip in the top face.
 
-    The strip covers ``reach`` on both sides of the groove's line.  Near its end a groove may meet a
-    cut, for example a cut on which it ends.  If a cut meets the groove's line within a length L of
-    an end of the groove, the strip is therefore shortened by L at that end.  L is twice ``reach``
-    or the run-out at that end, whichever is longer.
+    The strip covers ``reach`` on both sides of the groove's line.  A cut that meets this line near
+    an end of the groove, for example a cut on which the groove ends, is permitted.  If a cut meets
+    the line within a length L of an end, the strip is therefore shortened by L at that end.  L is
+    twice ``reach`` or the run-out at that end, whichever is longer.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Check cuts that a router bit or a laser makes by removing a disc of radius r.
+"""Check the cuts of a router bit or a laser, which removes the board within a disc of radius r.
 
 The disc must touch each edge from the waste side without cutting into the part.  Its centre must
 follow the offset of the edge by r, except where the offset is nearer than r to another edge.  That

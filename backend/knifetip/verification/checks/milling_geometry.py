@@ -16,9 +16,10 @@ from knifetip.verification.curves.intervals import EPSILON
 def spans_near_points(curve: F64, point: F64, limit: float) -> tuple[F64, F64]:
     """Return the start and the end of the stretch of each of n curves near a point, (n,) mm each.
 
-    The stretch is the part of the curve within ``limit`` of the point.  If there is none, the
-    returned start is greater than the end.  An arc of more than half a turn may have such a stretch
-    at each of its ends; then only the stretch at the end nearer to the point is returned.
+    The stretch is the part of the curve within ``limit`` of the point; its start and end are
+    distances from the start of the curve.  If there is no such part, the returned start is greater
+    than the end.  An arc of more than half a turn may have such a stretch at each of its ends; then
+    only the stretch at the end nearer to the point is returned.
 
     Parameters
     ----------

@@ -75,9 +75,9 @@ def check_stray_work(
 def _report_stray(
     check: StationCheck, path_rows: I32, spans: F64, first: I64, total: F64, bad: I64
 ) -> None:
-    """Add a finding for each group of stretches that lie on no edge.
+    """Add a finding for each of the selected groups of stretches that lie on no edge.
 
-    The finding reports a group that lies past an end of an edge, beside an edge, or elsewhere.
+    The finding states whether the group lies past an end of an edge, beside an edge, or elsewhere.
 
     Parameters
     ----------
@@ -89,7 +89,7 @@ def _report_stray(
         Index of the first stretch of each of g groups of consecutive stretches, and the total
         length of the group.
     bad
-        Indices of the groups that get a finding.
+        Indices of the selected groups.
     """
     bad = bad[:MAX_FINDINGS]
     if len(bad) == 0 or check.findings.full:

@@ -193,8 +193,9 @@ def overrun_starts(check: StationCheck, over: F64) -> F64:
     mm.
 
     A track is a chain of tip paths between two lifts, and its overrun may cover several tip paths.
-    The position is the end of a tip path before the overrun, and 0 for a tip path inside it.
-    ``over`` is the length of the overrun at the end of each of t tracks, (t,) mm.
+    For a tip path that lies before the overrun, the position is the length of the path; for one
+    inside the overrun, it is 0.  ``over`` is the length of the overrun at the end of each of t
+    tracks, (t,) mm.
     """
     start = check.curve[:, 5].copy()
     track = np.flatnonzero(over > 0.0)

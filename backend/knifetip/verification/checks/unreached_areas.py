@@ -43,7 +43,7 @@ def unreached_areas(bounds: CutOutlines, edge: I64, begin: F64, end: F64, reach:
         Index of the cut of each of k stretches that the disc does not touch, and the start and end
         of the stretch along the cut (mm).
     reach : (2,) mm
-        Half-axes along X and Y of the disc that the cutter removes.
+        Half-axes along X and Y of the disc within which the cutter removes board.
     """
     edges = bounds.edges
     long = bounds.closing[edge] & (end - begin > JOIN_DISTANCE)

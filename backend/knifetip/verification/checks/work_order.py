@@ -256,11 +256,11 @@ def _completing_lines(
 ) -> Any:  # fmt: skip
     """Return the program line that completes each of p pieces of cuts and links, (p,).
 
-    A piece is complete when every length of it that remains uncut is too short to hold the part,
-    such as a length beside an inner corner that the disc of a cutter cannot reach.  The line is
-    infinite for a piece that is never completed, and -1 for a link.  If the machine has a cutter,
-    it is 0 for a piece that no tool touches; such a piece is out of the disc's reach and does not
-    hold the part either.
+    A link is a straight line that closes a small gap between cuts.  A piece of a cut is complete
+    when every length of it that remains uncut is too short to hold the part, such as a length
+    beside an inner corner that the disc of a cutter cannot reach.  The line is infinite for a piece
+    that is never completed, and -1 for a link.  If the machine has a cutter, the line is 0 for a
+    piece that no tool touches: such a piece is out of the disc's reach and does not hold the part.
 
     Parameters
     ----------
@@ -374,7 +374,8 @@ def _held_until(
 def _freeing_lines(order: I64_1, complete: F64_1, face: I64_2, count: int) -> Any:
     """Return the program line that releases each of ``count`` faces from the sheet, (count,).
 
-    The line is infinite for a face that remains connected to face 0, the outside.
+    The line is infinite for a face that remains connected to face 0, the outside.  A link is a
+    straight line that closes a small gap between cuts.
 
     Parameters
     ----------

@@ -363,9 +363,9 @@ def _arc_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> i
     """Find the stretches of an arc that lie within ``limit`` mm of the line or circle of an edge.
 
     The edge is extended to its infinite line or full circle.  Writes start and end of each stretch
-    along the arc ``curve`` (mm) to the rows of ``near``; returns the number of stretches.  The sine
-    of the angle of a point on the arc, minus a constant shift, determines the distance of the
-    point; so the limit becomes a lowest and a highest value of that sine.
+    along the arc ``curve`` (mm) to the rows of ``near``; returns the number of stretches.  The
+    distance of a point at angle α on the arc depends only on sin(α - shift), with a constant shift.
+    The limit of the distance therefore becomes a lowest and a highest value of that sine.
     """
     radius = curve[3]
     if edge[0] == 0.0:

@@ -58,7 +58,7 @@ def cutter_paths(bounds: CutOutlines, reach: F64) -> CutterPaths:
     bounds
         Outlines that the cuts form.
     reach : (2,) mm
-        Half-axes along X and Y of the disc that the cutter removes.
+        Half-axes along X and Y of the disc within which the cutter removes board.
     """
     curve = bounds.edges.curve
     waste = np.where(bounds.board_left, -1.0, 1.0) * bounds.closing

@@ -47,7 +47,7 @@ class Edges:
         return len(self.row)
 
     def with_types(self, *types: LineType) -> Edges:
-        """Return the edges that have one of the given line types."""
+        """Return the edges that have one of the line types ``types`` (positional arguments)."""
         return self.select(np.flatnonzero(np.isin(self.line_type, types)))
 
     def select(self, rows: I64) -> Edges:

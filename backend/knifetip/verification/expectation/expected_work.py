@@ -81,7 +81,7 @@ def expected_creases(
     Parameters
     ----------
     edges
-        The n creases and combi lines of one wheel.
+        The n creases of one wheel, including combi lines (alternating cuts and creases).
     board, wheel
         Board and wheel, whose records determine depths and positions.
     all_creases

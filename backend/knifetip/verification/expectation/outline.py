@@ -39,7 +39,7 @@ class CutOutlines:
 
     @property
     def outer(self) -> Bool:
-        """Mask of the n cuts that lie on outer contours, of blanks or of parts inside holes, shape
+        """Mask of the n cuts on the outer contour of a blank, or of a part inside a hole, shape
         (n,).
         """
         result: Bool = self.closing & (self.depth % 2 == 0)

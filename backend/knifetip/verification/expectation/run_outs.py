@@ -1,9 +1,9 @@
 """The distances by which V-grooves that end on the board's edge must run out past that edge.
 
-A groove of width W has two sides in the top face, W/2 to the left and right of its line.  It has
-left the board when both sides have left it.  Let u be the groove's direction, n its normal, and m
-the outward normal of the board's edge.  The groove's line leaves the board at its end, and one of
-its sides leaves (W/2) |n·m| / (u·m) later.
+In the top face a groove of width W has two sides, parallel to its line at a distance of W/2.  Both
+sides must run out past the board's edge.  Let u be the groove's direction, n its normal, and m the
+outward normal of the board's edge.  The groove's line ends on the board's edge.  One of the sides
+crosses the edge only (W/2) |n·m| / (u·m) farther along u, which is the required run-out.
 
 Source: "A new method of turning processing in multi axis linkage NC machining", section 1 (run-out
 on a flat board).

@@ -75,10 +75,11 @@ def _check_words(blocks: ProgramBlocks, state: ModalState) -> None:
 
 
 def _settle_times(state: ModalState, machine: Machine) -> F64:
-    """Return the dwell (s) that each block requires after the last switching of outputs or spindle.
+    """Return the shortest permitted time (s) from the last switching of an output or the spindle to
+    a move in each block, one entry per block.
 
-    The result has one entry per block.  The dwell is the settling time of the machine or of the
-    selected tool, whichever is longer.  If a laser beam was switched last, the dwell is instead the
+    A block is a program line with words.  The time is the settling time of the machine or of the
+    selected tool, whichever is longer.  If a laser beam was switched last, the time is instead the
     beam's piercing time if the beam is now on, and 0 if it is off.
     """
     tools = [expected_tool(held.tool) for held in machine.stations]
@@ -96,8 +97,8 @@ def _settle_times(state: ModalState, machine: Machine) -> F64:
 def _check_values(blocks: ProgramBlocks, state: ModalState, machine: Machine, settle: F64) -> None:
     """Add faults for wrong values of dwells, feeds, speeds, outputs, stations and line numbers.
 
-    ``settle`` is the dwell (s) that each block requires after the last switching of outputs or
-    spindle, one per block.
+    ``settle`` is the shortest permitted time (s) from the last switching of an output or the
+    spindle to a move in each block, one entry per block.  A dwell must last exactly this time or 0.
     """
     fault, has, has_code, number = blocks.fault, blocks.has, blocks.has_code, blocks.number
     timed = has_code(Group.DWELL)
@@ -138,8 +139,8 @@ def _check_modes(blocks: ProgramBlocks, state: ModalState, settle: F64) -> None:
     """Add faults for required modes that the program has not set before a move, for moves without a
     feed, and for moves that start before switched outputs have settled.
 
-    ``settle`` is the dwell (s) that each block requires after the last switching of outputs or
-    spindle, one per block.
+    ``settle`` is the shortest permitted time (s) from the last switching of an output or the
+    spindle to a move in each block, one entry per block.
     """
     fault, has, has_code = blocks.fault, blocks.has, blocks.has_code
     moving = has_code(Group.MOTION)

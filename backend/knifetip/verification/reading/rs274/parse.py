@@ -99,8 +99,8 @@ def _scan_number(raw: U8_1, at: int) -> tuple[int, float, int]:
     """Read the decimal number that begins at index ``at`` in the bytes ``raw`` of a program.
 
     Returns the index of the byte after the number, the value of the number, and its number of
-    digits.  If there are no digits, both are 0.  The value is wrong if there are more than 15
-    digits.
+    digits.  If there are no digits, the value and the number of digits are 0.  The value is wrong
+    if there are more than 15 digits.
     """
     size = len(raw)
     negative = False
