@@ -1,1 +1,4 @@
-"""The REST API: routes, access control and server-sent events; and the service in one process."""
+"""The REST API: its routes, its access control and its server-sent events.
+
+The module ``embedded`` runs the server, a gateway and a simulated machine in one process.
+"""

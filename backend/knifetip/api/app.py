@@ -53,9 +53,14 @@ STATUS: Mapping[type[errors.KnifetipError], int] = {
 
 
 def create_app(settings: Settings | None = None) -> FastAPI:
-    """Return a new FastAPI application of a server with the given or the default settings.
+    """Return a new FastAPI application of the server.
 
-    When it starts, it migrates the database and starts the worker processes.
+    When the application starts, it migrates the database and starts the worker processes.
+
+    Parameters
+    ----------
+    settings
+        Settings of the server; None for the default settings.
     """
     chosen = settings or Settings()
 

@@ -1,4 +1,4 @@
-"""Read, store, change and return drawings; used by the routes and by the embedded service."""
+"""Functions that read, store, change and return drawings; called by the routes for drawings."""
 
 from __future__ import annotations
 
@@ -119,8 +119,9 @@ def read_drawing(
         Unit, profile and overrides with which the file is read and classified.  An override is a
         line type that the user has set for one edge.
     handles : (n,)
-        Handle of each of the n edges (the identifier of its entity in the file) when the overrides
-        were set; None if the drawing is new, so that it has no overrides.
+        Handles of the n edges to which the overrides belong, one per edge.  A handle is the
+        identifier of an entity in the file.  If it is None, the drawing is new, and the overrides
+        are not used.
 
     Raises
     ------

@@ -166,7 +166,10 @@ def get_edges(
 def override_edges(
     service: ServiceDep, response: Response, id: DrawingId, patch: EdgesPatch, match: IfMatch = None
 ) -> DrawingOut:
-    """Set line types of edges; an override replaces earlier overrides of the same edges."""
+    """Set line types of edges, which replace the line types found by classification.
+
+    A line type that an earlier request set for one of the edges is also replaced.
+    """
 
     def decide(row: Drawing) -> Change:
         overrides = merge_overrides(row.edges, row.overrides, patch.overrides)

@@ -63,7 +63,10 @@ class Parts:
 
 @dataclass(frozen=True, slots=True)
 class Access:
-    """Access settings of the service: the key for other computers, and the accepted host names."""
+    """Access settings of the embedded service: the access key and the accepted host names.
+
+    Requests from other computers must contain the key.
+    """
 
     key: str = ""  #: without a key only this computer is served
     key_file: Path | None = None  #: created with a random key if it does not exist
@@ -82,7 +85,9 @@ def serve(
     access: Access = _THIS_COMPUTER,
     announce: Callable[[str], None] = _print_line,
 ) -> None:
-    """Run the service until SIGINT or SIGTERM.
+    """Run the embedded service until SIGINT or SIGTERM.
+
+    The embedded service is the server with a compile worker, a gateway and a simulated machine.
 
     Parameters
     ----------
@@ -93,11 +98,11 @@ def serve(
     database
         SQLAlchemy URL of the database.
     parts
-        Which parts of the service run in this process.
+        Optional parts that run in this process, and the speed of the simulated machine.
     access
-        The key for other computers, and the accepted host names.
+        The key that other computers must send, and the accepted host names.
     announce
-        Called with the server's URL when it is ready.
+        Called with the URL of the server when the server is ready.
 
     Raises
     ------
@@ -338,7 +343,10 @@ class _Server(uvicorn.Server):
 
 
 def _add_samples(service: Service) -> None:
-    """Add the sample drawings to a database that is new, which means that it has no events."""
+    """Add the sample drawings if the database is new.
+
+    A database is new if no change of a job or drawing is recorded in it.
+    """
     try:
         if service.store.events.last_id() == 0:
             # Imports ezdxf, which is not needed otherwise.

@@ -59,7 +59,7 @@ class Stream:
         self._refreshed = 0.0
 
     async def run(self) -> None:
-        """Send changes to the connected clients until the task is cancelled."""
+        """Send changes to the connected clients; runs until its asyncio task is cancelled."""
         with wake_on_change(self._service.store.changes) as changed:
             while True:
                 await self._has_listeners.wait()
@@ -218,7 +218,7 @@ async def get_events(
     """Stream changes of jobs and drawings as server-sent events.
 
     ``Last-Event-ID`` or ``after`` is the id of the last event that the client received; the changes
-    since then are sent first.  Without both, only new changes are sent.
+    since then are sent first.  If neither is given, only new changes are sent.
     """
     stream: Stream = request.app.state.stream
     # An id that is not a number is not from this server; past events are not replayed.

@@ -110,9 +110,9 @@ async def heartbeat(service: ServiceDep, report: HeartbeatIn) -> HeartbeatOut:
 async def finish(service: ServiceDep, report: FinishIn) -> JobOut:
     """Report that a job has ended, with its outcome.
 
-    A job is interrupted by the server if its gateway sends no heartbeats.  This gateway may still
-    report later: the outcome ``done`` ends the job, and any other outcome corrects the last
-    executed line and the message of the interrupted job.
+    The server interrupts a job if it receives no heartbeats from the gateway.  The gateway may
+    still report the end of the interrupted job: the outcome ``done`` ends the job, and any other
+    outcome corrects the last executed line and the message of the job.
     """
     return await service.threads.reports(_finish_job, service, report)
 

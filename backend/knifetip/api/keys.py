@@ -22,7 +22,7 @@ def load_key(key: str, file: Path | None) -> str:
     Raises
     ------
     SettingsError
-        Key and file are given, the key is malformed, or the file cannot be used.
+        Both ``key`` and ``file`` are given, the key is malformed, or the file cannot be used.
     """
     if key and file is not None:
         raise SettingsError("settings.two-keys")

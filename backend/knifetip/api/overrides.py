@@ -59,7 +59,9 @@ def _select_edges(
     rows_of: dict[str, list[int]],
     count: int,
 ) -> list[int]:
-    """Return the rows in the ``EdgeTable`` of a drawing of the edges that an override selects.
+    """Return the rows of the edges that an override selects.
+
+    A row is the index of an edge in the ``EdgeTable`` of the drawing.
 
     Parameters
     ----------

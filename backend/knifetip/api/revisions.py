@@ -80,9 +80,14 @@ def check_revision(revision: int | None, row: Drawing) -> None:
 
 
 def is_known(tag: str, none_match: str | None) -> bool:
-    """Return whether an If-None-Match header contains the ETag ``tag`` or is ``*``.
+    """Return whether an If-None-Match header contains an ETag or is ``*``.
 
-    The result is False if ``none_match`` is None, because the request has no such header.
+    Parameters
+    ----------
+    tag
+        The ETag.
+    none_match
+        The header, or None if the request has no such header; the result is then False.
     """
     tags = list(_tags(none_match or ""))
     return "*" in tags or tag.strip('"') in tags

@@ -66,11 +66,12 @@ class Service:
         Raises
         ------
         KnifetipError
-            Raised by the task, or because the task exceeded its time or memory or its process died.
+            The task raised this error, the task exceeded its time limit or memory limit, or the
+            worker process died.
         TaskCancelled
             The server was stopped.
         TaskFailed
-            The task raised another exception.
+            The task raised an exception that is not a KnifetipError.
         """
         self.warm_up.wait("drawings")
         return self.pool.run(task, *arguments, limit=self.settings.limit)

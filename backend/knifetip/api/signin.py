@@ -140,11 +140,11 @@ def welcome(request: Request, key: str, now: float) -> Response:
 
 
 def retry_url(request: Request) -> str:
-    """Return the URL from which a browser loads a refused page once more.
+    """Return a URL with which a browser can repeat a refused request for the page.
 
-    If a user follows a link from another web site, the browser omits the session cookie.  It sends
-    the cookie when the page then loads itself from the returned URL.  The result is "" if the page
-    was already loaded from such a URL.
+    If a user follows a link from another web site, the browser omits the session cookie, and the
+    request is refused.  If the refusal page then loads the returned URL, the browser sends the
+    cookie.  The result is "" if the refused request already had such a URL.
     """
     # A different URL: a reload of the same one would still count as a request of the other site.
     if _AGAIN in request.query_params:

@@ -31,7 +31,8 @@ _FOREVER = "public, max-age=31536000, immutable"
 class Site(StaticFiles):
     """ASGI application that serves the folder of the built page.
 
-    Paths that are not files get ``index.html``, because the page has its own routes.
+    A path without a file gets ``index.html``, because it can be a route of the page.  Paths of the
+    API, and paths that end with the name of a missing file (with a dot), get the status 404.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -40,6 +41,9 @@ class Site(StaticFiles):
 
     async def get_response(self, path: str, scope: Scope) -> Response:
         """Return a file of the built page, or ``index.html`` for a route of the page.
+
+        A path without a file is a route of the page if its last part contains no dot.  If the page
+        has not been built, the response is a page that explains how to build it.
 
         Parameters
         ----------
@@ -51,8 +55,8 @@ class Site(StaticFiles):
         Raises
         ------
         HTTPException
-            404 for paths of the API and for files that do not exist; 405 for methods other than GET
-            and HEAD.
+            404 for a path of the API, and for a path without a file that is not a route of the
+            page; 405 for methods other than GET and HEAD.
         """
         # ``path`` is normalized: "/api/../page" would not be of the API any more.
         if (scope["path"] + "/").startswith("/api/") or "\0" in path:

@@ -34,6 +34,8 @@ def database_of(option: str | None) -> str | None:
 def stored_profiles(database: str | None) -> dict[str, str]:
     """Return the TOML texts of the profiles in a database, by name of the profile.
 
+    The result is empty if there is no database.
+
     Parameters
     ----------
     database

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 class Deflection:
     """Measured maximum deflection of one cutter under load in one board (mm), along X and Y.
 
-    These are ΔXmax and ΔYmax of the radius compensation paper (``compensation.deflection``).
+    The two values are ΔXmax and ΔYmax in the paper "Tool radius compensation", whose method the
+    module ``compensation.deflection`` implements.
     """
 
     tool: str  #: name of the station that holds the cutter

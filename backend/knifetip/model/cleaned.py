@@ -81,8 +81,8 @@ class Cleaned:
     that was merged or dropped keeps its row and has the line type *ignored*.  If a drawn edge was
     split, its first piece keeps the row of the drawn edge and the other pieces follow after the
     first n rows.
-    ``dieline.source`` contains for each of the m edges the row of the drawn edge that represents
-    it.
+    ``dieline.source`` contains for each of the m edges the row of one drawn edge: the first one of
+    which the cleaned edge contains a part, or the edge itself if it is not machined.
 
     The length of each drawn edge is the sum of its ``kept`` (machined), ``merged`` (covered by
     other edges) and ``dropped`` (too short to be machined) lengths.  The total length to be

@@ -93,9 +93,10 @@ class Annotation(NamedTuple):
     layer: str
 
     def scaled(self, divisor: float, factor: float) -> Annotation:
-        """Return the annotation with position and lengths multiplied by ``factor`` / ``divisor``.
+        """Return the annotation with its position and lengths converted to a different unit.
 
-        This is a conversion of units; NaN stays NaN.
+        They are divided by ``divisor`` and multiplied by ``factor``.  The field ``measure`` is NaN
+        for texts and stays NaN.
         """
         if divisor == factor == 1.0:
             return self

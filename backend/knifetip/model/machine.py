@@ -56,7 +56,10 @@ class Station:
 
 @dataclass(frozen=True, slots=True)
 class Machine:
-    """A flatbed sample-maker; Z is 0 on the top face of the cutting mat and positive upwards."""
+    """A flatbed machine that cuts, creases and grooves sheets of board, with its tool stations.
+
+    Z is 0 on the top face of the cutting mat and positive upwards.
+    """
 
     name: str
     title: str

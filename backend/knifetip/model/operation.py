@@ -16,9 +16,9 @@ from knifetip.model.tool import Tool
 
 
 class End(IntEnum):
-    """What a path meets at one of its ends.
+    """Condition at an end of a path: for example free, or in contact with another cut.
 
-    It determines whether the tool may cut beyond the end.
+    The condition determines whether the tool may cut beyond the end.
     """
 
     FREE = 0  #: no other path; the tool must not cut beyond the end

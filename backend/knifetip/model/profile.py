@@ -1,4 +1,7 @@
-"""Records of a classification profile: rules that assign line types to edges by their style."""
+"""Records of a classification profile: rules that assign line types to edges.
+
+The rules compare the layer, colour, dash pattern, entity kind and block of an edge.
+"""
 
 from __future__ import annotations
 

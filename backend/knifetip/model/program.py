@@ -1,4 +1,4 @@
-"""Record of a program: its bytes, and the move of the tool path that each program line makes."""
+"""Record of a program: its bytes, and for each program line the move that the line commands."""
 
 from __future__ import annotations
 
@@ -11,9 +11,10 @@ from knifetip.geometry.columns import I32, freeze
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Program:
-    """A program for one controller.
+    """A program for one controller, with the move of the tool path that each program line commands.
 
-    For each program line it contains the row of the tool path whose move the line makes.
+    ``source`` contains the row of this move in the tool path, or -1 for program lines without a
+    move.
     """
 
     text: bytes  #: all program lines, each with a newline at its end

@@ -1,4 +1,4 @@
-"""Records of a verdict: faults that the verifier found in a program, measurements per edge."""
+"""Records of a verdict: the faults that the verifier found in a program, and edge measurements."""
 
 from __future__ import annotations
 
@@ -46,7 +46,10 @@ def _none() -> F64:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Samples:
-    """Deviations of the tip from the edges at m points of the edges, for the page; m ≤ 200,000."""
+    """Deviations of the tool's tip from the edges at m points of the edges, shown on the page.
+
+    The number m is at most 200,000.
+    """
 
     edge: I32 = field(
         default_factory=lambda: np.zeros(0, np.int32)

@@ -334,7 +334,7 @@ class UnreachedOut(BaseModel):
 class VerdictOut(VerdictSummary):
     """A verdict with columns of measurements; value i of a column belongs to edge i of the drawing.
 
-    ``format=columns`` also contains the deviation of the tip from an edge at m samples:
+    ``format=columns`` also contains the deviation of the tool's tip from an edge at m samples:
     ``sample_edge`` (row of the edge), ``sample_place`` (position along the edge, 0 … 1) and
     ``sample_deviation`` (mm, positive to the left of the edge).  The outlines of the areas that no
     cutter reaches consist of lines and arcs, one per row of ``area_ends`` (start and end points,

@@ -10,7 +10,7 @@ from pydantic import BaseModel, ConfigDict, Field
 class FootprintOut(BaseModel):
     """Data to draw a tool on the board: the shape of its mark, and the position of its tip.
 
-    The direction C is the direction in which the tool points.
+    Some fields refer to C, which is the direction in which the tool points.
     """
 
     model_config = ConfigDict(from_attributes=True)

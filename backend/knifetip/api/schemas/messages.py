@@ -111,10 +111,10 @@ class MessageIn(BaseModel):
 
     @property
     def message(self) -> Message:
-        """The content of this model as a ``Message``.
+        """The received message as a ``Message``.
 
-        The code of the message is ``stored.text`` if this server does not have the code of the
-        model.
+        If the server does not have the code, or the code has other arguments, the result has the
+        code ``stored.text`` and contains the received ``text`` and ``hint``.
         """
         return from_json(self.model_dump())
 

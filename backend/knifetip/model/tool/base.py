@@ -18,7 +18,7 @@ NotNegative: TypeAlias = Annotated[float, Ge(0)]
 
 
 class Reversal(IntEnum):
-    """Whether a tool may follow a track only in its direction, or also in the reverse direction.
+    """The ends of a track at which a tool may start: only the start of the track, or both ends.
 
     A track is a path that the tool follows without a lift.
     """

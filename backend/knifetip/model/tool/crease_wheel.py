@@ -13,7 +13,7 @@ from knifetip.model.tool.base import Footprint, Positive, Reversal, TipCircle, T
 
 @dataclass(frozen=True, slots=True)
 class CreaseWheel(Tool):
-    """A crease wheel, whose two sides are equal."""
+    """A crease wheel; rotated by 180° about the C axis, it makes the same crease."""
 
     period: ClassVar[float] = 180.0
 
@@ -37,7 +37,8 @@ class CreaseWheel(Tool):
     def tip_circle(self, depth: float) -> TipCircle:
         """Return the circle about the tool's axis that contains the contact of wheel and board.
 
-        The contact is a rectangle as long as the wheel touches the board and as wide as the rim.
+        The contact is a rectangle.  Its length is 2 ``contact(depth)``, and its width is the width
+        of the rim.
 
         Parameters
         ----------
@@ -70,8 +71,9 @@ class CreaseWheel(Tool):
     def best_for(cls, tools: Sequence[Tool], caliper: float) -> int:
         """Return the index of the wheel in ``tools`` that is best for a board ``caliper`` mm thick.
 
-        This is the narrowest rim that is at least as wide as the board is thick, so that the inside
-        of the fold has room for the board, or the widest rim if none is wide enough.
+        The best wheel has the narrowest rim with a width of at least ``caliper``, so that the
+        inside of the fold has room for the board.  If no rim is wide enough, the best wheel is the
+        one with the widest rim.
         """
         rims = [wheel.width for wheel in tools if isinstance(wheel, CreaseWheel)]
         enough = [rim for rim in rims if rim >= caliper - POINT]

@@ -13,7 +13,11 @@ from knifetip.model.tool.base import Footprint, Positive, Reversal, TipCircle, T
 
 @dataclass(frozen=True, slots=True)
 class Knife(Tool):
-    """A tangential knife, static or oscillating; a drag knife if ``trail`` is greater than 0."""
+    """A tangential knife (static or oscillating) or a drag knife.
+
+    It is a drag knife if ``trail``, the distance of the tip behind the head's axis, is greater
+    than 0.
+    """
 
     #: slant of the leading edge from the vertical (degrees)
     blade_angle: Annotated[float, Ge(0), Lt(80)]
@@ -68,7 +72,8 @@ class Knife(Tool):
     def spindle(self) -> int:
         """S word of the program: 1 for an oscillating knife, otherwise 0.
 
-        The word is not 0 for an oscillating knife, since controllers treat M3 S0 as off.
+        The number 1 is not a speed: it switches the oscillation on, because controllers treat M3 S0
+        as off.
         """
         return int(self.oscillating)
 

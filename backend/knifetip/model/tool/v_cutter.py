@@ -15,8 +15,9 @@ from knifetip.model.tool.base import Footprint, Positive, Reversal, TipCircle, T
 class VCutter(Tool):
     """A tilted blade that cuts one flank of a V-groove in each of two passes.
 
-    The axis of the head is ``back`` to the right of the tip and ``half_width`` ahead of it, in the
-    direction of travel.  The other end of the cutting edge is 2 ``half_width`` ahead of the tip.
+    Seen in the direction of travel, the head's axis is to the right of the tip by the distance
+    ``back``, and ahead of the tip by the distance ``half_width``.  The other end of the cutting
+    edge is ahead of the tip by twice ``half_width``.
     """
 
     back: Positive  #: d, distance of tip and head axis across the cutting edge (mm)
