@@ -19,7 +19,7 @@ from numba.core.runtime import rtsys
 
 
 class _LoadedLibrary(JITCodeLibrary):
-    """Machine code of one kernel, with its LLVM code for kernels that are compiled later."""
+    """Machine code of one kernel, and its LLVM code for the compilation of kernels that call it."""
 
     _bitcode: bytes | None = None
     _parsed: Any = None
@@ -144,8 +144,8 @@ class KernelCache(FunctionCache):
         """Return the compiled kernel for a signature, or None if it is not in the cache.
 
         numba's own method first loads the compiler's definitions (``target_context.refresh``),
-        which takes 0.15 s.  This method does not: a compilation loads them itself, and machine code
-        needs only the functions that allocate memory.
+        which takes 0.15 s.  This method does not load them: a compilation loads them itself, and
+        machine code needs only the functions that allocate memory.
         """
         rtsys.initialize(target_context)
         loaded: CompileResult | None = self._load_overload(sig, target_context)

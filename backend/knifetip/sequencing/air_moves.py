@@ -106,8 +106,8 @@ def lift_clear(pose: F64, depth: F64, circle: TipCircle) -> F64:
         d' = D / cos b        r' = r + d' a                        eqs 1, 2
 
     Here r is the position, a the unit vector from the tip into the tool, and b the tilt of the
-    tool.  The equations are from the source in the module's docstring, which prints equation 2
-    without its sign.
+    tool.  The equations are from the source in the module's docstring, where the sign in equation 2
+    is missing.
 
     Parameters
     ----------
@@ -206,8 +206,8 @@ def unwind(
     """Return the angle to add to all headings of each of t passes, (t,) degrees.
 
     Each angle is a multiple of ``period``, chosen so that C turns by the smaller angle from one
-    pass to the next.  If both directions need the same angle, the multiple is chosen that leaves C
-    nearer to the middle of its limits.
+    pass to the next.  If C can turn by the same angle in both directions, the multiple is chosen
+    that leaves C nearer to the middle of its limits.
 
     Parameters
     ----------

@@ -154,8 +154,8 @@ def _reversal_change(
     If the section must not be reversed, the result is 0.  That is the case if the section contains
     the origin (position 0), or if it is longer than ``_LONGEST_SECTION`` and ``flip`` is 0.
 
-    If the two air moves at the ends of the section do not become shorter in total, the air moves
-    inside it are not counted: they hardly ever make up for this.
+    If the two air moves at the ends of the section do not become shorter in total, the result is
+    only their change.  The air moves inside the section hardly ever save more than that.
 
     Parameters
     ----------

@@ -299,9 +299,9 @@ def _feed_units(feed: F64) -> I64:
 def _feed_words(feed: I64, inverse: Bool, rapid: Bool) -> Bool:
     """Return the mask of the n program lines that need an F word, (n,).
 
-    A rapid needs none.  In G93 (inverse time) every other line needs an F word.  In G94 a line
-    needs an F word if it is the first that is no rapid, if its feed differs from the feed of the
-    previous line that is no rapid, or if that line was in G93.
+    A rapid needs none; all other lines are called feed lines here.  In G93 (inverse time) each feed
+    line needs an F word.  In G94 a feed line needs one if it is the first feed line, if its feed
+    differs from the feed of the previous feed line, or if the previous feed line was in G93.
 
     Parameters
     ----------

@@ -26,7 +26,7 @@ PRINT_TURN: Final = 1.5e-4
 
 @dataclass(frozen=True, eq=False, slots=True)
 class EdgeFigures:
-    """Measured lengths of each edge in the verdict, such as deviation and overcut, in mm.
+    """Lengths measured on each edge for the verdict, such as its deviation and overcut, in mm.
 
     Each figure is one column; the columns have one row for each edge of the dieline.
     """

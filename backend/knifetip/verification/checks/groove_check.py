@@ -89,9 +89,9 @@ class GrooveCheck(StationCheck):
         run-outs and the tolerance.
 
         The V-cutter must cut the required run-out.  It must not go past the lengthened groove,
-        because there may be an obstacle beside the board.  Returns the mask of the start and end of
-        each of n grooves at which the groove leaves the board, shape (n, 2).  ``blade`` is the
-        V-cutter.
+        because there may be an obstacle beside the board.  Returns the mask of the ends at which
+        a groove leaves the board, (n, 2): the start and the end of each of n grooves.  ``blade``
+        is the V-cutter.
         """
         half = self.context.board.groove_depth * blade.slope
         required = run_outs(self.edges, self.context.edges.with_types(LineType.CUT), half)

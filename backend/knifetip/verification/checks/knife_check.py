@@ -116,7 +116,7 @@ class KnifeCheck(StationCheck):
             Length by which each of t tracks runs past the end of its edge.  A track is a chain of
             tip paths between two lifts.
         top, bottom : mm
-            Lengths by which the blade at the end of any track has cut ahead of its tip: in the top
+            Lengths by which the blade has cut ahead of its tip where a track ends: in the top
             face, and in the bottom face.
         """
         last = np.zeros(len(self.curve), np.bool_)

@@ -53,7 +53,8 @@ def nearest_candidates(curve: F64, along: F64, edge: F64, round_: bool) -> Itera
     """Yield arrays of positions, one on each of n curves, at which the curve may be nearest to its
     edge.
 
-    Each array is (n,) mm from the start of the curve.
+    Each array is (n,) mm from the start of the curve.  The curves are paths of the centre of a
+    disc.
 
     Parameters
     ----------
@@ -90,8 +91,8 @@ def nearest_along(curve: F64, point: F64, reach: F64) -> F64:
         Lines and arcs as rows of six numbers (see ``curves.curve``), and the point for each of
         them.
     reach : (2,) mm
-        Half-axes of the disc along X and Y.  For a line, distances along X and along Y are measured
-        in units of these half-axes, as if the disc were a unit circle; for an arc, in mm.
+        Half-axes along X and Y of the disc whose centre follows the curves.  For a line, distances
+        along X and along Y are divided by these half-axes; for an arc, they are taken in mm.
     """
     weight = 1.0 / reach**2
     to = point - curve[:, 1:3]

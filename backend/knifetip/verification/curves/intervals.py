@@ -61,11 +61,11 @@ def sort_overlaps(pairs: I32, spans: F64, curves: F64) -> Overlaps:
 
 
 def mark_nearest(overlaps: Overlaps, curves: F64, considered: F64) -> Overlaps:
-    """Return overlaps whose field ``best`` is computed again, for the first part of each curve
-    only.
+    """Return the overlaps with their field ``best`` computed again, for the first part of each
+    curve only.
 
     ``best`` is False for an overlap if overlaps of the same curve with nearer edges cover it, or if
-    it lies behind the first part of its curve.
+    the overlap begins after the first part of its curve.
 
     Parameters
     ----------
@@ -154,7 +154,7 @@ def uncovered_edges(edge: I64, low: F64, high: F64, size: F64) -> tuple[I64, F64
 
 @kernel
 def _nearest_mask(curve_of: I32_1, spans: F64_2, length: F64_1, considered: F64_1) -> Any:
-    """Return the mask of the k overlaps that count because nearer edges do not cover them, (k,).
+    """Return the mask of those of k overlaps that count as overlaps with the nearest edge, (k,).
 
     An overlap is a stretch of a curve near an edge.  It counts if overlaps of the same curve with
     nearer edges leave a part of the stretch uncovered.  If an edge is drawn twice, the overlaps

@@ -117,9 +117,9 @@ def _sub_edges(edges: Edges, row: I64, low: F64, high: F64) -> Edges:
 def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> Edges:
     """Return the gaps between collinear dashes that were made as one crease, as edges.
 
-    Each gap gets the row in the dieline of one of the two dashes beside it.  Dashes count as made
-    as one crease if the wheel has creased one of their gaps, or has touched only one of the dashes,
-    since a short crease is pressed at a single point.
+    Each gap gets the row in the dieline of one of the two dashes beside it.  Collinear dashes count
+    as one crease if the wheel has creased a gap between them.  They also do if the wheel has
+    touched only one of the dashes: a short crease is pressed at a single point.
 
     Parameters
     ----------

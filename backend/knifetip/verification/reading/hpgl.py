@@ -204,7 +204,7 @@ def _parse_numbers(raw: U8, digit: Bool, head: Bool) -> tuple[I64, I64, I64]:
 def _value_in_force(values: I64, is_set: Bool, initial: int) -> I64:
     """Return the value in force after each of k instructions, (k,).
 
-    It is the value that this instruction or the last one before it has set.
+    The value is set by the instruction itself, or by the last earlier instruction that sets it.
 
     Parameters
     ----------

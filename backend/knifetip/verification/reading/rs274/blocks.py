@@ -123,8 +123,9 @@ class ProgramBlocks:
         self.faults.append((int(self.line[block]), message))
 
     def fault(self, mask: Bool, message: Message) -> None:
-        """Add a fault with this message for each block in the mask ``mask``, but for at most the
-        first thousand of them.
+        """Add a fault with the text ``message`` for each block in ``mask``.
+
+        If there are more than a thousand such blocks, only the first thousand get a fault.
         """
         for block in np.flatnonzero(mask)[:1000]:
             self._fault(block, message)
@@ -159,7 +160,7 @@ def latest_block(mask: Bool) -> I64:
 def value_in_force(values: F64, mask: Bool, initial: float = np.nan) -> F64:
     """Return the value in force at each of n blocks, (n,).
 
-    It is the value that this block or the last one before it has set.
+    The value is set by the block itself, or by the last earlier block that sets it.
 
     Parameters
     ----------
