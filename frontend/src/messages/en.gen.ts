@@ -56,7 +56,7 @@ export const TEXTS = {
     "hint": "Save the file as CSV in UTF-8."
   },
   "calibration.undetermined": {
-    "text": "At every measured point the contour runs nearly along {along}, so the deflection {other} of the cutter cannot be determined. The sum of sin² of the angles between the contour and the {along} axis is {weight:.4f}, but must be at least {least}.",
+    "text": "At every measured point the contour runs nearly along {along}, so the deflection of the cutter in {along} ({other}) cannot be determined. The sum of sin² of the angles between the contour and the {along} axis is {weight:.4f}, but must be at least {least}.",
     "hint": "Measure one more point where the contour runs along {direction}, or at 45°."
   },
   "calibration.wrong-sign": {
@@ -124,7 +124,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.dashed": {
-    "text": "the edges are drawn with a dashed line",
+    "text": "the edges with this layer, colour and line style are drawn dashed",
     "hint": ""
   },
   "classification.divider": {
@@ -184,11 +184,11 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.mirror-cut": {
-    "text": "the mirror image of the edge in the drawing is a cut",
+    "text": "the drawing contains a mirror image of the edge, and this mirror image is a cut",
     "hint": ""
   },
   "classification.mirror-folded": {
-    "text": "the mirror image of the edge in the drawing is a fold",
+    "text": "the drawing contains a mirror image of the edge, and this mirror image is a fold",
     "hint": ""
   },
   "classification.mixed": {
@@ -240,7 +240,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.paired": {
-    "text": "some of the edges form pairs of parallel lines",
+    "text": "some edges with this layer, colour and line style form pairs of parallel lines",
     "hint": ""
   },
   "classification.panel-hangs": {
@@ -248,7 +248,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.panels-hang": {
-    "text": "most of the edges are the only connection between a panel and the rest of the blank",
+    "text": "most edges with this layer, colour and line style are each the only connection between a panel and the rest of the blank",
     "hint": ""
   },
   "classification.role-against": {
@@ -536,7 +536,7 @@ export const TEXTS = {
     "hint": "Check the cable to the controller, then check the board on the table."
   },
   "controller.stopped": {
-    "text": "{error} {progress} The machine was stopped, the head was lifted to Z {height:.1f} mm, and the stations were released.",
+    "text": "{error} {progress} The machine was stopped, the head was lifted to Z {height:.1f} mm, and the stations were raised.",
     "hint": "{error:hint}"
   },
   "controller.unexpected-answer": {
@@ -572,7 +572,7 @@ export const TEXTS = {
     "hint": "Give X and Y as numbers in mm, in the coordinates of the drawing."
   },
   "corner.bad-share": {
-    "text": "Corner number {corner} of a contour has type D with the parameter k = {k}, which must be between 0 and 1.",
+    "text": "Corner {corner} in the list of corners (the first corner has number 0) has type D with the parameter k = {k}, which must be between 0 and 1.",
     "hint": "Choose a k from 0 (the path of corner type B) to 1 (the path of corner type C)."
   },
   "corner.inside": {
@@ -592,7 +592,7 @@ export const TEXTS = {
     "hint": "Give X and Y of a corner in mm, in the coordinates of the drawing. The nearest corners are {known:, }."
   },
   "corner.unknown-number": {
-    "text": "Corner number {corner} of a contour has the corner type {type}, which does not exist.",
+    "text": "Corner {corner} in the list of corners (the first corner has number 0) has the corner type {type}, which does not exist.",
     "hint": "Choose corner type B, C or D."
   },
   "corner.unknown-type": {
@@ -673,7 +673,7 @@ export const TEXTS = {
   },
   "deflection.arc-too-small": {
     "text": "Near X {x:.2f} mm, Y {y:.2f} mm the centre of the cutter moves on an arc of {radius:.3f} mm radius, which is too small to correct a deflection of {deflection:.3f} mm.",
-    "hint": "Choose a smaller corner parameter k or corner type B, or measure the deflection of the cutter again."
+    "hint": "Choose a smaller parameter k for the corners, choose corner type B, or measure the deflection of the cutter again."
   },
   "deflection.path-too-short": {
     "text": "Near X {x:.2f} mm, Y {y:.2f} mm the path of the centre of the cutter is too short or turns too sharply to correct the deflection of the cutter.",
@@ -1060,11 +1060,11 @@ export const TEXTS = {
     "hint": "Start the gateway if it is not running."
   },
   "gateway.switched-off-before-report": {
-    "text": "The gateway (the program that sends jobs to the machine) was stopped before it reported the result of the job.",
+    "text": "The machine finished the job, but the gateway (the program that sends jobs to the machine) was stopped before the result was reported.",
     "hint": "Start the gateway if it is not running."
   },
   "gateway.switched-off-in-run": {
-    "text": "The gateway (the program that sends jobs to the machine) was stopped while it executed the job. Before it ended, it stopped the machine.",
+    "text": "The gateway (the program that sends jobs to the machine) was stopped while the machine executed the job. The gateway then sent the machine the command to stop.",
     "hint": "Check the table, then start the gateway again."
   },
   "gateway.system-error": {
@@ -1096,7 +1096,7 @@ export const TEXTS = {
     "hint": ""
   },
   "grbl.alarm-2": {
-    "text": "a move would have left the travel of the machine",
+    "text": "a move would have gone beyond the travel range of the machine",
     "hint": ""
   },
   "grbl.alarm-3": {
@@ -1312,11 +1312,11 @@ export const TEXTS = {
     "hint": "End the groove before the edge of the board, let it meet the edge of the board at a larger angle, or move the parts apart."
   },
   "groove.through-cut": {
-    "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At {place:.1f} mm from the start of the groove, its flank extends {through:.2f} mm beyond the cut at edge {cut}, which is only {distance:.2f} mm away from the groove.",
+    "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At {place:.1f} mm from the start of the groove, its flank reaches {through:.2f} mm sideways across the cut at edge {cut}. The cut lies only {distance:.2f} mm from the centre line of the groove.",
     "hint": "Move the groove and the cut {through:.2f} mm further apart, or choose a shallower groove."
   },
   "groove.through-cut-at-it": {
-    "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At {place:.1f} mm from the start of the groove, its flank extends {through:.2f} mm beyond the cut at edge {cut}, which is only {distance:.2f} mm away from the groove.",
+    "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At {place:.1f} mm from the start of the groove, its flank reaches {through:.2f} mm sideways across the cut at edge {cut}. The cut lies only {distance:.2f} mm from the centre line of the groove.",
     "hint": "End the groove at the cut, or move the groove or the cut."
   },
   "groove.tight-bend": {
@@ -1352,7 +1352,7 @@ export const TEXTS = {
     "hint": "Write the two values in this order."
   },
   "hpgl.datum": {
-    "text": "{path} has an offset or an output, but an HPGL machine itself stores the offsets of its tools and lowers its tools",
+    "text": "{path} has an offset or an output, but an HPGL program cannot use these settings: the machine itself stores the tool offsets and lowers the tools",
     "hint": "Set all values of datum to 0 and remove output."
   },
   "hpgl.depth-change": {
@@ -1465,7 +1465,7 @@ export const TEXTS = {
   },
   "hpgl.repeated-pen": {
     "text": "{path} has the same station and the same operation (field work) as another pen",
-    "hint": "Remove one of the two pens, or change its operation."
+    "hint": "Remove one of the two pens, or choose another operation for one of the two pens."
   },
   "hpgl.selects-while-down": {
     "text": "The program line selects a pen while the tool is down.",
@@ -2277,11 +2277,11 @@ export const TEXTS = {
   },
   "machine.busy": {
     "text": "Job {job} already occupies the table of {machine}.",
-    "hint": "Wait until that job has ended. If it is interrupted, mark it finished, queue it again or scrap it."
+    "hint": "Wait until that job has ended. If that job is interrupted, choose what to do with it: mark as finished, queue again or scrap."
   },
   "machine.busy-with-another": {
     "text": "Another job already occupies the table of {machine}.",
-    "hint": "Wait until that job has ended. If it is interrupted, mark it finished, queue it again or scrap it."
+    "hint": "Wait until that job has ended. If that job is interrupted, choose what to do with it: mark as finished, queue again or scrap."
   },
   "machine.no-cutter": {
     "text": "{machine} has no cutter with the name {cutter!r}, because none of its tools is a rotating cutter or a laser.",
@@ -2328,7 +2328,7 @@ export const TEXTS = {
     "hint": ""
   },
   "offset.bad-distance": {
-    "text": "The offset distance is negative or not a number.",
+    "text": "The offset distance of a path (the radius of the tool) is negative or not a number.",
     "hint": "Correct the radius of the tool."
   },
   "offset.bad-interference": {
@@ -3088,7 +3088,7 @@ export const TEXTS = {
     "hint": "Export a drawing with a single carton, without pictures."
   },
   "tool.bad-radius": {
-    "text": "The radius of a tool is negative or not a number.",
+    "text": "The tool radius for a corner of a contour is negative or not a number.",
     "hint": "Correct the radius of the tool in the machine file."
   },
   "tool.cannot-work": {
@@ -3172,8 +3172,8 @@ export const TEXTS = {
     "hint": "Choose one of the stations {known:, }."
   },
   "track.too-flat": {
-    "text": "Path {track} of the tool meets the edge of the board at {angle:.2f}° from the perpendicular, which is too flat to leave the board. At most {limit:g}° is allowed.",
-    "hint": "End the line inside the board, or let it meet the edge of the board at a steeper angle."
+    "text": "At the edge of the board, the direction of path {track} of the tool deviates by {angle:.2f}° from the perpendicular to this edge, but a deviation of at most {limit:g}° is allowed.",
+    "hint": "End the line inside the board, or let the line cross the edge of the board closer to a right angle."
   },
   "travel.above": {
     "text": "{tool} (station {station}) would move {excess:.2f}{unit} beyond the upper end of the travel of axis {axis}{place}. The travel is {low:g} to {high:g}{unit}.",

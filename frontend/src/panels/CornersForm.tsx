@@ -23,6 +23,10 @@ const DESCRIPTIONS: Readonly<Record<CornerType, string>> = {
   D: "The centre of the tool moves straight past the corner and changes direction on a small arc, without a stop.",
 };
 
+/** Label of the slider for the parameter k. */
+const K_LABEL =
+  "Parameter k of the tool path at the corner (0 = arc as in type B, 1 = straight with a stop as in type C)";
+
 /** Path of the tool centre past a corner at (34, 26), with a tool radius of 14. */
 const PATHS: Readonly<Record<Exclude<CornerType, "auto">, string>> = {
   B: "M2 12H34A14 14 0 0 1 48 26V42",
@@ -58,7 +62,7 @@ export function CornersForm() {
       <p className={css.note}>{DESCRIPTIONS[corners.type]}</p>
       {hasSize && (
         <SizeSlider
-          label="Shape of blend (0 = arc, 1 = straight with stop)"
+          label={K_LABEL}
           value={corners.k}
           onChange={(k) => set({ corners: { ...corners, k } })}
         />
@@ -134,7 +138,7 @@ function SingleCorners() {
           </div>
           {one.type === "D" && (
             <SizeSlider
-              label="Shape of blend (0 = arc, 1 = straight with stop)"
+              label={K_LABEL}
               value={one.k ?? corners.k}
               onChange={(k) => set({ corners: setCornerK(corners, which, k) })}
             />
@@ -154,7 +158,7 @@ interface SizeSliderProps {
 function SizeSlider({ label, value, onChange }: SizeSliderProps) {
   return (
     <div className={cornerCss.cornerRow}>
-      <span>{label}</span>
+      <span style={{ flex: 1 }}>{label}</span>
       <Slider
         style={{ flex: 1 }}
         size="sm"

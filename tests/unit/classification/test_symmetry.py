@@ -15,8 +15,8 @@ def test_a_cut_whose_mirror_image_is_a_crease_is_asked_with_it() -> None:
     dieline = classified(sheet)
     assert words(dieline) == ["cut"] * 4 + ["unclassified"] * 2 + ["crease"]
     texts = [question.text for question in list_questions(sheet, dieline)]
-    assert "the mirror image of the edge in the drawing is a fold" in texts[0]
-    assert "the mirror image of the edge in the drawing is a cut" in texts[1]
+    assert "a mirror image of the edge, and this mirror image is a fold" in texts[0]
+    assert "a mirror image of the edge, and this mirror image is a cut" in texts[1]
 
 
 def test_equal_pairs_are_not_asked() -> None:

@@ -326,7 +326,9 @@ async def test_an_alarm_is_told_in_words() -> None:
     wire = Wire({"G1 X5000": "ALARM:2"})
     async with opened(wire) as controller:
         await controller.send(b"G1 X5000", 1)
-        with pytest.raises(ControllerAlarm, match=r"ALARM:2: a move would have left the travel"):
+        with pytest.raises(
+            ControllerAlarm, match=r"ALARM:2: a move would have gone beyond the travel range"
+        ):
             await controller.drain()
 
 

@@ -229,7 +229,7 @@ async def test_a_spoilt_answer_ends_the_job_with_the_machine_safe(bench: Bench, 
     with pytest.raises(error, match=words) as raised:
         await bench.run()
     bench.assert_safe()
-    assert "head was lifted to Z 20.0 mm, and the stations were released" in raised.value.text
+    assert "head was lifted to Z 20.0 mm, and the stations were raised" in raised.value.text
     assert raised.value.hint
     # The machine is in a known state: the next program runs.
     assert bench.controller.fault is None

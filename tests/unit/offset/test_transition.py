@@ -143,8 +143,13 @@ def test_a_corner_that_is_concave_for_the_tool_has_no_transition() -> None:
         (Corner.D, 1.0, np.nan, "type D with the parameter k = nan"),
         (Corner.D, 1.0, 1.5, "type D with the parameter k = 1.5"),
         (3, 1.0, 0.5, "type 3"),
-        (Corner.B, np.nan, 0.5, "radius of a tool is negative or not a number"),
-        (Corner.B, -1.0, 0.5, "radius of a tool is negative or not a number"),
+        (
+            Corner.B,
+            np.nan,
+            0.5,
+            "tool radius for a corner of a contour is negative or not a number",
+        ),
+        (Corner.B, -1.0, 0.5, "tool radius for a corner of a contour is negative or not a number"),
     ],
 )
 def test_invalid_arguments_are_refused(kind: Any, radius: float, k: float, words: str) -> None:

@@ -51,10 +51,10 @@ def test_a_groove_along_a_cut_is_refused_with_the_cut_and_the_distance(
         planned(edges(((25, y), (175, y))))
     error = refused.value
     assert (
-        f"its flank extends {1.0 - aside:.2f} mm beyond the cut at edge {2 if far else 0}"
+        f"its flank reaches {1.0 - aside:.2f} mm sideways across the cut at edge {2 if far else 0}"
         in str(error)
     )
-    assert f"is only {aside:.2f} mm away from the groove" in str(error)
+    assert f"The cut lies only {aside:.2f} mm from the centre line of the groove" in str(error)
     assert "75.0 mm from the start of the groove" in str(error)
     assert f"Move the groove and the cut {1.0 - aside:.2f} mm further apart" in error.hint
     assert error.source == ("4", "2" if far else "0")

@@ -39,7 +39,7 @@ MESSAGES: Final[Entries] = {
         "a cut at the position of the edge would separate a panel from its blank",
     ),
     "classification.dashed": entry(
-        "the edges are drawn with a dashed line",
+        "the edges with this layer, colour and line style are drawn dashed",
     ),
     "classification.divider": entry("the edge divides two panels"),
     "classification.divides-panels": entry(
@@ -82,10 +82,10 @@ MESSAGES: Final[Entries] = {
         "the edge belongs to a closed shape that is much smaller than the blank",
     ),
     "classification.mirror-cut": entry(
-        "the mirror image of the edge in the drawing is a cut",
+        "the drawing contains a mirror image of the edge, and this mirror image is a cut",
     ),
     "classification.mirror-folded": entry(
-        "the mirror image of the edge in the drawing is a fold",
+        "the drawing contains a mirror image of the edge, and this mirror image is a fold",
     ),
     "classification.mixed": entry(
         "{reason} (this is true for most of the length of the edge)",
@@ -127,13 +127,14 @@ MESSAGES: Final[Entries] = {
         "the user set the line type of the edge",
     ),
     "classification.paired": entry(
-        "some of the edges form pairs of parallel lines",
+        "some edges with this layer, colour and line style form pairs of parallel lines",
     ),
     "classification.panel-hangs": entry(
         "only this edge connects a panel to the rest of the blank",
     ),
     "classification.panels-hang": entry(
-        "most of the edges are the only connection between a panel and the rest of the blank",
+        "most edges with this layer, colour and line style are each the only connection between "
+        "a panel and the rest of the blank",
     ),
     "classification.role-against": entry("{role}{against}", role="message", against="message?"),
     "classification.rule": entry("profile {profile}: {rule}", profile="text", rule="message"),

@@ -107,8 +107,9 @@ MESSAGES: Final[Entries] = {
     ),
     "groove.through-cut": entry(
         "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At "
-        "{place:.1f} mm from the start of the groove, its flank extends {through:.2f} mm "
-        "beyond the cut at edge {cut}, which is only {distance:.2f} mm away from the groove.",
+        "{place:.1f} mm from the start of the groove, its flank reaches {through:.2f} mm "
+        "sideways across the cut at edge {cut}. The cut lies only {distance:.2f} mm from the "
+        "centre line of the groove.",
         "Move the groove and the cut {through:.2f} mm further apart, or choose a shallower groove.",
         groove="count",
         width="number",
@@ -119,8 +120,9 @@ MESSAGES: Final[Entries] = {
     ),
     "groove.through-cut-at-it": entry(
         "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At "
-        "{place:.1f} mm from the start of the groove, its flank extends {through:.2f} mm "
-        "beyond the cut at edge {cut}, which is only {distance:.2f} mm away from the groove.",
+        "{place:.1f} mm from the start of the groove, its flank reaches {through:.2f} mm "
+        "sideways across the cut at edge {cut}. The cut lies only {distance:.2f} mm from the "
+        "centre line of the groove.",
         "End the groove at the cut, or move the groove or the cut.",
         groove="count",
         width="number",
@@ -164,7 +166,7 @@ MESSAGES: Final[Entries] = {
         diameter="number",
     ),
     "tool.bad-radius": entry(
-        "The radius of a tool is negative or not a number.",
+        "The tool radius for a corner of a contour is negative or not a number.",
         "Correct the radius of the tool in the machine file.",
     ),
     "tool.cannot-work": entry(
@@ -203,9 +205,11 @@ MESSAGES: Final[Entries] = {
         "Set the spindle speed of the cutter in the machine file.",
     ),
     "track.too-flat": entry(
-        "Path {track} of the tool meets the edge of the board at {angle:.2f}° from the "
-        "perpendicular, which is too flat to leave the board. At most {limit:g}° is allowed.",
-        "End the line inside the board, or let it meet the edge of the board at a steeper angle.",
+        "At the edge of the board, the direction of path {track} of the tool deviates by "
+        "{angle:.2f}° from the perpendicular to this edge, but a deviation of at most "
+        "{limit:g}° is allowed.",
+        "End the line inside the board, or let the line cross the edge of the board closer to "
+        "a right angle.",
         track="count",
         angle="number",
         limit="number",

@@ -201,7 +201,7 @@ MESSAGES: Final[Entries] = {
     ),
     "controller.stopped": entry(
         "{error} {progress} The machine was stopped, the head was lifted to Z {height:.1f} mm, "
-        "and the stations were released.",
+        "and the stations were raised.",
         "{error:hint}",
         error="message",
         progress="message",

@@ -39,8 +39,8 @@ MESSAGES: Final[Entries] = {
         y="text",
     ),
     "corner.bad-share": entry(
-        "Corner number {corner} of a contour has type D with the parameter k = {k}, which must "
-        "be between 0 and 1.",
+        "Corner {corner} in the list of corners (the first corner has number 0) has type D with "
+        "the parameter k = {k}, which must be between 0 and 1.",
         "Choose a k from 0 (the path of corner type B) to 1 (the path of corner type C).",
         corner="count",
         k="text",
@@ -77,7 +77,8 @@ MESSAGES: Final[Entries] = {
         known="texts",
     ),
     "corner.unknown-number": entry(
-        "Corner number {corner} of a contour has the corner type {type}, which does not exist.",
+        "Corner {corner} in the list of corners (the first corner has number 0) has the corner "
+        "type {type}, which does not exist.",
         "Choose corner type B, C or D.",
         corner="count",
         type="count",
@@ -97,8 +98,8 @@ MESSAGES: Final[Entries] = {
         "Near X {x:.2f} mm, Y {y:.2f} mm the centre of the cutter moves on an arc of "
         "{radius:.3f} mm radius, which is too small to correct a deflection of "
         "{deflection:.3f} mm.",
-        "Choose a smaller corner parameter k or corner type B, or measure the deflection of "
-        "the cutter again.",
+        "Choose a smaller parameter k for the corners, choose corner type B, or measure the "
+        "deflection of the cutter again.",
         radius="number",
         x="number",
         y="number",
@@ -147,8 +148,8 @@ MESSAGES: Final[Entries] = {
     ),
     "calibration.undetermined": entry(
         "At every measured point the contour runs nearly along {along}, so the deflection "
-        "{other} of the cutter cannot be determined. The sum of sin² of the angles between "
-        "the contour and the {along} axis is {weight:.4f}, but must be at least {least}.",
+        "of the cutter in {along} ({other}) cannot be determined. The sum of sin² of the angles "
+        "between the contour and the {along} axis is {weight:.4f}, but must be at least {least}.",
         "Measure one more point where the contour runs along {direction}, or at 45°.",
         along="text",
         other="text",

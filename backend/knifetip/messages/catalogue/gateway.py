@@ -36,13 +36,13 @@ MESSAGES: Final[Entries] = {
         "Start the gateway if it is not running.",
     ),
     "gateway.switched-off-before-report": entry(
-        "The gateway (the program that sends jobs to the machine) was stopped before it "
-        "reported the result of the job.",
+        "The machine finished the job, but the gateway (the program that sends jobs to the "
+        "machine) was stopped before the result was reported.",
         "Start the gateway if it is not running.",
     ),
     "gateway.switched-off-in-run": entry(
-        "The gateway (the program that sends jobs to the machine) was stopped while it "
-        "executed the job. Before it ended, it stopped the machine.",
+        "The gateway (the program that sends jobs to the machine) was stopped while the "
+        "machine executed the job. The gateway then sent the machine the command to stop.",
         "Check the table, then start the gateway again.",
     ),
     "gateway.system-error": entry(

@@ -98,7 +98,7 @@ MESSAGES: Final[Entries] = {
         layer="text",
     ),
     "offset.bad-distance": entry(
-        "The offset distance is negative or not a number.",
+        "The offset distance of a path (the radius of the tool) is negative or not a number.",
         "Correct the radius of the tool.",
     ),
     "offset.bad-interference": entry(

@@ -26,7 +26,7 @@ MESSAGES: Final[Entries] = {
         "a motor driver reports a fault",
     ),
     "grbl.alarm-2": entry(
-        "a move would have left the travel of the machine",
+        "a move would have gone beyond the travel range of the machine",
     ),
     "grbl.alarm-3": entry(
         "the controller was reset during a move, so the position of the machine may be lost",

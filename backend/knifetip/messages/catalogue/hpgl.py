@@ -41,8 +41,8 @@ MESSAGES: Final[Entries] = {
         value="text",
     ),
     "hpgl.datum": entry(
-        "{path} has an offset or an output, but an HPGL machine itself stores the offsets of "
-        "its tools and lowers its tools",
+        "{path} has an offset or an output, but an HPGL program cannot use these settings: the "
+        "machine itself stores the tool offsets and lowers the tools",
         "Set all values of datum to 0 and remove output.",
         path="text",
     ),
@@ -186,7 +186,7 @@ MESSAGES: Final[Entries] = {
     ),
     "hpgl.repeated-pen": entry(
         "{path} has the same station and the same operation (field work) as another pen",
-        "Remove one of the two pens, or change its operation.",
+        "Remove one of the two pens, or choose another operation for one of the two pens.",
         path="text",
     ),
     "hpgl.selects-while-down": entry(

@@ -302,15 +302,15 @@ MESSAGES: Final[Entries] = {
     ),
     "machine.busy": entry(
         "Job {job} already occupies the table of {machine}.",
-        "Wait until that job has ended. If it is interrupted, mark it finished, queue it "
-        "again or scrap it.",
+        "Wait until that job has ended. If that job is interrupted, choose what to do with it: "
+        "mark as finished, queue again or scrap.",
         job="text",
         machine="text",
     ),
     "machine.busy-with-another": entry(
         "Another job already occupies the table of {machine}.",
-        "Wait until that job has ended. If it is interrupted, mark it finished, queue it "
-        "again or scrap it.",
+        "Wait until that job has ended. If that job is interrupted, choose what to do with it: "
+        "mark as finished, queue again or scrap.",
         machine="text",
     ),
     "machine.no-cutter": entry(
