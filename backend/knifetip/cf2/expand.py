@@ -101,7 +101,7 @@ def expand(source: Cf2File, linear: F64, tolerance: float, limits: Limits) -> Ex
 
 
 class _Expander:
-    """Copies the sections of one CF2 to the positions at which they are called."""
+    """Adds MAIN of one CF2 to the drawing, and a copy of a subroutine for each call."""
 
     def __init__(self, source: Cf2File, tolerance: float, limits: Limits) -> None:
         self._styles = StyleNumbers()
@@ -123,10 +123,11 @@ class _Expander:
         open_: set[str] = set()
 
         def size(section: Section, depth: int) -> tuple[int, int]:
-            """Return the number of records of a section, and the levels of nested calls in it.
+            """Return the number of expanded records of a section, and its depth of nested calls.
 
-            The records include those of all copies of subroutines in the section.  ``depth`` is the
-            number of nested calls that contain the section.
+            The number includes the records of the section itself and of all copies of subroutines
+            that it calls directly or indirectly.  The second value is 0 for a section without
+            calls.  The argument ``depth`` is the number of nested calls that contain the section.
             """
             total, deep = len(section.kind), 0
             for call in section.calls:

@@ -4,9 +4,11 @@
 record.
 
 A CF2 has a main section and subroutines, which are sections that can be called several times.  The
-name of a subroutine becomes the layer of its lines.  The type number of a line has different
-meanings in different programs, so it becomes a linetype to which profiles refer: ``CF2 2 3pt`` is
-type 2 in 3-point rule, ``CF2 3 aux 8 2pt`` is type 3 with auxiliary type 8 in 2-point rule.
+name of a subroutine becomes the layer of its lines.  The type number of a line means cut, crease or
+another operation, depending on the program that wrote the file.  Type number, auxiliary type and
+thickness of the steel rule are therefore joined to a linetype name, to which the rules of a profile
+refer.  ``CF2 2 3pt`` means type 2 in 3-point rule, and ``CF2 3 aux 8 2pt`` means type 3 with
+auxiliary type 8 in 2-point rule.
 
 ``records`` parses the records into sections; ``expand`` replaces calls by copies of subroutines.
 """

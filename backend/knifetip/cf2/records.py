@@ -35,7 +35,7 @@ _SECTIONS_WITH_LINES: Final = ("MAIN", "SUB")
 
 
 class Call(NamedTuple):
-    """A record that calls a subroutine: a copy of it is scaled, rotated, moved and drawn."""
+    """A record that draws a scaled, rotated and moved copy of a subroutine."""
 
     row: int  #: of the section
     name: str
@@ -79,7 +79,7 @@ class Section:
         kind
             First field of the record: L, A, T, C or an unknown word.
         drop_reason
-            Reason why the record gives no edge, None if it gives one.
+            Reason why the record is dropped, None if it is kept.
         """
         self.entity.append(entity)
         self.kind.append(kind)

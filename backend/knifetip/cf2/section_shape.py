@@ -297,7 +297,9 @@ def _split_arcs(arcs: F64, rows: I64, notes: dict[int, list[Message]]) -> tuple[
 def _fit_ellipses(
     shape: SectionShape, arcs: I64, linear: F64, shift: F64, tolerance: float
 ) -> tuple[F64, F64, F64, I64]:
-    """Approximate the elliptic arcs that a non-uniform scale causes by lines and circular arcs.
+    """Return lines and circular arcs that approximate elliptic arcs.
+
+    The arcs of a section become elliptic if ``linear`` scales x and y differently.
 
     Parameters
     ----------
@@ -313,7 +315,7 @@ def _fit_ellipses(
     Returns
     -------
     start, end : (n, 2)
-        Start and end points of the approximating segments (file units).
+        Start and end points of the n approximating segments (file units).
     bulge : (n,)
         Bulges of the approximating segments.
     arc : (n,)

@@ -1,8 +1,9 @@
 """shapes: compute lines and arcs from the numbers of DXF entities, for one entity or for many.
 
-Each line or arc is a row: its ends (2, 2) and its bulge.  Both readers use these kernels, so that
-their results are equal bit by bit.  NumPy may round an operation on an array differently from the
-same operation on a single number, so it is not used here.
+Each line or arc is a row: its ends (2, 2) and its bulge.  The fast reader and the ezdxf reader both
+use these kernels, so that their results are equal bit by bit.  The kernels do not use NumPy's array
+operations, because NumPy may round an operation on an array differently from the same operation on
+a single number.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """document: open a PDF and find its first page.
 
-``PdfFile`` contains the objects of the file, in bounded time and size; ``first_page`` returns the
-``Page``.
+``PdfFile`` gives access to the objects of the file and limits their size and the reading time.
+``first_page`` returns the ``Page``.
 
 pypdf parses the objects; this module checks the type of each object.  Encrypted files are refused.
 Files with a stream that cannot be unpacked to its end are also refused, because lines would be

@@ -174,10 +174,11 @@ class PageLines:
         return shown
 
     def _drop_fills(self) -> Bool:
-        """Return the mask of the paths that are kept, (p,): those that have a stroke.
+        """Return the mask of the paths that are kept, shape (p,), one per path of the page.
 
-        If no path of the page has a stroke, all paths, which have only a fill, are kept.  The
-        reasons for dropping are written into the import report.
+        Paths with a stroke are kept, and paths with only a fill are dropped.  If no path of the
+        page has a stroke, all paths are kept.  The reasons for dropping paths are written into the
+        import report.
         """
         areas = np.array([line.area for line in self._lines], bool)
         stroked = not areas.all()

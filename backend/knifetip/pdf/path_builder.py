@@ -34,8 +34,8 @@ class PathBuilder:
     def add(self, operator: str, operands: list[float]) -> None:
         """Apply a path operator with its operands to the current path.
 
-        ``operator`` is a key of ``BUILDERS``.  If the operands are invalid, the operator is stored
-        in the attribute ``wrong``, unless it already contains an earlier operator.
+        ``operator`` is a key of ``BUILDERS``.  The first operator with invalid operands is stored
+        in the attribute ``wrong``.
         """
         try:
             BUILDERS[operator](self, *operands)

@@ -1,9 +1,9 @@
-"""tints: convert a tint of an ink to a colour in the alternate colour space.
+"""tints: compute the colour in which programs display an amount of a spot colour's ink.
 
-A tint is the amount of a spot colour's ink, 0…1; the alternate colour space is the one in which
-programs display the ink.  The PDF defines the conversion by a function: a power of the tint, a
-table, or a PostScript program.  Programs with operators other than add, sub, mul, div, neg and
-stack operators, and stitched functions, are not evaluated.
+A tint is the amount of the ink, 0…1.  The PDF defines a function that converts a tint to a colour
+in the alternate colour space of the spot colour, in which programs display the ink.  The function
+is a power of the tint, a table, or a PostScript program.  Programs with operators other than add,
+sub, mul, div, neg and stack operators, and stitched functions, are not evaluated.
 
 Source: ISO 32000-1, chapter 7.10.
 """

@@ -1,4 +1,4 @@
-"""document: parse an SVG into a tree, without loading other files or expanding it without limit.
+"""document: parse an SVG into a tree of limited size, without loading any other file.
 
 ``parse_document`` takes the bytes of a file, XML or gzip of XML, and returns a tree of ``Node``.
 

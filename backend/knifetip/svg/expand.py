@@ -251,7 +251,9 @@ class _Expansion:
     def _omit(
         self, row: int, shape: Callable[[Node, shapes.Window], str], node: Node, context: _Context
     ) -> None:
-        """Store the path of an element that gives no edge; its bounding box becomes the location.
+        """Store the path of an element that gives no edge.
+
+        The bounding box of the path becomes the location of the element in the import report.
 
         Parameters
         ----------
@@ -270,10 +272,11 @@ class _Expansion:
             )
 
     def _context_of(self, node: Node, context: _Context) -> _Context:
-        """Return the properties that apply to an element.
+        """Return the properties that apply to the element ``node``.
 
-        They are the properties that the element inherits, ``context``, with those replaced that the
-        attributes of the element change.
+        ``context`` contains the properties that the element inherits.  Where an attribute of the
+        element specifies a property, such as the stroke, the specified value replaces the inherited
+        value.  A ``transform`` attribute is combined with the inherited matrix.
         """
         appearance = self._cascade.appearance(node, context.appearance)
         left_out = context.left_out or (None if appearance.shown else _HIDDEN)
@@ -403,10 +406,12 @@ class _Expansion:
 
 
 def _window(wide: float, high: float) -> shapes.Window:
-    """Return the lengths to which percentages in the attributes of SVG elements refer.
+    """Return three lengths to which percentages in the attributes of SVG elements refer.
 
-    They are the width ``wide`` and the height ``high`` of the window that contains the elements,
-    for x and y, and the diagonal of the window divided by √2, for other lengths.
+    ``wide`` and ``high`` are the width and the height of the window that contains the elements.
+    Percentages in x direction refer to the first length, the width.  Percentages in y direction
+    refer to the second length, the height.  All other percentages, such as radii, refer to the
+    third length, the diagonal of the window divided by √2.
     """
     return wide, high, math.sqrt((wide * wide + high * high) / 2.0)
 

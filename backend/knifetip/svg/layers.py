@@ -16,7 +16,7 @@ from knifetip.svg.document import Node
 
 
 class Layer(NamedTuple):
-    """The name of a layer, and whether the file marks the group with this name as a layer."""
+    """The name of a layer, and whether the file marks the layer's <g> element as a layer."""
 
     name: str
     marked: bool
@@ -46,7 +46,7 @@ _TRAILING_NUMBER: Final = re.compile(r"[-_ .]?\d+$")
 
 
 def layer_of_group(node: Node, inherited: Layer) -> Layer:
-    """Return the layer that the elements inside a group inherit.
+    """Return the layer that the child elements of the SVG group (<g>) ``node`` inherit.
 
     ``inherited`` is the layer that the group itself inherits from the elements that contain it.
     """

@@ -58,8 +58,9 @@ def read_page(root: Node, unit: str, millimetres_per_unit: float, illustrator: b
         Root element of the SVG.
     unit
         The unit that the user gives, "" if the user gives none.  If the file states the size of the
-        page with a physical unit, such as 90mm, only the unit is replaced: 90 in for the unit "in".
-        Otherwise one unit of the coordinates in the file has the length ``unit``.
+        page with a physical unit, this unit is replaced and the number is kept: "90mm" is read as
+        90 inches if ``unit`` is "in".  Otherwise one unit of the coordinates in the file has the
+        length ``unit``.
     millimetres_per_unit
         Number of millimetres in ``unit``, 0 if the user gives no unit.
     illustrator

@@ -5,10 +5,10 @@ line, curve or arc, ``numbers`` (n, 8) contains its coordinates, and ``path`` is
 path.
 
 A kernel parses the bytes.  Relative coordinates become absolute; H, V, S, T and Z become explicit
-lines and curves; quadratic curves become cubic ones.
+lines and curves; quadratic curves become cubic ones.  A path is read up to the first error in its
+data, as the SVG standard requires.
 
-Source: Scalable Vector Graphics (SVG) 1.1, second edition, chapter 8.3.  As it
-requires, a path is read up to the first error in its data.
+Source: Scalable Vector Graphics (SVG) 1.1, second edition, chapter 8.3.
 """
 
 from __future__ import annotations
@@ -68,10 +68,18 @@ def _skip_separators(data: U8_1, position: int, last: int) -> int:
 
 @kernel
 def _parse_number(data: U8_1, position: int, last: int) -> tuple[float, int]:
-    """Return the next number of a path and the index of the byte after it, -1 for no number.
+    """Return the next number of a path, and the index of the byte after the number.
 
-    ``data`` are the bytes of the path data; separators at the index ``position`` are skipped before
-    the number.  ``last`` is the index after the last byte of the path.
+    If there is no number, the index is -1.
+
+    Parameters
+    ----------
+    data
+        Bytes of the path data.
+    position
+        Index at which parsing starts; separators before the number are skipped.
+    last
+        Index after the last byte of the path.
     """
     position = _skip_separators(data, position, last)
     negative = False
@@ -130,10 +138,18 @@ def _parse_number(data: U8_1, position: int, last: int) -> tuple[float, int]:
 
 @kernel
 def _parse_flag(data: U8_1, position: int, last: int) -> tuple[int, int]:
-    """Return the next flag of an arc (0 or 1) and the index of the byte after it, -1 for no flag.
+    """Return the next flag of an arc (0 or 1), and the index of the byte after the flag.
 
-    ``data`` are the bytes of the path data; separators at the index ``position`` are skipped before
-    the flag.  ``last`` is the index after the last byte of the path.
+    If there is no flag, the index is -1.
+
+    Parameters
+    ----------
+    data
+        Bytes of the path data.
+    position
+        Index at which parsing starts; separators before the flag are skipped.
+    last
+        Index after the last byte of the path.
     """
     position = _skip_separators(data, position, last)
     if position < last and (data[position] == 48 or data[position] == 49):
@@ -173,7 +189,7 @@ def _place_cubic(
     handle_x: float,
     handle_y: float,
 ) -> tuple[float, float, float, float]:
-    """Write the two control points of a curve that command C, S, Q or T draws into ``row``.
+    """Write into ``row`` the two control points of the curve of a path command C, S, Q or T.
 
     The curve is cubic; a quadratic curve (Q, T) is converted.
 

@@ -36,9 +36,9 @@ def read(
         Content of the file, which may be packed with gzip.
     unit
         The unit that the user gives, "mm", "px" …; None if the user gives no unit.  If the file
-        states the size of the page with a physical unit, such as 90mm, only the unit is replaced:
-        90 in for the unit "in".  Otherwise one unit of the coordinates in the file has the length
-        ``unit``.
+        states the size of the page with a physical unit, this unit is replaced and the number is
+        kept: "90mm" is read as 90 inches if ``unit`` is "in".  Otherwise one unit of the
+        coordinates in the file has the length ``unit``.
     limits
         Limits of the size of the file and of the drawing.
 

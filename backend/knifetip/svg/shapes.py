@@ -1,6 +1,7 @@
 """shapes: convert basic shapes to path data, so that all shapes of an SVG can be read as paths.
 
-For example, ``<rect width="90" height="45"/>`` gives "M0 0H90V45H0Z", with floating-point numbers.
+For example, ``<rect width="90" height="45"/>`` becomes the closed path with the corners (0, 0),
+(90, 0), (90, 45) and (0, 45).
 """
 
 from __future__ import annotations
@@ -43,11 +44,11 @@ def shape_path_data(node: Node, window: Window) -> str:
 
 
 def frame_path_data(node: Node, window: Window) -> str:
-    """Return path data with the bounding box of an element that has no path, such as an image.
+    """Return the path data of the diagonal of an element that has no path, such as an image.
 
-    The import report uses this box as the location of the element.  The path is the diagonal of the
-    box, from the attributes x, y, width and height of the element.  ``window`` contains the lengths
-    to which percentages in these attributes refer.
+    The diagonal is computed from the attributes x, y, width and height of the element.  Its
+    bounding box is the location of the element in the import report.  ``window`` contains the
+    lengths to which percentages in these attributes refer.
     """
     wide, high = _size(node, "width", window[0]), _size(node, "height", window[1])
     return f"{point_path_data(node, window)}l{wide!r} {high!r}"
@@ -56,8 +57,8 @@ def frame_path_data(node: Node, window: Window) -> str:
 def point_path_data(node: Node, window: Window) -> str:
     """Return path data of a line of zero length at the position (x, y) of an element.
 
-    The import report uses it as the location of a ``use`` element that cannot be copied.
-    ``window`` contains the lengths to which percentages in the attributes x and y refer.
+    The import report shows this position as the location of a ``use`` element that cannot be
+    copied.  ``window`` contains the lengths to which percentages in the attributes x and y refer.
     """
     return f"M{_size(node, 'x', window[0])!r} {_size(node, 'y', window[1])!r}l0 0"
 

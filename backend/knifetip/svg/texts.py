@@ -16,7 +16,10 @@ from knifetip.svg.style import Appearance, Cascade
 def text_annotation(
     node: Node, layer: str, matrix: Matrix, window: Window, appearance: Appearance, cascade: Cascade
 ) -> Annotation | None:
-    """Return a text element as an annotation in file units; None if it has no text or position.
+    """Return a text element as an annotation in file units.
+
+    A coordinate without a valid attribute x or y is 0.  The result is None if the text is empty, or
+    if its position or height is not finite.
 
     Parameters
     ----------
@@ -29,8 +32,8 @@ def text_annotation(
     appearance
         Appearance of the element, with its font size.
     cascade
-        Computes the font size of the first child with a position, if ``node`` itself has none;
-        position and height of the text are then those of the child.
+        Used if ``node`` has no attribute x but a child has: position and height of the text are
+        then taken from the first such child, and ``cascade`` computes the font size of this child.
     """
     text = " ".join(text_content(node).split())
     first = next((one for one in (node, *node.children) if "x" in one.attributes), node)

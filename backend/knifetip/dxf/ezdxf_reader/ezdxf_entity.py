@@ -76,7 +76,7 @@ def _clipped(insert: Any) -> bool:
 
 
 class EntityReader:
-    """Reads single entities of a file with ezdxf, given the bytes of the entity.
+    """Reads entities of a file one at a time with ezdxf, each from its own bytes.
 
     ``version`` and ``encoding`` are the DXF version and the character encoding of the file.
     """
