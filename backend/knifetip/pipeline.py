@@ -5,10 +5,11 @@
     bytes → Drawing → Dieline → Cleaned → Operations → Toolpaths → Toolpath → Program → Verdict
         read    classify    clean    plan     compensate   sequence  process    verify
 
-Each stage is a function of this module, for library users (``from knifetip import read``), the
-command line and jobs alike; ``compile`` runs all of them from ``clean`` on.  Callers refer to
-edges by their rows in the drawing.  Planning and verification work on the rows of the cleaned
-dieline; ``compile`` and ``verify`` map their results back to the drawing's rows.
+The upper line has the data, and the lower line the stages between them.  Each stage is a function
+of this module, for library users (``from knifetip import read``), the command line and jobs alike;
+``compile`` runs all of them from ``clean`` on.  Callers refer to edges by their rows in the
+drawing.  Planning and verification use the rows of the cleaned dieline; ``compile`` and ``verify``
+map their results back to the drawing's rows.
 """
 
 from __future__ import annotations
@@ -97,9 +98,9 @@ def read(data: bytes, unit: str | None = None) -> Drawing:
     data
         The file; its format is detected from its content.
     unit
-        "mm", "cm", "m", "in", "ft", "pt" or "px": overrides the unit of the file.  Without it the
-        unit of the file is compared with the geometry, and may be replaced by a far likelier one
-        or left open, with ``Drawing.unit`` empty.
+        The unit of the drawing, whatever unit the file states: "mm", "cm", "m", "in", "ft", "pt" or
+        "px".  If it is None, the unit in the file is compared with the geometry.  It is replaced if
+        another unit is far likelier.  If the evidence is not conclusive, ``Drawing.unit`` is empty.
 
     Raises
     ------
@@ -121,7 +122,7 @@ def classify(drawing: Drawing, rules: LineRules, overrides: U8 | None = None) ->
         The classification profile.
     overrides : (n,)
         For each of the n edges the LineType that the user has set, or ``NO_OVERRIDE`` to keep the
-        type from the classification.  With None all edges keep it.
+        type from the classification.  None if the user has set no line type.
     """
     dieline = classification.classify(drawing, rules, load.conventions())
     return dieline if overrides is None else classification.apply_overrides(dieline, overrides)
@@ -237,7 +238,7 @@ def verify(
     dieline
         The edges of the drawing, before cleaning.
     placement : mm
-        Offset that is added to the coordinates of the drawing on the sheet.
+        Shift (x, y) that moves the drawing to its position on the machine's table.
     tolerance : mm
         Maximum distance of the tool's tip from the drawn line.
 
@@ -267,13 +268,13 @@ def _toolpath(
 ) -> Toolpath:
     """Return the tool path for cleaned edges.
 
-    Its ``source`` contains for each move the index in the drawing of the edge that the move makes,
-    or -1.
+    The column ``source`` of the tool path contains for each move the index in the drawing of the
+    edge that the move makes, or -1 if it makes none.
 
     Parameters
     ----------
     offset
-        Offset that is added to the coordinates of the drawing on the sheet (mm).
+        Shift (x, y) in mm that moves the drawing to its position on the machine's table.
     corners
         How the cutter moves round outer corners: on an arc (type B), on straight lines (C), or on a
         line, an arc and a line (D).  None chooses the types that are fastest on the machine.
@@ -312,7 +313,7 @@ def _verdict(
     dieline, cleaned
         The drawn edges, and the result of cleaning them.
     offset
-        Offset that is added to the coordinates of the drawing on the sheet (mm).
+        Shift (x, y) in mm that moves the drawing to its position on the machine's table.
     tolerance
         Maximum distance of the tool's tip from the drawn line (mm).
     """

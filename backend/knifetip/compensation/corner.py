@@ -1,9 +1,10 @@
 """corner: choose the type of each convex corner of a cutter's path.
 
-Type B is an arc that stays in contact with the corner; C is two or three lines with a stop at each
-bend; D is a line, an arc and a line, without a stop or contact.  The parameter k of type D goes
-from 0 (equal to B) to 1 (equal to C).  The policy "auto" selects the fastest type for each corner
-on the machine, and B only if its contact is short enough not to burn the corner.
+In type B the cutter moves on an arc around the corner and touches it all the time.  Type C consists
+of two or three lines, with a stop at each bend.  Type D is a line, an arc and a line; the cutter
+does not stop, and leaves the corner at once.  The parameter k of type D goes from 0 (equal to B) to
+1 (equal to C).  The policy "auto" selects the fastest type for each corner on the machine, but
+type B only if the contact is short enough not to burn the corner.
 
 Source: radius compensation patent of Dalian Jiaotong University (B, C and D types).  The durations
 are our derivation.  They assume trapezoidal speed profiles with a stop at each jump of direction,

@@ -1,13 +1,13 @@
-"""deflection: compensate the deflection of a cutter under load by aiming deeper into the board.
+"""deflection: compensate the deflection of a cutter by moving its programmed path to the contour.
 
-A contour that runs at azimuth a pushes the cutter off it by Δ = σ (−δx sin a, δy cos a), with δx
-and δy the largest deflections along X and Y, and σ = +1 if the cutter is left of travel, −1 if
+A contour that runs at azimuth a pushes the cutter away from it by Δ = σ (−δx sin a, δy cos a), with
+δx and δy the largest deflections along X and Y, and σ = +1 if the cutter is left of travel, −1 if
 right.  So for a contour point P with left normal n and a cutter of radius r, the centre is
 programmed at P + σ diag(r − δx, r − δy) n instead of P + σ r n: every point of the offset moves by
 −σ diag(δx, δy) n.  Lines are shifted, arcs become elliptical.
 
-Source: the paper "Tool radius compensation", eqs 6–12.  It does not state the side of the
-correction; here it is into the board.
+Source: the paper "Tool radius compensation", eqs 6–12.  The paper does not state in which direction
+to correct; here the path moves towards the contour.
 """
 
 from __future__ import annotations
@@ -105,8 +105,8 @@ def fit_deflection(tangent: F64, measured: F64, side: int) -> tuple[float, float
     Raises
     ------
     CompensationError
-        The points do not determine δx or δy, are not numbers, or give a deflection *into* the
-        board, which means a wrong side or sign.
+        The points do not determine δx or δy, or are not numbers.  Or δx or δy is clearly
+        negative, as if the contour pulled the cutter towards it; then the side or a sign is wrong.
     """
     if len(tangent) == 0 or not (np.isfinite(tangent).all() and np.isfinite(measured).all()):
         raise CompensationError("calibration.bad-points", count=len(tangent))
@@ -133,7 +133,7 @@ def fit_deflection(tangent: F64, measured: F64, side: int) -> tuple[float, float
 def shift_centres(
     paths: Paths, side: int, x: float, y: float, tolerance: float = FIT_TOLERANCE
 ) -> tuple[Paths, I32]:
-    """Return paths of a cutter's centre aimed deeper into the board by the deflection.
+    """Return paths of a cutter's centre, moved towards the contours to compensate the deflection.
 
     The paths may go round corners on arcs or on lines (types B, C and D).  The shift of a point
     depends only on the direction of the path there.  Where the direction jumps, as at the bend of a

@@ -8,8 +8,8 @@ tool lifts from there without a lead-out.  Contours are milled in several passes
 side is milled on its centre line, forth and back.
 
 Source: the paper "Tool radius compensation", eqs 1–5.  The offset is set up and cancelled as
-controllers do: straight to the point beside the start of the contour (type A), or on an arc around
-the start (type B).
+controllers do: on a straight line to the start of the offset path (type A), or on a line and an arc
+around the start of the contour (type B).
 """
 
 from __future__ import annotations
@@ -118,10 +118,11 @@ def set_up_offset(
 ) -> tuple[F64, F64, F64]:
     """Return the moves that set up the offset on a straight lead-in before each of m contours.
 
-    The centre of the cutter must arrive at the distance r, its radius, beside the start of the
-    contour.  Type A: if the path turns from the lead-in towards the tool's side or not at all, the
-    centre moves straight to that point.  Type B: if the path turns away from the tool's side, the
-    centre moves parallel to the lead-in at the distance r, and then on an arc around the start of
+    The centre of the cutter must arrive at the start S of the offset path.  S is the start of the
+    contour, moved by the cutter's radius r to the tool's side, perpendicular to the contour.
+    Type A: if the path turns from the lead-in towards the tool's side or not at all, the centre
+    moves straight to S.  Type B: if the path turns away from the tool's side, the centre moves
+    parallel to the lead-in, at the distance r from it, and then to S on an arc around the start of
     the contour.  To cancel the offset, set it up for the reversed contour and reverse the result.
 
     Parameters
@@ -143,10 +144,9 @@ def set_up_offset(
     Returns
     -------
     from, to : (m, 2) mm
-        Position of the centre at the start and at the end of the straight lead-in.
+        Position of the centre at the start and at the end of the straight move.
     bulge : (m,)
-        Bulge of the arc from ``to`` to the point beside the contour's start; 0 for type A, in which
-        ``to`` is that point.
+        Bulge of the arc from ``to`` to S; 0 for type A, in which ``to`` is S.
     """
     normal = side * left_normal(ahead)
     cos, sin = np.cos(np.radians(approach)), np.sin(np.radians(approach))

@@ -121,8 +121,8 @@ def vgroove_toolpath(operation: Operation) -> Toolpath:
     EdgeTooShort
         A path is shorter than the blade is wide.
     GrooveTooDeep
-        A groove is as deep as the board is thick, or the blade would overrun an end inside a panel
-        by more than the board allows.
+        The depth of a groove is not less than the thickness of the board, or the blade would
+        overrun an end inside a panel by more than the board allows.
     """
     cutter = operation.tool
     assert isinstance(cutter, VCutter)
@@ -280,8 +280,8 @@ def _check_paths(operation: Operation, cutter: VCutter) -> None:
     EdgeTooShort
         A path is shorter than the blade is wide.
     GrooveTooDeep
-        A groove is as deep as the board is thick, or a path has an end inside a panel and the blade
-        is wider than the overrun that the board allows there.
+        The depth of a groove is not less than the thickness of the board, or a path has an end
+        inside a panel and the blade is wider than the overrun that the board allows there.
     """
     paths = operation.paths
     curved = np.flatnonzero(np.abs(paths.bulge) >= BULGE)

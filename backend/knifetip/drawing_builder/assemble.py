@@ -34,7 +34,10 @@ from knifetip.model.words import Repeated
 
 
 class KnownUnit(NamedTuple):
-    """The unit of a file, which may be unknown, and the data about the unit in the file header."""
+    """The unit of length of a file, its scale, and the evidence for the unit.
+
+    If the unit is unknown, it is empty and the scale is 0.
+    """
 
     scale: float  #: millimetres per file unit, 0 if unknown
     unit: str  #: empty if unknown
@@ -75,7 +78,8 @@ def assemble(
     annotations
         Texts and dimensions in file units.
     known_unit
-        The unit of the file, if it is known.
+        Unit of length of the file.  If its scale is 0, which means that the unit is unknown, the
+        drawing stays in file units.
     """
     scale = known_unit.scale
     point = POINT / scale if scale else POINT / 1000.0
@@ -145,7 +149,7 @@ def _sealed(words: Sequence[str]) -> Sequence[str]:
 def _attributes(styles: list[Style]) -> tuple[tuple[str, ...], tuple[str, ...], I32]:
     """Return the layer names, the linetype names, and an array with one row per style, (s, 5).
 
-    The five columns are:
+    A linetype is a pattern of dashes.  The five columns of the array are:
 
     * index of the layer in the layer names;
     * number of the layer name, the same for names that differ only in upper and lower case;
@@ -382,18 +386,17 @@ def _pieces_drawn_twice(pieces: int, total: int, same: list[str], further: int) 
 def _duplicate_handles(
     row: int, equal_segments: Counter[int], handles: Sequence[str]
 ) -> tuple[list[str], int]:
-    """Return up to 5 handles of entities that one entity duplicates, and the number of the others.
+    """Return up to 5 handles of entities whose segments an entity repeats, and how many more exist.
 
-    Entities with the most equal segments come first.
+    Entities with the most repeated segments come first.
 
     Parameters
     ----------
     row
-        Report row of the one entity, whose duplicate segments were dropped.  If it duplicates its
-        own segments, its handle is replaced by "itself".
+        Report row of the entity that repeats segments.  If it repeats its own segments, its handle
+        is replaced by "itself".
     equal_segments
-        Number of segments that equal a segment of the one entity, by the report row of the entity
-        to which they belong.
+        Report row of each entity whose segments are repeated, and the number of these segments.
     handles
         Handle of the entity of each report row.
     """

@@ -9,7 +9,7 @@ from knifetip.geometry.columns import F64, I32
 
 
 class Style(NamedTuple):
-    """Layer, colour and linetype of the segments of an entity."""
+    """Layer, colour and linetype (dash pattern) of the segments of an entity."""
 
     layer: str
     colour: int  #: AutoCAD colour index 1 … 255

@@ -43,7 +43,8 @@ def too_many(limits: Limits, format_name: str) -> DrawingTooLarge:
 class PlacedSegments:
     """The segments of the paths of an SVG or PDF file, converted to file units.
 
-    For Bézier curves these are the control points; for elliptic arcs, centre, axes and angles.
+    Lines are stored by their ends, Bézier curves by their control points, and elliptic arcs by
+    centre, axes and angles.
     """
 
     def __init__(self, table: Table, matrices: F64) -> None:
@@ -217,7 +218,7 @@ def _are_straight(control: F64, chord: F64, tolerance: float) -> Bool:
 
 
 def _circular(placed: PlacedSegments, indices: I64) -> tuple[F64, F64, I64]:
-    """Return circular arcs with ends and bulges, split in two if the arc is longer than 180°.
+    """Return the circular arcs among the segments; an arc longer than 180° is split in two.
 
     Parameters
     ----------

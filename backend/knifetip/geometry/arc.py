@@ -121,11 +121,11 @@ def tangent_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
 
 
 def nearest_fraction(start: F64, end: F64, bulge: F64, point: F64) -> F64:
-    """Return the position on each of n segments that is nearest to a given point, (n,).
+    """Return the position on each of n segments that is nearest to the point given for it, (n,).
 
     A position is a fraction of the segment's length, 0 at its start and 1 at its end.  ``start``,
-    ``end`` (n, 2) mm and ``bulge`` (n,) are the segments; ``point`` (n, 2) mm has one point for
-    each.
+    ``end`` (n, 2) mm and ``bulge`` (n,) are the segments.  ``point`` (n, 2) mm are the points, one
+    per segment.
     """
     chord = end - start
     position: F64 = ((point - start) * chord).sum(axis=1) / (chord**2).sum(axis=1)

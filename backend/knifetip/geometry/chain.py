@@ -261,7 +261,8 @@ def _link_ends(
 def _continues_straight(outward: F64_2, by_node: I64_1, bounds: I64_1, straight: float) -> Any:
     """Return the mask of ends of n edges beyond which another edge continues straight, (2n,).
 
-    The other edge has an end at the same vertex, and its direction there is nearly the same.
+    The other edge has an end at the same vertex.  The path from one edge to the other turns there
+    by an angle whose cosine is at least ``straight``.
 
     Parameters
     ----------

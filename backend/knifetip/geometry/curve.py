@@ -242,7 +242,7 @@ def _halve_until_fitted(
 def _merge_collinear(
     start: F64, end: F64, bulge: F64, curve: I64, min_length: float
 ) -> tuple[F64, F64, F64, I64]:
-    """Return the segments longer than ``min_length`` mm, with collinear neighbours merged.
+    """Remove segments of at most ``min_length`` mm, then merge neighbouring collinear lines.
 
     Arguments and results are the start (n, 2), the end (n, 2), the bulge (n,) and the number of the
     curve, ``curve`` (n,), of each segment.  Segments of different curves are not merged.

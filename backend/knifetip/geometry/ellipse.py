@@ -40,7 +40,7 @@ class Ellipse:
 
         A circle becomes exact arcs.  Otherwise each quarter between the ends of the axes is
         approximated.  If u and v are parallel, the ellipse is flat and becomes lines; a full flat
-        ellipse runs along them forth and back.
+        ellipse becomes lines that run forth and back over the same points.
 
         Raises
         ------

@@ -50,7 +50,10 @@ class Paths:
 
     @property
     def areas(self) -> F64:
-        """Signed area enclosed by each of the p paths, (p,) mm², > 0 if counter-clockwise."""
+        """Signed area enclosed by each of the p paths, (p,) mm², > 0 if counter-clockwise.
+
+        An open path is closed by a straight line from its end to its start.
+        """
         # Relative to the first point of each path, so that no digits are lost far from the origin.
         origin = self.start[self.first[:-1]][self.path_of]
         a, b = self.start - origin, self.end - origin
@@ -127,9 +130,9 @@ def select_paths(paths: Paths, numbers: I32) -> tuple[Paths, I32]:
 
 
 def insert_gaps(paths: Paths, path: I32, middle: F64, gap: float) -> tuple[Paths, I32, I32]:
-    """Return the paths with gaps.
+    """Cut gaps into closed paths, and return all paths.
 
-    Paths with gaps must be closed; a closed path with n gaps becomes n open paths.
+    A closed path with n gaps becomes n open paths; a path without gaps is returned unchanged.
 
     Parameters
     ----------

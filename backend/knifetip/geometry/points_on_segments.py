@@ -36,7 +36,8 @@ def find_points_on_segments(
     points : (m, 2) mm
         The points.
     owner : (m,)
-        Number of the segment that each point belongs to, -1 for none; a point may be on it.
+        Number of each point's own segment, which is not searched for this point; -1 if the point
+        belongs to no segment.
     start, end, bulge : (n, 2), (n, 2) mm and (n,)
         Ends and bulges of n segments.
     gap : mm
@@ -139,8 +140,9 @@ def _distance(
 ) -> float:
     """Return the distance of a point from a line or an arc (mm).
 
-    The line or arc goes from ``start`` to ``end``.  An arc has its centre at ``middle``, the
-    ``radius`` (mm), and starts at the angle ``first`` with the given sweep (radians).
+    The line or arc goes from ``start`` to ``end``; it is a line if ``sweep`` is almost 0.  An arc
+    has its centre at ``middle`` and the ``radius`` (mm); it starts at the angle ``first`` and turns
+    by the angle ``sweep`` (radians).
     """
     if abs(sweep) >= _LEAST_SWEEP:
         angle = math.atan2(point[1] - middle[1], point[0] - middle[0]) - first

@@ -27,13 +27,12 @@ def corner_run_outs(
 
     The two corners are the left and the right end of the tool's width.  With u the direction of
     travel, n its left normal, m the outward normal of the edge of the board, c the position of the
-    tip and W the width of the tool, the corners are at c ± (W/2) n.  Each corner passes a straight
-    edge after::
+    tip and W the width of the tool, the corners are at c ± (W/2) n.  For a track that ends at the
+    distance D before a straight edge of the board, measured along m, the lengths are::
 
-        ∓ (W/2) (n · m) / (u · m)
+        (D ∓ (W/2) (n · m)) / (u · m)
 
-    so the later corner leaves after (W/2) |n · m| / (u · m).  Source: "A new method of turning
-    processing in multi axis linkage NC machining", section 1.
+    Source: "A new method of turning processing in multi axis linkage NC machining", section 1.
 
     Parameters
     ----------
@@ -42,7 +41,7 @@ def corner_run_outs(
     width : (n,) mm
         W, the width of the tool across the travel.
     distance : (n,) mm
-        Distance between the end of the track and the edge of the board.
+        D, the distance between the end of the track and the edge of the board.
 
     Returns
     -------

@@ -1,8 +1,9 @@
 """clearance: test whether a position of the tool's centre is clear of the contours.
 
-A position is clear if no segment of a contour is nearer than the radius, and if it is not inside
-the area between a corner and its transition of type C or D.  A tree of bounding boxes of the
-segments finds the near segments.
+A position is clear if it meets two conditions.  No segment of a contour is nearer than the tool's
+radius.  And the position is not between a convex corner and the path on which the tool goes round
+this corner, if this path consists of lines (type C) or of a line, an arc and a line (type D).  A
+tree of bounding boxes of the segments finds the near segments.
 """
 
 from __future__ import annotations
@@ -66,10 +67,10 @@ def _in_transition(
     vy: float,
     signed: float,
 ) -> bool:
-    """Return whether a point is inside the area of a corner's transition of type C or D.
+    """Return whether a point is between a corner and the transition round this corner.
 
-    A transition is the path of the tool's centre round a corner; its area is between the path and
-    the corner.
+    A transition is the path of the tool's centre round a corner.  It consists of two or three lines
+    (type C), or of a line, an arc and a line (type D).
 
     Parameters
     ----------
@@ -132,8 +133,9 @@ def is_clear(
 ) -> bool:
     """Return whether a position of the tool's centre is clear of the contours.
 
-    The position is clear if no contour is nearer than ``limit`` mm, and if the position is not
-    between a corner and the tool's path round this corner, for paths of type C and D.
+    The position is clear if it meets two conditions.  No contour is nearer than ``limit`` mm.  And
+    the position is not between a convex corner and the path of the tool's centre round this corner,
+    if this path contains lines (types C and D).
 
     Parameters
     ----------

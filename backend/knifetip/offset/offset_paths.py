@@ -70,7 +70,8 @@ def offset_paths(
     OffsetPaths
         A closed path gives closed paths: none if the tool does not fit, several if it cannot pass a
         neck.  No point of a result is nearer to its contours than r, except within
-        ``DISTANCE_TOLERANCE``.  No result path runs through the transition of another corner.
+        ``DISTANCE_TOLERANCE``.  No result path runs between a corner and the path on which the tool
+        goes round this corner.
 
     Raises
     ------
@@ -85,9 +86,10 @@ def offset_paths(
     Notes
     -----
     ``OffsetPaths.unreached`` is the area between the contour and the area that the disc sweeps.
-    The edge of the swept area is the offset curve moved back by r, with an arc of radius r around
-    every corner that the offset curve turns towards the contour.  The area of a group is stored
-    with its first path.  For an open path whose offset lost an end, the area is an estimate.
+    The boundary of the swept area is the offset curve moved back by r.  At every corner where the
+    offset curve turns towards the contour, this boundary has an arc of radius r.  The area of a
+    group is stored with its first path.  If the tool does not fit at the start or end of an open
+    path, the area is an estimate.
 
     Cost: n log n in the number of segments; the tree of boxes over the segments uses their order
     along the path.  Large batches are processed on all cores.

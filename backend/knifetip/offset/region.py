@@ -118,7 +118,7 @@ def _select_pieces(
     signed : mm
         Radius of the tool, positive left of travel.
     refuse
-        Whether to find the position where the tool fits worst.
+        Whether to find the position at which the tool would cut deepest into a contour.
     lost
         A contour segment that has no offset, or -1.
     stack
@@ -129,9 +129,9 @@ def _select_pieces(
     Returns
     -------
     row, other_row, depth
-        With ``refuse``, the contour segment where the tool fits worst, the contour segment that the
-        tool is too close to there, and the missing distance (mm); -1, -1 and 0 if the tool fits
-        everywhere.
+        Of use only if ``refuse`` is true: the contour segment beside which the tool would cut
+        deepest, the contour segment into which it would cut, and the depth of this cut (mm).  They
+        are -1, -1 and 0 if the tool fits everywhere.
     """
     size = abs(signed)
     limit = size - DISTANCE_TOLERANCE
@@ -182,6 +182,8 @@ def _swept_area(
 ) -> tuple[float, bool, int, float]:
     """Return twice the area inside the edge that a tool leaves when its centre follows chains.
 
+    A chain is torn if it is open although it comes from a closed path; then no area is computed.
+
     Parameters
     ----------
     contours, paths
@@ -196,12 +198,11 @@ def _swept_area(
     Returns
     -------
     swept : mm²
-        Twice the signed area, summed over all chains; 0 if ``torn`` is not -1.
+        Twice the signed area, summed over all chains; 0 if a chain is torn.
     overlaps
         Whether a part of the area is counted twice.
     torn, length
-        Index of a chain that is open although its path is closed, and its length (mm).  If there is
-        no such chain, ``torn`` is -1 and ``length`` is 0.
+        Index of the first torn chain, and its length (mm); -1 and 0 if no chain is torn.
     """
     line, tag, bounds, ring = out
     count = len(paths.member)

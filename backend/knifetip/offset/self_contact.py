@@ -197,7 +197,7 @@ def path_meets_itself(
     """Return whether two segments of a closed path that are not neighbours have a common point.
 
     The path has the segments low … high - 1.  ``boxes`` (4, m) is a scratch array for bounding
-    boxes, at least 1.5 times as long as the path has segments.
+    boxes; m must be at least 1.5 times the number of segments in the path.
     """
     start, end, bulge, inserted = segments
     count = high - low

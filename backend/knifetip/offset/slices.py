@@ -220,10 +220,11 @@ def split_rows(
 def follow_pieces(pieces: JoinedPieces, follow: I64_1, good: Bool_1, count: int) -> None:
     """Write the successor and the predecessor of each valid piece to ``pieces``.
 
-    The successor of a piece is the next piece of the same row or, after the last piece of a row,
-    the first piece of the row that follows.  If this next piece is not valid, or does not start at
-    the end of the piece, the successor is the nearest valid piece without predecessor that starts
-    there.
+    The successor of a piece is normally the next piece of the same row or, after the last piece of
+    a row, the first piece of the row that follows.  This piece must be valid and start at the end
+    of its predecessor, within a small tolerance.  If it does not, the successor is another valid
+    piece that has no predecessor and starts within this tolerance; of several such pieces, the one
+    whose start is nearest.  If there is none, the successor is -1.
 
     Parameters
     ----------

@@ -1,10 +1,10 @@
 """transition: the path of the tool's centre around a convex corner.
 
-A transition leads from B₀, where the tool touches the end of the segment before the corner, to E₀,
-where it touches the start of the segment after it.  Type B is an arc around the vertex, which the
-tool touches all the way.  Type C continues straight and touches the vertex only at both ends, but
-stops at its bends.  Type D is C with rounded bends: it touches the vertex only at both ends and
-does not stop.
+A transition leads from the point B₀ to the point E₀.  At B₀ the tool touches the end of the segment
+before the corner, at E₀ the start of the segment after the corner.  Type B is an arc around the
+vertex of the corner, and the tool touches the vertex on the whole arc.  Type C consists of two or
+three lines with a stop at each bend between them.  Type D is a line, an arc and a line, without a
+stop.  In types C and D the tool touches the vertex only at B₀ and E₀.
 
 Source: "Radius compensation algorithm for convex contour closed-angle linear and circular arc
 composite transitional cutting tool" (Dalian Jiaotong University) names and draws the three types;

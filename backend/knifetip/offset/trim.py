@@ -69,7 +69,8 @@ def _trim_corners(contours: Contours, path: MovedPath) -> tuple[int, int, float,
     """Trim the moved segments at concave corners to their intersection, and classify all corners.
 
     The ends of the moved segments are changed in ``path.segments.table``, and the kind of each
-    corner is written to ``path.segments.joint``.
+    corner is written to ``path.segments.joint``.  At a concave corner, the disc of the tool touches
+    the two segments of the contour at one contact point each.
 
     Returns
     -------
@@ -78,7 +79,7 @@ def _trim_corners(contours: Contours, path: MovedPath) -> tuple[int, int, float,
         failed.
     twice : mm²
         Twice the area that the tool cannot reach at concave corners, plus twice the area of the
-        disc's sectors between its contact points there.  ``trim_path`` subtracts the sectors.
+        sectors of the disc between the two contact points.  ``trim_path`` subtracts the sectors.
     angle : radians
         Sum of the angles of these sectors.
     """

@@ -181,9 +181,9 @@ def _keep_waste_left(
 def _ends_on_cuts(paths: Paths, source: I32, dieline: Dieline) -> Bool:
     """Return the mask of the ends of p paths that lie on a through cut, (2p,).
 
-    The edge of the path at this end, which may be a through cut itself, does not count.  The mask
-    has the starts of all paths first, then the finishes.  ``source`` is the row in the dieline of
-    each segment of the paths.
+    The path's own edge at this end is not counted, even if it is a through cut.  The mask has the
+    starts of all paths first, then the finishes.  ``source`` is the row in the dieline of each
+    segment of the paths.
     """
     points, segment = end_points(paths)
     cut = np.flatnonzero(dieline.line_type == LineType.CUT)

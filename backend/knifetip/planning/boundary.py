@@ -10,9 +10,9 @@ sagitta of the edge is added.  At an outer corner of the outline the tool has le
 is past one of the two edges.  At an inner corner (a notch) each half of the tool must be past both
 edges.
 
-A groove that continues into the board, or runs along its edge within 5°, gets no run-out.  The end
-of such a groove counts as inside the board; there the board's ``groove_overcut`` limits how far the
-blade may cut beyond the end.
+An end of a groove gets no run-out if the groove, continued beyond this end, would enter the board
+or run along its edge within 5°.  Such an end counts as inside the board; there the board's
+``groove_overcut`` limits how far the blade may cut beyond the end.
 
 Source of the run-out at a straight edge: "A new method of turning processing in multi axis linkage
 NC machining", section 1.  The formulas for corners and round edges were derived for knifetip.

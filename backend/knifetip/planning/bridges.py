@@ -135,10 +135,10 @@ class _FreeRanges:
     high: F64  #: mm
 
     def without(self, positions: F64, clear: float, length: float) -> _FreeRanges:
-        """Return the parts of the ranges that are at least ``clear`` mm away from some positions.
+        """Return the parts of the ranges that are at least ``clear`` mm away from given positions.
 
-        ``positions`` are these positions along the closed contour, and ``length`` is its length
-        (mm).
+        ``positions`` are the given positions along the closed contour (mm), and ``length`` is the
+        length of the contour (mm).
         """
         low, high = self.low, self.high
         for position in np.concatenate([positions - length, positions, positions + length]):

@@ -119,9 +119,11 @@ def distances_to_corners(corners: Corners, contours: list[Bends]) -> F64:
 def choices_at_bends(corners: Corners, nearest: F64, bends: Bends) -> tuple[U8, F64]:
     """Return the corner type and its parameter k that the user chose for each bend, (n,) each.
 
-    Bend i is at the start of segment i.  Without a choice for a bend, its type is ``AS_OTHERS``,
-    the type of all other corners, and its k is NaN; k is also NaN if the user gave none.  A choice
-    applies to all corners at its point, for instance if two contours touch there.
+    Bend i is at the start of segment i.  For a bend without a choice, the returned type is
+    ``AS_OTHERS``, which means the type that the user set for all corners, and the returned k is
+    NaN.  k is also NaN if the user gave no k.  The choice for a position applies to all bends whose
+    distance from this position is the distance in ``nearest``; these are several bends if, for
+    instance, two contours touch at the corner.
 
     Parameters
     ----------

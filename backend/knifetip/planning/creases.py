@@ -83,9 +83,9 @@ def find_cut_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
     """Return the k points at which cuts cross segments of paths.
 
     Returns the index of the segment of each point (k,), and the parameter of the point on the
-    segment, 0 … 1 (k,).  A cut crosses a segment if their common point is an end of neither of
-    them.  Several cuts cross a segment together if they end at one point of the segment and leave
-    it on both sides.
+    segment, 0 … 1 (k,).  A cut crosses a segment if their common point is an inner point
+    of the path and of the cut.  Two cuts also cross a segment if they end at the same point of the
+    segment, one on the left and one on the right of the segment.
 
     Parameters
     ----------
@@ -214,7 +214,7 @@ def double_creases(paths: Paths, distance: float, source: I32) -> tuple[Paths, I
     Parameters
     ----------
     distance : mm
-        Distance between the two paths; the drawn path lies in their middle.
+        Distance between the two paths; the drawn path lies midway between them.
     source : (n,)
         Index in the dieline of the edge of each segment, for error messages.
 

@@ -184,9 +184,10 @@ def _find_nearby_chords(begin: F64, finish: F64, reach: float, dieline: Dieline)
 def _ends_on_cuts(nearby: _NearbyChords, length: F64, reach: float, run_out: F64) -> Bool:
     """Return the mask of the ends of p grooves near which a cut meets the groove's line, (p, 2).
 
-    A cut is near an end if it meets the line at most twice ``reach`` (mm) from the end.  For a
-    point inside the groove, the run-out of this end counts instead if it is longer.  ``length`` is
-    the length of each groove, (p,) mm; ``run_out`` is the run-out at each end, (p, 2) mm.
+    The line of a groove is continued beyond both ends.  Beyond an end, a cut is near this end up to
+    a distance of twice ``reach`` (mm).  Inside the groove, it is near up to twice ``reach`` or up
+    to the length of the run-out at this end, whichever is longer.  ``length`` is the length of each
+    groove, (p,) mm; ``run_out`` is the run-out at each end, (p, 2) mm.
     """
     result = np.zeros((len(length), 2), np.bool_)
     on_line = nearby.clip(nearby.offset, -GAP, GAP)

@@ -1,11 +1,15 @@
 """gaps: find links that close contours whose cuts do not quite meet.
 
-A dangling end is linked to the nearest point of another cut within ``CONTOUR_GAP``.  It is also
-linked to its relative neighbours among the dangling ends within ``CONTOUR_GAP``.  Two ends are
-relative neighbours if no third end is nearer to both than they are to each other.  Without these
-links, an end of one of two close contours would only be linked to the other contour.  A point of
-the end's own chain can be linked only if the path to it along the chain is at least three times as
-long as the gap, so that no end is linked to the corner from which it comes.
+A dangling end is an end of a cut that lies on no other cut.  A link is a straight line from a
+dangling end to a point at most ``CONTOUR_GAP`` away.  Each dangling end is linked to the nearest
+point of another cut, and to every dangling end that is its relative neighbour.  Two dangling ends
+are relative neighbours if no third dangling end is nearer to both than they are to each other.
+Without the links between relative neighbours, an end of one of two close contours would only be
+linked to the other contour.
+
+If cuts connect a dangling end with a point, the two are linked only if the path along these cuts is
+at least three times as long as the gap.  Otherwise an end would be linked to the corner from which
+it comes.
 
 Links only close contours for ``layers``; they are never cut.  A superfluous link does no harm: cuts
 inside such a contour are only made earlier than necessary.

@@ -1,4 +1,4 @@
-"""layers: order cuts so that no tool works on a piece of board that is already loose.
+"""layers: order cuts so that no tool cuts a piece of board that is already loose.
 
 A piece of board comes loose when cuts enclose it.  The layers are found backwards, from the
 finished sheet.  Removing a cut joins the faces on its two sides, and a face that is joined to the
@@ -8,8 +8,8 @@ layer may be made in any order, after all cuts of higher layers.
 
 In this order, a hole is cut before its part, and a part before the window in which it lies.  The
 line between two parts is cut before their common outline, and an open cut before the contour in
-which it lies.  A closed contour is one unit of work, and so is an edge that belongs to no contour.
-A unit has the layer of its innermost stretch.
+which it lies.  A closed contour gets one layer, and so does a cut that belongs to no contour: the
+highest of the layers that its parts between crossings would get.
 """
 
 from __future__ import annotations
@@ -77,10 +77,11 @@ def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
 def _assign_layers(
     face: I64_2, unit_of: I64_1, size_of: F64_1, piece_of: I64_1, first: I64_1, count: int
 ) -> Any:
-    """Return the layer of each of ``count`` units of work, and whether no cycle was found.
+    """Return the layer of each of ``count`` units of work, and whether the units could be ordered.
 
     A unit of work is a closed contour or a single edge; it consists of stretches between faces.
-    The units of a cycle would each have to be cut before another unit of the cycle.
+    The units cannot be ordered if they form a cycle, in which each unit would have to be cut before
+    another unit of the cycle.
 
     Parameters
     ----------

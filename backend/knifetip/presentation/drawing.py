@@ -110,8 +110,8 @@ def _line_type_counts(line_type: U8, lengths: F64) -> list[dict[str, Any]]:
 def _layers(drawing: Drawing, dieline: Dieline) -> list[dict[str, Any]]:
     """Return one item for each pair of layer and colour that occurs in a drawing, as JSON data.
 
-    An item contains the name and the colour, and number, total length (mm) and line types of the
-    edges with this layer and colour.
+    An item contains the name of the layer, the colour, and the number, the total length (mm) and
+    the line types of the edges with this layer and colour.
     """
     pairs, pair = np.unique(
         np.stack([drawing.layer, drawing.colour], axis=1), axis=0, return_inverse=True

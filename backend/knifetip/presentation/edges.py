@@ -142,8 +142,8 @@ class EdgeTable(NamedTuple):
 def restore_drawing(block: bytes) -> tuple[Drawing, Dieline]:
     """Return the drawing and the dieline that a packed EdgeTable describes.
 
-    The import report of the drawing has one row per edge; entities without edges and annotations
-    are missing, because the table does not contain them.
+    The import report of the drawing has one row per edge.  The drawing has no annotations, and its
+    report has no rows for entities without edges, because the table contains neither.
 
     Raises
     ------

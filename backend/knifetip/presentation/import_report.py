@@ -1,7 +1,8 @@
 """The import report of a drawing as rows of JSON data.
 
 Each row has handle, kind, layer, outcome, reason and length of one entity.  The row of a text also
-contains the text, and the row of an entity without edges its bounding box if its location is known.
+contains the text.  The row of an entity without edges also contains the bounding box of the entity,
+if its location is known.
 """
 
 from __future__ import annotations

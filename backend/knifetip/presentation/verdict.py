@@ -90,6 +90,8 @@ def findings_json(verdict: Verdict, handles: Sequence[str]) -> list[dict[str, An
 def verdict_json(verdict: Verdict, handles: Sequence[str]) -> dict[str, Any]:
     """Return a verdict as JSON data: summary, findings with text, unreached areas, and edges.
 
+    The data contain one item for each edge, with its handle and its measurements.
+
     Parameters
     ----------
     handles : (n,)

@@ -1,6 +1,6 @@
 """Spatial indexes: a packed tree of bounding boxes, and lists of points by cell.
 
-``box_tree`` finds bounding boxes that overlap; ``cells`` groups points by the cells of a uniform
-grid, for searches that remove points or end at the nearest ones; ``morton`` orders points so that
-near ones follow one another.  Decision record 31 has the measured reasons for each.
+``box_tree`` finds bounding boxes that overlap.  ``cells`` groups points by the cells of a uniform
+grid, for searches that remove points or stop at the nearest point.  ``morton`` orders points so
+that near ones follow one another.  Decision record 31 has the measured reasons for each.
 """
