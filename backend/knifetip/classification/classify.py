@@ -47,12 +47,15 @@ from knifetip.model.profile import LineRules
 def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules] = ()) -> Dieline:
     """Return the dieline of a drawing: all edges with their line types and reasons.
 
+    A line type is what a tool does along an edge, such as cut or crease.
+
     Parameters
     ----------
     drawing
         A drawing of n edges.
     rules
-        The customer's profile: rules that give line types to styles.
+        The customer's profile: rules that give line types to styles.  A style is a combination of
+        layer, colour and dash pattern.
     conventions
         Colour conventions of other companies, tried for styles without a rule in the profile.
 
@@ -62,10 +65,10 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
         The n edges in the order of the drawing.  Its field ``rules`` contains the reasons; the
         reason for a rule of the profile names only the patterns that matched, such as ``profile
         default: layer "FOLDS"``.  The confidence is 1 for a rule on layer and colour, 0.95 for a
-        rule on a layer, and 0.8 for a rule on colour or linetype.  Without a rule it is the
+        rule on a layer, and 0.8 for a rule on a colour or a dash pattern.  Without a rule it is the
         confidence of the evidence, or 0 if there is no evidence.  An edge that needs a question is
-        unclassified; its confidence is the confidence of the best guess, and the best guess is the
-        first entry of ``alternatives`` for its reason.
+        unclassified.  The field ``alternatives`` lists the possible line types for each reason, the
+        best guess first, and the confidence of an unclassified edge is that of its best guess.
     """
     lengths, styles = parallel_pair(lambda: drawing.lengths, lambda: tabulate_styles(drawing))
     matches = match_rules(styles, rules)
@@ -172,11 +175,12 @@ def _decide(classifier: Classifier, key: int) -> Decision:
 def _restore_folds_on_cuts(
     edges: _EdgeDecisions, classifier: Classifier, features: ShapeFeatures
 ) -> None:
-    """Give edges that were meant as folds and coincide with a cut the line type of their rule.
+    """Give unclassified edges on a cut the fold type that their profile rule states.
 
-    Only edges that are unclassified so far are changed, and only if a profile rule makes them
-    folds.  No question is needed for them, because cleaning merges them with the cut.  Writes line
-    types, confidences and reasons to ``edges``.  ``features`` are the shape features of the edges.
+    An edge is changed only if it is unclassified so far, coincides with a cut, and a profile rule
+    makes it a fold, such as a crease.  The user is not asked about such an edge, because cleaning
+    merges it with the cut.  Writes line types, confidences and reasons to ``edges``.  ``features``
+    are the shape features of the edges.
     """
     styles, matches = classifier.styles, classifier.matches
     on_edge = features.coincident

@@ -27,8 +27,9 @@ def list_questions(drawing: Drawing, dieline: Dieline) -> list[Question]:
     Returns
     -------
     list of Question
-        Questions in the order of their first edges.  Their ``edges`` are rows of the drawing; their
-        ``choices`` are the names of all line types, the likeliest first.
+        Questions in the order of their first edges.  The field ``edges`` of a question contains the
+        indices of the edges that it asks about, and ``choices`` the names of all line types, the
+        likeliest first.
     """
     rows = np.flatnonzero(dieline.line_type == LineType.UNCLASSIFIED)
     if len(rows) == 0:
@@ -109,18 +110,20 @@ def _likely_types(
 ) -> Sequence[LineType]:
     """Return the line types that edges of one style may have, the likeliest first.
 
-    The name of the layer is the best evidence, then the name of the linetype, then the extent:
+    The name of the layer is the best evidence, then the name of the dash pattern, then the extent:
     edges that span the drawing are its outline, straight lines inside it are folds, and arcs inside
     it are holes.
 
     Parameters
     ----------
-    layer, linetype
-        Names of the layer and the linetype of the edges.
+    layer
+        Name of the layer of the edges.
+    linetype
+        Name of the dash pattern of the edges, such as "DASHED".
     spans_drawing
         Whether the edges together are about as wide and high as the drawing.
     straight
-        Whether all the edges are lines.
+        Whether all the edges are straight lines.
     """
     folded_linetype = fold_name(linetype)
     named = name_meaning(layer).kind

@@ -1,10 +1,11 @@
 """rule_proposals: propose profile rules that give the line types that a user chose by hand.
 
-A line type that the user gives to an edge is an override.  A proposed rule matches no edge that the
-user left with another line type, and no override with another line type.  A rule may match
-unclassified edges, which its field ``changes`` lists.  A layer whose name has no meaning (``0``,
-``Default``, ``Design``) is combined with a colour.  If the attributes of edges cannot separate two
-overrides, such as cuts and creases among the red lines of one layer, no rule is proposed.
+A line type that the user chooses for an edge is called an override.  A proposed rule gives one line
+type.  It never matches an edge for which the user chose a different one, nor an edge without an
+override that was classified as a different one.  It may match unclassified edges; the field
+``changes`` of the proposal lists them.  A layer whose name has no meaning (``0``, ``Default``,
+``Design``) is combined with a colour.  No rule is proposed if the edges of two overrides have the
+same attributes, for example if the user made some red lines of a layer cuts and others creases.
 """
 
 from __future__ import annotations
@@ -52,14 +53,18 @@ _TRAIT_SETS: Final = (
 def propose_rules(
     drawing: Drawing, dieline: Dieline, overrides: U8, profile: LineRules
 ) -> list[ProposedRule]:
-    """Return rules that give the user's overrides; the rule that covers most overrides comes first.
+    """Return rules that would give the line types that the user chose by hand.
 
-    An override is a line type that the user gave to an edge by hand.
+    A line type that the user chose for an edge is called an override.  The rule that explains most
+    overrides comes first.
 
     Parameters
     ----------
-    drawing, dieline
-        The drawing and its dieline, with the same n edges, before or after the overrides.
+    drawing
+        The drawing, with n edges.
+    dieline
+        The dieline of the drawing, with the same n edges.  The line types that it has at edges with
+        an override are not used.
     overrides : (n,) uint8
         Line type that the user gave to each edge, or ``NO_OVERRIDE`` (255) for edges that the user
         left as they are.

@@ -1,10 +1,10 @@
-"""vocabulary: find the line type that the name of a layer or linetype suggests, in many languages.
+"""vocabulary: find the line type that a name suggests, such as cut or crease, in many languages.
 
-Examples of names are "Schnitt außen", "Línea de hendido" and "no cut".  The words are in the file
-``vocabulary.toml``.  A name is compared word by word, never by parts of words: the word ``cut`` is
-not found in ``Cutout``, nor ``Schnitt`` in ``SCHNITTKANTEN``.  A negating word cancels the meaning,
-and so do two words that contradict each other.  Chinese, Japanese and Korean do not separate words,
-so that their names are searched for substrings.
+The name is that of a layer or of a dash pattern, such as "Schnitt außen", "Línea de hendido" and
+"no cut".  The words are in the file ``vocabulary.toml``.  A name is compared word by word, never by
+parts of words: the word ``cut`` is not found in ``Cutout``, nor ``Schnitt`` in ``SCHNITTKANTEN``.
+A negating word cancels the meaning, and so do two words that contradict each other.  Chinese,
+Japanese and Korean do not separate words, so names in these languages are searched for substrings.
 
 A name alone decides nothing; ``decision.classifier`` combines it with other evidence.
 """
@@ -32,10 +32,10 @@ _GROOVE_WORDS: Final = ("groove", "grooves", "nut", "nuten")
 
 @dataclass(frozen=True, slots=True)
 class NameMeaning:
-    """The line type that the name of a layer or linetype suggests, and the part of the name for it.
+    """The line type, such as cut or crease, that the name of a layer or dash pattern suggests.
 
-    The line type is None if the name suggests none.  The record also states whether the name
-    contains a negating word.
+    The line type is None if the name suggests none.  The record also contains the word of the name
+    that suggests the line type, and whether the name contains a negating word.
     """
 
     kind: LineType | None  #: None if no word has a meaning, or if two words contradict each other
@@ -45,7 +45,10 @@ class NameMeaning:
 
 @dataclass(frozen=True, slots=True)
 class _Vocabulary:
-    """The words in names of layers and linetypes with their meanings, from ``vocabulary.toml``."""
+    """The words from ``vocabulary.toml`` that occur in names of layers and dash patterns.
+
+    Each word has a meaning, for example a line type or a negation.
+    """
 
     meanings: Mapping[str, frozenset[LineType]]  #: line types of each word
     before_cut: Mapping[str, LineType]  #: words that make the cut named after them a partial one
@@ -101,11 +104,11 @@ def _by_line_type(table: Mapping[str, str]) -> list[tuple[str, LineType]]:
 
 @lru_cache(maxsize=4096)
 def name_meaning(name: str) -> NameMeaning:
-    """Return the line type that the name of a layer or linetype suggests.
+    """Return the line type that the name of a layer or dash pattern suggests.
 
-    The line type is None if the name suggests none, or if its words contradict each other.  The
-    result also contains the part of the name that suggests the line type, and whether the name
-    contains a negating word, such as "no" in "no cut".
+    A line type is, for example, cut or crease.  It is None if the name suggests none, or if its
+    words contradict each other.  The result also contains the part of the name that suggests the
+    line type, and whether the name contains a negating word, such as "no" in "no cut".
     """
     vocabulary = _vocabulary()
     folded = name.casefold()

@@ -68,8 +68,8 @@ _POSSIBLE_TYPES: Final[dict[Role, tuple[LineType, ...]]] = {
 class Decision:
     """The line type decided for the edges of one style in one role, with confidence and reason.
 
-    A style is a combination of layer, colour and linetype; a role is a function in the drawing's
-    shape.
+    A style is a combination of layer, colour and dash pattern; a role is what an edge is in the
+    shape of the drawing, such as outline or hole.
     """
 
     kind: LineType  #: the best guess
@@ -108,7 +108,7 @@ class _Guess:
     def weaken(self, limit: float, *others: LineType) -> None:
         """Reduce the confidence to at most ``limit``, and add alternatives to the guess.
 
-        The arguments after ``limit`` are the alternatives: other line types that are possible.
+        The alternatives, ``others``, are line types that are also possible.
         """
         self.confidence = min(self.confidence, limit)
         self.others.extend(others)
@@ -327,10 +327,10 @@ class Classifier:
             guess.weaken(0.6, kind)
 
     def _weigh_names(self, guess: _Guess, style: int, role: Role) -> None:
-        """Change a guess by the meaning of a style's layer name, or of its linetype name.
+        """Change a guess by the meaning of a style's layer name or dash pattern name.
 
-        The linetype name is used if the layer name has no meaning.  ``style`` and ``role`` are the
-        style and the role of the edges that ``guess`` is about.
+        The name of the dash pattern is used only if the layer name has no meaning.  ``style`` and
+        ``role`` are the style and the role of the edges that ``guess`` is about.
         """
         meaning, by_layer = self._meaning(style)
         if meaning.denied:
@@ -358,11 +358,11 @@ class Classifier:
             guess.votes.append(Message("classification.linetype-name", word=meaning.word))
 
     def _meaning(self, style: int) -> tuple[NameMeaning, bool]:
-        """Return what a style's name means, and whether the meaning comes from the layer name.
+        """Return the meaning of a style's name, and whether that name is the layer name.
 
-        The name is the layer name or, if the layer name suggests nothing, the linetype name.  If
-        the linetype name suggests nothing either, the line type of the meaning is None.  ``style``
-        is the index of the style.
+        The name is the layer name or, if the layer name suggests no line type, the name of the dash
+        pattern.  If neither name suggests a line type, the line type of the meaning is None.
+        ``style`` is the index of the style.
         """
         meaning = name_meaning(self.styles.layer[style])
         if meaning.kind is None and not meaning.denied:
@@ -443,19 +443,20 @@ def _likeliest_type(role: Role) -> LineType:
 
 
 def _divider_fraction(part: F64, group: I64, grouped: F64) -> F64:
-    """Return for each of c styles the fraction of dividers that have a property, (c,), 0 … 1.
+    """Return the fraction of divider length that has some property, by groups of styles, (c,).
 
-    Dividers are the edges between two panels.  Styles with equal layer, colour and linetype form a
-    group.  The fraction is computed by length, over the dividers of all styles in the group.
+    Dividers are the edges between two panels.  Styles with equal layer, colour and dash pattern
+    form a group.  The fraction, 0 … 1, is computed for each group, and the result contains for each
+    of c styles the fraction of its group.
 
     Parameters
     ----------
     part : (c,)
-        Length of the dividers of each style that have the property.
+        Total length of the dividers of each style that have the property, for example are dashed.
     group : (c,)
-        Number of the group of each style.
+        Index of the group of each style.
     grouped : (groups, roles)
-        Length of the edges of each group, by role.
+        Total length of the edges of each group, by role.
     """
     total = np.maximum(grouped[:, Role.DIVIDER], 1e-12)
     fraction: F64 = (np.bincount(group, part, len(grouped)) / total)[group]
@@ -463,10 +464,10 @@ def _divider_fraction(part: F64, group: I64, grouped: F64) -> F64:
 
 
 def _group_styles(styles: StyleTable) -> I64:
-    """Return the number of the group of each of c styles, (c,).
+    """Return the index of the group of each of c styles, (c,).
 
-    Styles with equal layer, colour and linetype are in one group; they may differ in the kind of
-    entity and in the block.
+    Styles with equal layer, colour and dash pattern are in one group, even if they differ in the
+    kind of entity or in the block.
     """
     number: dict[tuple[str, int, int, str], int] = {}
     return np.array(

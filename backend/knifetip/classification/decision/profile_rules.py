@@ -245,7 +245,8 @@ def narrow_rule(
     rule
         Rule of a profile, perhaps with several patterns for each attribute.
     layer, linetype, entity, block
-        Index of the pattern that matched, among the rule's patterns for this attribute.
+        For each of these attributes, the index of the pattern that matched, among the rule's
+        patterns for this attribute.  Has no effect if the rule has none.
     colour
         Colour index that matched, 0 if no colour index did.
     true_colour

@@ -52,16 +52,16 @@ class StyleTotals(NamedTuple):
 
     @classmethod
     def sum(cls, style: I64, styles: int, features: ShapeFeatures, lengths: F64) -> StyleTotals:
-        """Return the totals of all styles.
+        """Return the number and the total lengths of the edges of each style, by role.
 
         Parameters
         ----------
         style : (n,)
-            Style of each edge.
+            Index of the style of each edge.
         styles
             Number of styles, c.
         features
-            Shape features of the edges.
+            Shape features of the edges, which contain their roles.
         lengths : (n,)
             Length of each edge.
         """

@@ -37,9 +37,10 @@ _MAX_DEGREE: Final = 24
 
 
 class _Graph(NamedTuple):
-    """The vertices and pieces of a planar graph of n edges, as needed to find arrows.
+    """The planar graph of n edges, reduced to the arrays that the search for arrows needs.
 
-    The graph has q vertices and p pieces.
+    The graph has q vertices and p pieces.  A piece is the part of an edge between two neighbouring
+    vertices.
     """
 
     vertex: F64_2  #: (q, 2) position of each vertex
@@ -50,9 +51,10 @@ class _Graph(NamedTuple):
 
 
 class _Incidence(NamedTuple):
-    """For each vertex of a graph, the pieces that start or end at it.
+    """For each vertex of a planar graph, the pieces that start or end at it.
 
-    The pieces at vertex v are ``piece[first[v] : first[v + 1]]``.
+    A piece is the part of an edge between two neighbouring vertices.  The indices of the pieces at
+    vertex v are ``piece[first[v] : first[v + 1]]``.
     """
 
     first: I32_1  #: (q + 1,) index of the first entry of each vertex
@@ -87,11 +89,12 @@ def find_arrow_edges(graph: PlanarGraph, count: int, unit: float) -> Bool:
 
 @kernel
 def _pieces_by_vertex(graph: _Graph, twin: I32_1) -> _Incidence:
-    """Return the pieces of edges that start or end at each vertex.
+    """Return for each vertex of a graph the list of the pieces that start or end there.
 
-    Of coincident pieces only the first one is returned.  Links, which are pieces that close a gap
-    and belong to no edge, are left out.  ``twin`` (p,) is the first piece that coincides with each
-    piece, the piece itself if there is none.
+    A piece is the part of an edge between two neighbouring vertices.  Of coincident pieces only the
+    first one is listed.  Links, straight connections that close a gap and belong to no edge, are
+    not listed.  ``twin`` (p,) is the first piece that coincides with each piece, the piece itself
+    if there is none.
     """
     vertex, start, end, edge, _ = graph
     vertices, count = len(vertex), len(start)
@@ -118,12 +121,15 @@ def _mark_arrowheads(
     graph: _Graph, bulge: F64_1, incidence: _Incidence, unit: float, is_arrow: OutBool_1,
     tip: OutBool_1, begin: int, stop: int,
 ) -> None:  # fmt: skip
-    """Mark the arrowheads at vertices ``begin`` … ``stop`` - 1, and their shafts.
+    """Mark the edges of arrowheads, and of their shafts, at vertices ``begin`` … ``stop`` - 1.
 
     Parameters
     ----------
-    graph, bulge
-        Graph of n edges with q vertices, and the bulge of each piece.
+    graph
+        Planar graph of n edges, with q vertices and p pieces; a piece is the part of an edge
+        between two neighbouring vertices.
+    bulge : (p,)
+        Bulge of each piece.
     incidence
         The pieces at each vertex.
     unit
@@ -273,14 +279,18 @@ def _mark_coincident(graph: _Graph, twin: I32_1, is_arrow: OutBool_1) -> None:
 def _other_end(start: I32_1, end: I32_1, first_piece: I32_1, i: int, vertex: int) -> int:
     """Return the other end vertex of edge ``i`` if one end is vertex ``vertex``, otherwise -1.
 
+    The edges are divided into p pieces at the vertices.
+
     Parameters
     ----------
     start, end : (p,)
         Start vertex and end vertex of each piece.
     first_piece : (n + 1,)
         Index of the first piece of each edge.
-    i, vertex
-        Index of the edge, and number of the vertex.
+    i
+        Index of the edge.
+    vertex
+        Index of the vertex.
     """
     one, two = start[first_piece[i]], end[first_piece[i + 1] - 1]
     if one == vertex:

@@ -42,7 +42,9 @@ class Enclosures(NamedTuple):
     def find(
         cls, graph: PlanarGraph, faces: Faces, boxes: ComponentBoxes, unit: float
     ) -> Enclosures:
-        """Return the components of a graph that enclose other components, by their kinds.
+        """Return one mask of the components of a graph for each kind of enclosing component.
+
+        The kinds are frames, bleeds and outlines of whole cartons; each encloses other components.
 
         Parameters
         ----------
@@ -79,9 +81,10 @@ def _find_frames(
     ----------
     faces, boxes
         Faces of the planar graph, and bounding boxes of its c components.
-    parent, panels : (c,) and (c,)
-        Component that contains each component, -1 for none, and number of faces inside the outline
-        of each component.
+    parent : (c,)
+        Index of the innermost component around each component, -1 for none.
+    panels : (c,)
+        Number of faces inside the outline of each component.
     bounded_area : (c,)
         Sum of the areas of the bounded faces of each component.
     """
@@ -130,7 +133,7 @@ def _find_bleeds(
     box : (c, 4)
         Bounding box of each component: x min, y min, x max, y max.
     parent : (c,)
-        Component that contains each component, -1 for none.
+        Index of the innermost component around each component, -1 for none.
     frame : (c,)
         Whether each component is a frame.
     panels : (c,)
@@ -173,7 +176,10 @@ def _find_bleeds(
 
 
 class _Lines(NamedTuple):
-    """The vertices and pieces of a planar graph, as needed to find bleeds: q vertices, p pieces."""
+    """A planar graph of q vertices and p pieces, reduced to the arrays that the bleed search needs.
+
+    A piece is the part of an edge between two neighbouring vertices.
+    """
 
     vertex: F64_2  #: (q, 2) position of each vertex
     start: I32_1  #: (p,) vertex at which each piece starts
@@ -182,9 +188,10 @@ class _Lines(NamedTuple):
 
 
 class _ComponentPieces(NamedTuple):
-    """The pieces of each component of a graph.
+    """For each connected component of a planar graph, the list of its pieces.
 
-    The pieces of component c are ``piece[first[c] : first[c + 1]]``.
+    A piece is the part of an edge between two neighbouring vertices.  The indices of the pieces of
+    component c are ``piece[first[c] : first[c + 1]]``.
     """
 
     piece: I32_1  #: (p,) pieces sorted by component
@@ -193,9 +200,10 @@ class _ComponentPieces(NamedTuple):
 
 @kernel
 def _pieces_by_component(component: I32_1, count: int) -> _ComponentPieces:
-    """Return the pieces of each of ``count`` components.
+    """Return for each of ``count`` connected components of a planar graph the list of its pieces.
 
-    ``component`` (p,) is the component of each piece.
+    A piece is the part of an edge between two neighbouring vertices.  ``component`` (p,) is the
+    index of the component of each piece.
     """
     first = np.zeros(count + 1, np.int64)
     for p in range(len(component)):
@@ -223,15 +231,18 @@ def _mark_bleeds(
 
     Parameters
     ----------
-    lines, pieces
-        The pieces of the graph, and the pieces of each component.
+    lines
+        The planar graph of the drawing.
+    pieces
+        For each component of the graph, the pieces of edges that it consists of.
     outer : (k,)
-        The components to check.
+        Indices of the components to check.
     contents : (k, 2)
         Index in ``inner`` of the first component inside each component to check, and the index
         after the last one.
     inner
-        Components inside the components ``outer``, sorted by the component around them.
+        Indices of the components inside the components ``outer``, sorted by the component around
+        them.
     nearest
         Least distance between a bleed and a component inside it (drawing units).
     bleed : (c,)
@@ -248,10 +259,11 @@ def _mark_bleeds(
 
 @kernel
 def _segments_of(lines: _Lines, pieces: _ComponentPieces, components: I64_1) -> Any:
-    """Return the ends, (m, 2, 2), and the bulges, (m,), of all pieces of some components.
+    """Return the end points, (m, 2, 2), and the bulges, (m,), of all pieces of some components.
 
-    ``lines`` are the pieces of the graph, ``pieces`` lists the pieces of each component, and
-    ``components`` are the numbers of the components.
+    A piece is the part of an edge between two neighbouring vertices of the planar graph ``lines``.
+    ``pieces`` lists the pieces of each component, and ``components`` are the indices of the
+    components.
     """
     vertex, start, end, bulge = lines
     count = 0

@@ -280,7 +280,10 @@ def _outermost_components(faces: Faces, inside: Bool) -> I32:
 
 
 class _Pieces(NamedTuple):
-    """Component, length, role and adjacent faces of each of the p pieces of a planar graph."""
+    """Component, length, role and adjacent faces of each of the p pieces of a planar graph.
+
+    A piece is the part of an edge between two neighbouring vertices.
+    """
 
     component: I32_1  #: (p,) connected component
     length: F64_1  #: (p,)
@@ -290,7 +293,10 @@ class _Pieces(NamedTuple):
 
 
 class _EdgeSums(NamedTuple):
-    """Features of n edges that are computed from the pieces of each edge."""
+    """Role, length, component and other features of each of n edges.
+
+    They are computed from the pieces into which the vertices of a planar graph divide the edge.
+    """
 
     role: OutU8_1  #: (n,) Role of the greatest part of the length
     fraction: OutF64_1  #: (n,) fraction of the length that has this role
@@ -315,22 +321,24 @@ class _EdgeSums(NamedTuple):
 def _fill_short_edges(
     edges: _EdgeSums, graph: PlanarGraph, ends: F64, length: F64, tolerance: float
 ) -> None:
-    """Copy role and component to edges without pieces from an edge that touches their start.
+    """Give each edge that is too short for the planar graph the role and component of a neighbour.
 
-    An edge has no pieces in the graph if it is shorter than ``tolerance``.
+    An edge shorter than ``tolerance`` is not in the graph.  The neighbour is an edge in the graph
+    that ends at the start of the short edge: the preceding edge in the file, or else the longest
+    one.  If there is no neighbour, the features of the short edge do not change.
 
     Parameters
     ----------
     edges
         Features of the n edges, to which the function writes.
     graph
-        Planar graph of the edges, with p pieces.
+        Planar graph of the edges; its vertices divide the edges into p pieces.
     ends : (n, 2, 2)
-        Ends of the n edges.
+        Start and end points of the n edges.
     length : (p,)
-        Length of each piece of the graph.
+        Length of each piece.
     tolerance
-        Largest distance between ends that became one vertex (drawing units).
+        Largest distance between ends of edges that became one vertex (drawing units).
     """
     short_edges = np.flatnonzero(edges.length == 0.0)
     with_pieces = np.where(edges.length > 0.0, np.arange(len(edges.length)), 0)
@@ -350,12 +358,15 @@ def _fill_short_edges(
 
 @kernel
 def _find_narrow_faces(left: I32_1, right: I32_1, length: F64_1, area: F64_1, width: float) -> Any:
-    """Return the mask of faces that are long and have a mean width of less than ``width``, (f,).
+    """Return the mask of the faces of a planar graph that are long and narrow, (f,).
+
+    A face is narrow if its mean width is less than ``width``.  The p pieces are the parts of edges
+    between neighbouring vertices.
 
     Parameters
     ----------
     left, right : (p,)
-        Faces on the left and on the right of each piece.
+        Index of the face on the left and of the face on the right of each piece.
     length : (p,)
         Length of each piece.
     area : (f,)
@@ -381,16 +392,18 @@ def _sum_pieces(
 ) -> None:
     """Compute the features of edges ``begin`` … ``end`` - 1 from the pieces of each edge.
 
+    The vertices of the planar graph divide each edge into pieces.
+
     Parameters
     ----------
     first : (n + 1,)
         Index of the first piece of each edge.
     pieces
-        Columns of all pieces.
+        Length, role, component and adjacent faces of each piece.
     narrow : (f,)
         Whether each face is narrow.
     edges
-        Columns of the n edges, to which the function writes.
+        Features of the n edges, to which the function writes.
     """
     component, length, role, left, right = pieces
     by_role = np.zeros(256)
@@ -419,11 +432,20 @@ def _sum_pieces(
 
 
 def _longest_neighbours(graph: PlanarGraph, length: F64, short_edges: I64) -> I32:
-    """Return for each edge without pieces the edge with the longest piece at its start, (k,).
+    """Return for each of k short edges the neighbour that has the longest piece at its start, (k,).
 
-    The entry is -1 if no piece starts or ends there.  ``short_edges`` (k,) are the indices of edges
-    that are so short that they have no pieces in the graph.  ``length`` (p,) is the length of each
-    piece.
+    The short edges are so short that they are not in the planar graph.  A neighbour is an edge with
+    a piece that starts or ends at the start vertex of the short edge; the entry is its index, or -1
+    if there is no neighbour.  A piece is the part of an edge between two neighbouring vertices.
+
+    Parameters
+    ----------
+    graph
+        Planar graph of all edges, with p pieces.
+    length : (p,)
+        Length of each piece.
+    short_edges : (k,)
+        Indices of the short edges.
     """
     found = np.full(len(graph.vertex), -1, np.int32)
     if len(short_edges) == 0:
@@ -448,10 +470,10 @@ _SLOT: Final = Role.SLOT, Role.FREE, Role.INNER, Role.INNER
 
 
 def _piece_roles(graph: PlanarGraph, faces: Faces, kinds: PartKinds) -> U8:
-    """Return the role of each piece of a graph, (p,).
+    """Return the role of each of the p pieces of a planar graph, (p,).
 
-    The role follows from the kind of the piece's component, which ``kinds`` contains, and from the
-    faces on the two sides of the piece.
+    A piece is the part of an edge between two neighbouring vertices.  Its role follows from the
+    kind of its connected component, which ``kinds`` contains, and from the faces on its two sides.
     """
     # A component of several kinds gets the roles of the last of these rows.
     rows = (
@@ -497,14 +519,17 @@ def _look_up_roles(
 ) -> None:
     """Write the roles of pieces ``begin`` … ``end`` - 1 to ``role``, (p,).
 
+    A piece is the part of an edge between two neighbouring vertices of a planar graph.
+
     Parameters
     ----------
     table : (kinds, 4)
-        Role of a piece, by the kind of its component and by four cases of the faces beside the
-        piece: one is the outer face of the component; both are; both are one bounded face; they are
-        two bounded faces.
+        Role of a piece, by the kind of its component (row) and by the faces on its two sides
+        (column).  Column 0: one of them is the outer face of the component; column 1: both are the
+        outer face; column 2: both are the same bounded face; column 3: they are two different
+        bounded faces.
     row : (c,)
-        Kind of each component, as a row of ``table``.
+        Row of ``table`` for each component.
     component, left, right : (p,)
         Component of each piece, and the faces on its left and on its right.
     outer_face : (c,)

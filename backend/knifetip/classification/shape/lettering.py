@@ -26,12 +26,16 @@ _LOOKAHEAD: Final = 40
 def find_letters(box: F64, length: F64, pieces: I64, unit: float) -> Bool:
     """Return the mask of components that are letters of texts drawn as lines, (c,).
 
+    A component is a set of connected edges; its edges are divided into pieces where they meet.
+
     Parameters
     ----------
     box : (c, 4)
-        x min, y min, x max, y max of each component.
-    length, pieces : (c,)
-        Total length and number of the pieces of each component.
+        Bounding box of each component: x min, y min, x max, y max.
+    length : (c,)
+        Total length of the pieces of each component.
+    pieces : (c,)
+        Number of pieces of each component.
     unit
         Number of drawing units in a millimetre.
     """

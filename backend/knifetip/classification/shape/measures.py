@@ -173,17 +173,23 @@ def _add_lengths(
 ) -> None:  # fmt: skip
     """Add the lengths and the number of p pieces to the totals of their c components.
 
+    A piece is the part of an edge between two neighbouring vertices of a planar graph; a component
+    is a set of connected pieces.
+
     Parameters
     ----------
     edge, component, left, right, length : (p,)
         Edge and component of each piece, the faces on its left and right, and its length.
     outer_face : (c,)
         Outer face of each component.
-    total, dangling, outline : (c,)
-        Totals to which lengths are added: of all pieces, of pieces with the outer face on both
-        sides, and of pieces with the outer face on one side.
+    total : (c,)
+        Total length of all pieces of each component; increased.
+    dangling : (c,)
+        Total length of the pieces with the outer face on both sides; increased.
+    outline : (c,)
+        Total length of the pieces with the outer face on one side; increased.
     pieces : (c,)
-        Total to which the number of pieces is added.
+        Number of pieces of each component; increased.
     """
     for p in range(len(edge)):
         c = component[p]
@@ -199,14 +205,20 @@ def _add_lengths(
 
 
 def _has_slot_shape(area: F64, perimeter: F64, pieces: I64, size: F64, unit: float) -> Bool:
-    """Return the mask of closed components that are narrow or round and have few pieces, (c,).
+    """Return the mask of components that are narrow, or round like a hole, and of few pieces, (c,).
+
+    A piece is the part of an edge between two neighbouring vertices of the planar graph.
 
     Parameters
     ----------
-    area, perimeter : (c,) and (c,)
-        Area inside the outline and length of all pieces of each component.
-    pieces, size : (c,) and (c,)
-        Number of pieces, and diagonal of the bounding box.
+    area : (c,)
+        Area inside the outline of each component.
+    perimeter : (c,)
+        Total length of the pieces of each component.
+    pieces : (c,)
+        Number of pieces of each component.
+    size : (c,)
+        Diagonal of the bounding box of each component.
     unit
         Number of drawing units in a millimetre.
     """

@@ -128,8 +128,8 @@ class PartKinds:
 def _find_doubtful(measures: Measures, box: F64, outlines: Bool, small: Bool, tiny: float) -> Bool:
     """Return the mask of large components with too many dangling edges for a closed outline, (c,).
 
-    The dangling edges of other components, also of small ones, are included if they surround a
-    large component, because they may be parts of its outline.
+    If the bounding box of an open component covers most of that of a large component, the dangling
+    edges of both are added, because the open component may be a part of the same outline.
 
     Parameters
     ----------
@@ -137,11 +137,12 @@ def _find_doubtful(measures: Measures, box: F64, outlines: Bool, small: Bool, ti
         Measures of the c components.
     box : (c, 4)
         Bounding box of each component.
-    outlines, small : (c,)
-        Mask of components that may be a blank or a part of a blank's outline, and mask of small
-        components.
+    outlines : (c,)
+        Mask of components that may be a blank or a part of the outline of a blank.
+    small : (c,)
+        Mask of small components; they are not in the result.
     tiny
-        A square millimetre, in square drawing units.
+        The area of a square millimetre, in square drawing units.
     """
     blank = outlines & ~small & (measures.area > tiny)
     dangling = np.where(blank, measures.dangling, 0.0)

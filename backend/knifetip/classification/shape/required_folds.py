@@ -1,11 +1,13 @@
 """required_folds: find the edges that must be folds because a panel is attached by them alone.
 
 A blank is cut out in one piece.  If one straight line alone connects a panel to the rest of the
-blank, the line cannot be a cut.  If panels meet in a ring round a corner, one of the lines between
-them is a slit.  A slit starts at the outline, so a straight line between two corners inside the
-blank is no slit.  No edge is found in a component that consists of several equal blanks without
-space between them.  A face inside a blank whose boundary has a bend, such as a tab, a slot or a
-window, does not count as a panel; at a bend, exactly two pieces meet at an angle.
+blank, the line cannot be a cut, since the panel would fall off.  If panels are connected in a ring,
+as at the corner of a tray, one of the lines between them may be a slit.  A slit starts at the
+outline, so a straight line between two corners inside the blank is no slit.
+
+No edge is found in a component that consists of several equal blanks without space between them.
+A tab, a slot or a window inside a blank is not a panel.  It is recognised by a bend in its
+boundary: a vertex at which exactly two pieces of edges meet at an angle.
 """
 
 from __future__ import annotations
@@ -94,16 +96,16 @@ def find_required_folds(
 def _find_panels(graph: PlanarGraph, faces: Faces, divider: I64, at_rim: Bool, bend: Bool) -> Bool:
     """Return the mask of faces that are panels, (f,).
 
-    A bounded face is no panel if it is away from the outline of the blank and one of the pieces
-    ``divider`` beside it ends at a bend.  Such a face is, for example, a tab or a window inside a
-    panel.
+    A bounded face inside a blank, away from its outline, is no panel if its boundary has a bend.
+    Such a face is, for example, a tab or a window inside a panel.
 
     Parameters
     ----------
     graph, faces
         Planar graph with q vertices, and its f faces.
     divider : (d,)
-        Pieces between two faces of a blank.
+        Indices of the pieces of edges between two faces of a blank; a bend is looked for at their
+        ends.
     at_rim : (f,)
         Whether each face is at the outline of a blank.
     bend : (q,)
@@ -120,7 +122,8 @@ def _find_panels(graph: PlanarGraph, faces: Faces, divider: I64, at_rim: Bool, b
 def _vertex_shapes(graph: PlanarGraph) -> tuple[I64, Bool]:
     """Return how many pieces meet at each vertex, (q,), and whether they form an angle there, (q,).
 
-    Pieces form an angle if they are not all on one straight line.
+    A piece is the part of an edge between two neighbouring vertices of ``graph``.  Pieces form an
+    angle if they are not all on one straight line.
     """
     vertices = len(graph.vertex)
     own = np.flatnonzero(graph.twin_piece == np.arange(len(graph.twin_piece)))
@@ -138,10 +141,11 @@ def _vertex_shapes(graph: PlanarGraph) -> tuple[I64, Bool]:
 
 
 def _face_pairs(left: Any, right: Any) -> tuple[I64, I64]:
-    """Return the k different pairs of faces beside d pieces, (k, 2), and the pair of each piece.
+    """Return the k pairs of neighbouring faces, (k, 2), and the pair of each piece, (d,).
 
-    The pair of a piece is an index, 0 … k - 1, shape (d,).  ``left`` and ``right``, (d,), are the
-    faces on the two sides of each piece.
+    A piece is the part of an edge between two neighbouring vertices; its pair is the two faces on
+    its sides.  The second array contains indices of pairs, 0 … k - 1.  ``left`` and ``right``,
+    (d,), are the faces on the two sides of each of d pieces.
     """
     low, high = np.minimum(left, right).astype(np.int64), np.maximum(left, right).astype(np.int64)
     key = low * (int(high.max()) + 1) + high
@@ -150,7 +154,10 @@ def _face_pairs(left: Any, right: Any) -> tuple[I64, I64]:
 
 
 class _Borders(NamedTuple):
-    """The borders between k pairs of neighbouring faces, made of d pieces of a graph."""
+    """The borders between k pairs of neighbouring faces of a planar graph.
+
+    The borders consist of d pieces of edges; a piece connects two neighbouring vertices.
+    """
 
     graph: PlanarGraph
     piece: I64  #: (d,) pieces of the borders
@@ -158,7 +165,11 @@ class _Borders(NamedTuple):
     pairs: int  #: k, the number of pairs of faces
 
     def straight(self) -> Bool:
-        """Return the mask of borders whose pieces are all on one straight line, (k,)."""
+        """Return the mask of borders that are straight, (k,).
+
+        A border is the common boundary of two neighbouring faces.  It is straight if all its parts
+        are on one straight line.
+        """
         graph, rows, number = self.graph, self.piece, self.pair
         start, end = graph.vertex[graph.start[rows]], graph.vertex[graph.end[rows]]
         length = np.hypot(*(end - start).T)
@@ -185,12 +196,15 @@ class _Borders(NamedTuple):
     def between_inner_corners(self, on_rim: Bool, degree: I64) -> Bool:
         """Return the mask of borders that start and end at corners that are not on the rim, (k,).
 
-        The rim is the outline of a blank.
+        A border is the common boundary of two neighbouring faces; the rim is the outline of a
+        blank.
 
         Parameters
         ----------
-        on_rim, degree : (q,)
-            Whether each vertex is on the rim, and the number of pieces that meet at it.
+        on_rim : (q,)
+            Whether each vertex is on the rim.
+        degree : (q,)
+            Number of pieces of edges that meet at each vertex.
         """
         graph, vertices = self.graph, len(self.graph.vertex)
         key = np.concatenate(
@@ -210,14 +224,15 @@ class _Borders(NamedTuple):
     def longest(self, length: F64, count: int) -> Bool:
         """Return the mask of the pieces that belong to the longest edge of their border, (d,).
 
-        A border is the common boundary of two faces.  In a border that contains dashes, the mask
-        marks the pieces of all dashes instead.  Short edges at the ends of a fold are left out,
-        because they may be slits that lock it.
+        A border is the common boundary of two faces; the d pieces are the parts of edges that all
+        borders consist of.  In a border that contains dashes, the mask marks the pieces of all its
+        dashes instead.  Short edges at the ends of a fold are left out, because they may be slits
+        that lock it.
 
         Parameters
         ----------
         length : (p,)
-            Length of each piece.
+            Length of each piece of the whole graph.
         count
             Number of edges of the graph.
         """
@@ -278,10 +293,17 @@ def _find_single_cartons(
 
 
 def _measure_faces(graph: PlanarGraph, faces: Faces, length: F64, at_rim: Bool) -> _Panels:
-    """Return area, centre, bounding box and location of all faces of a graph.
+    """Return the area, centre and bounding box of each face, and whether it is at an outline.
 
-    Coincident pieces count once.  ``length`` (p,) is the length of each piece; ``at_rim`` (f,) is
-    whether each face is at the outline of a blank.
+    Parameters
+    ----------
+    graph, faces
+        Planar graph with p pieces, which are parts of edges between neighbouring vertices, and its
+        f faces.  Of coincident pieces only the first one is used.
+    length : (p,)
+        Length of each piece.
+    at_rim : (f,)
+        Whether each face is at the outline of a blank; copied to the result.
     """
     count = len(faces.area)
     own = np.flatnonzero(graph.twin_piece == np.arange(len(graph.twin_piece)))
@@ -342,10 +364,11 @@ def _has_repeated_blanks(panels: _Panels) -> bool:
 
 
 def _find_bridges(pair: I64, faces: int) -> Bool:
-    """Return the mask of the k pairs of faces that are bridges, (k,).
+    """Return the mask of the k pairs of neighbouring faces that are bridges, (k,).
 
-    Two neighbouring faces are a bridge if they alone connect two parts of the graph of faces.
-    ``pair`` (k, 2) are the pairs of neighbouring faces, and ``faces`` is the number of faces.
+    The faces are the nodes of a graph, and each pair of neighbouring faces is an edge of that
+    graph.  A pair is a bridge if the graph would fall into two parts without it.  ``pair`` (k, 2)
+    are the two faces of each pair, and ``faces`` is the number of faces.
     """
     ends = np.concatenate([pair[:, 0], pair[:, 1]])
     order = np.argsort(ends, kind="stable")
@@ -356,15 +379,16 @@ def _find_bridges(pair: I64, faces: int) -> Bool:
 
 @kernel
 def _mark_bridges(pair: I64_2, first: I64_1, incident: I64_1, faces: int) -> Any:
-    """Return the mask of the pairs of faces that are bridges, (k,).
+    """Return the mask of the k pairs of neighbouring faces that are bridges, (k,).
 
-    A pair is a bridge if it alone connects two parts of the graph of faces.  The bridges are found
-    by depth-first search (Tarjan 1974).
+    The faces are the nodes of a graph, and each pair of neighbouring faces is an edge of that
+    graph.  A pair is a bridge if the graph would fall into two parts without it.  The bridges are
+    found by depth-first search (Tarjan 1974).
 
     Parameters
     ----------
     pair : (k, 2)
-        Pairs of neighbouring faces: the edges of the graph of faces.
+        The two faces of each pair.
     first, incident : (faces + 1,) and (2k,)
         The pairs with face f are ``incident[first[f] : first[f + 1]]``.
     faces
