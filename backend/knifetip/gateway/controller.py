@@ -169,7 +169,7 @@ class Controller(Protocol):
         Raises
         ------
         ControllerError
-            The controller has failed, or has sent more answers than lines were sent to it.
+            The controller has failed, or has sent an answer that belongs to no line.
         """
         ...
 

@@ -127,8 +127,8 @@ class Corridor:
     def _forget(self, answered: int) -> None:
         """Delete the oldest stored moves that the machine has certainly executed.
 
-        The planner of the controller holds a limited number of moves.  When that number of later
-        moves has been answered, a move has left the planner and is executed.
+        The planner of the controller holds a limited number of moves.  A move is certainly executed
+        when at least that number of moves after it have been answered.
 
         Parameters
         ----------
@@ -140,12 +140,12 @@ class Corridor:
             self._near = max(self._near - 1, 0)
 
     def _nearest(self, position: Pose) -> tuple[float, int]:
-        """Return the distance (mm) of a position from a stored move, and the line of the move.
+        """Return the distance (mm) of a position from the path, and the number of a program line.
 
-        If stored moves are found within ``OFF`` mm of the position, the first one found is used;
-        otherwise the nearest move is used.  The line is given as the number of the program line,
-        from 1.  It is 0 for the position at the start of the program, which is stored as a move of
-        length 0.  At least one move is stored.
+        The distance is measured to one stored move: to the first move found within ``OFF`` mm of
+        the position or, if there is none, to the nearest move.  The program line is the line with
+        this move, counted from 1; 0 stands for the start position, which is stored as a move of
+        length 0.  At least one move must be stored.
         """
         least, line = math.inf, 0
         count = len(self._moves)

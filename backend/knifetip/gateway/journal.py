@@ -1,8 +1,8 @@
 """journal: a file in which the gateway records the progress and the end of each job.
 
-The file has one JSON object per line; it is closed after each line.  It contains also events that
-may not reach the server: progress while the server cannot be reached, and the end of a job if the
-gateway is switched off before the server has answered.
+The file has one JSON object per line; it is closed after each line.  The file also contains events
+that may not reach the server: progress while the server cannot be reached, and the end of a job if
+the gateway is switched off before the server has answered.
 """
 
 from __future__ import annotations
@@ -201,7 +201,9 @@ def _end_last_line(path: Path) -> None:
 
 
 def _apply(unfinished: Unfinished | None, row: dict[str, Any]) -> Unfinished | None:
-    """Process one event of the journal; return the job that is unfinished after it, or None.
+    """Process one event of the journal, and return the job that is unfinished after the event.
+
+    Returns None if no job is unfinished after the event.
 
     Parameters
     ----------

@@ -122,9 +122,9 @@ class Move:
     def nearest(self, pose: Pose) -> tuple[float, float]:
         """Return the distance from a pose to the nearest point of the move, and the point itself.
 
-        The point is given as the fraction (0 … 1) of the length of the move at which it lies.  The
-        distance is measured over all four axes (mm and degrees).  On an arc, the nearest point is
-        chosen by X and Y only.
+        The point is given as a fraction (0 … 1) of the length of the move.  The distance is
+        measured over all four axes (mm and degrees).  On an arc, the nearest point is chosen by X
+        and Y only.
         """
         start, end = self.start, self.end
         if self.centre is None:

@@ -4,8 +4,7 @@ Line numbers (N words) would make this simple, but they are not added to a progr
 program must run exactly as it was verified.  Instead three facts are combined, each of which is
 reliable by itself:
 
-- The controller answers a line that waits for all motion (G4, M3, M5, M30) only when all lines
-  before it are executed.
+- The controller answers a line with G4, M3, M5 or M30 only when all lines before it are executed.
 - The field ``Bf`` of a report shows how many moves are still in the planner.  The answered moves
   that have left the planner are executed.
 - The first answered move that passes through the reported position is being executed.
@@ -142,8 +141,9 @@ class ProgramFollower:
     def _find(self, status: Status) -> tuple[int, float]:
         """Return the index of the line being executed, and the executed fraction of its move.
 
-        The index counts the stored lines from 0; these are the answered lines that may not be
-        executed yet.  Returns ``(0, 0.0)`` if no stored move passes through the reported position.
+        The index counts the stored lines from 0.  These are the answered lines that are not known
+        to be executed.  Returns ``(0, 0.0)`` if no stored move passes through the reported
+        position.
         """
         nearest, executing = NEAR, (0, 0.0)
         for row, line in enumerate(self._window):
@@ -162,9 +162,9 @@ class ProgramFollower:
     def _take(self, acknowledged: int) -> None:
         """Interpret the program lines that the controller has answered since the last call.
 
-        The lines are stored until they are known to be executed.  Some lines are answered only
-        after all earlier motion, such as a dwell.  The answer to such a line proves that the line
-        and all lines before it are executed.
+        The lines are stored until they are known to be executed.  Some lines, such as a dwell, are
+        answered only when all earlier motion has ended.  The answer to such a line proves that the
+        line and all lines before it are executed.
 
         Parameters
         ----------

@@ -169,8 +169,8 @@ async def _stop(
     follower
         Follower with the number of executed lines, which the returned error contains.
     base
-        Status before the first line of the program was sent.  ``base.sent`` counts the lines sent
-        before the program; the lines of the program are counted from there.
+        Status before the first line of the program was sent.  ``base.sent``, the number of lines
+        sent before the program, is subtracted from the present number of lines sent.
     lines
         Number of lines of the program.
     """

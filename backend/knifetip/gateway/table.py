@@ -491,10 +491,9 @@ class Table:
             await asyncio.sleep(TICK if self.busy else 0.0)
 
     def _advance_pending(self, deadline: float, loop: asyncio.AbstractEventLoop) -> None:
-        """Simulate the pending time, but return at ``deadline`` at the latest.
+        """Simulate the time that is not simulated yet, but return at ``deadline`` at the latest.
 
-        The pending time has passed since the last call but is not simulated yet.  The part of it
-        that is not simulated before ``deadline`` is left for the next call.
+        The time that is left at ``deadline`` is simulated by the next call.
 
         Parameters
         ----------

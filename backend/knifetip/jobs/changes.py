@@ -13,7 +13,7 @@ from contextlib import contextmanager
 
 
 class Changes:
-    """Functions to call after each transaction that changed a job or a drawing."""
+    """The functions that are called after each transaction that changed a job or a drawing."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()

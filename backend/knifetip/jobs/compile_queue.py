@@ -61,9 +61,10 @@ class TableQueue:
     poll
         Time between two queries for jobs that another process received (s).
     fraction_compiled
-        Takes the name of a cutting machine and returns a fraction (0 … 1): the part of the kernels
-        for this machine that have machine code.  Kernels are the numba functions that a compile
-        needs.  Below 1, jobs for this machine stay ``received``, and others are compiled.
+        Function that takes the name of a machine.  It returns the fraction (0 … 1) of the numba
+        functions needed to compile a job for this machine that have machine code.  While the
+        fraction is below 1, jobs for this machine stay ``received``; jobs for other machines are
+        compiled.
     """
 
     def __init__(
@@ -124,9 +125,9 @@ class TableQueue:
     def _next_job(self) -> Job | None:
         """Take the oldest received job that can be compiled now; return None if there is none.
 
-        A job can be compiled if the numba functions that are needed for this have machine code.  If
-        they have no machine code after ``_PATIENCE`` seconds, the jobs that need them get a message
-        about it.
+        The numba functions that compile a job must have machine code.  If those for a machine still
+        have none after ``_PATIENCE`` seconds, each received job for this machine gets a message
+        that it waits.
         """
         machines = self._store.compiles.received_machines()
         compiled = {machine: self._fraction_compiled(machine) for machine in machines}
@@ -159,7 +160,9 @@ def queue_of(
     compiles: bool,
     fraction_compiled: FractionCompiled = lambda _machine: 1.0,
 ) -> CompileQueue | None:
-    """Return the compile queue for a store, None if this process takes no part in compiling.
+    """Return the compile queue for a store; None if this process needs no queue.
+
+    A process that only receives jobs needs a queue only with PostgreSQL, to pass the jobs on.
 
     Parameters
     ----------
@@ -173,11 +176,11 @@ def queue_of(
         Time between two queries for jobs that another process received (s); not used with
         PostgreSQL.
     compiles
-        False in a process that receives jobs and does not compile them.
+        Whether this process compiles jobs; False if it only receives them.
     fraction_compiled
-        Takes the name of a cutting machine and returns a fraction (0 … 1): the part of the kernels
-        for this machine that have machine code.  Kernels are the numba functions that a compile
-        needs.  Not used with PostgreSQL.
+        Function that takes the name of a machine.  It returns the fraction (0 … 1) of the numba
+        functions needed to compile a job for this machine that have machine code.  Not used with
+        PostgreSQL.
     """
     if store.database.url.startswith("postgresql"):
         # DBOS needs 24 MB and polls the database, so it is imported only for PostgreSQL.

@@ -58,8 +58,8 @@ def _kernels_for(machine: str) -> tuple[str, ...]:
 class CompileService:
     """Threads that compile received jobs, and take jobs back from owners whose lease has expired.
 
-    The owner of a job is a worker or a gateway; it loses the job unless it renews its lease in
-    time.
+    The owner of a job is a worker or a gateway.  An owner that does not renew its lease in time
+    loses the job.
     """
 
     store: Store

@@ -50,8 +50,8 @@ class CompileStore:
     def report_waiting(self, machine: str, progress: float) -> None:
         """Store a message and the progress in the received jobs for a machine.
 
-        The message says that the job waits until numba functions are compiled to machine code.  The
-        first call that concerns a job also writes an event about the job.
+        The message says that the job waits until numba functions are compiled to machine code.
+        When the message is first stored in a job, an event about the job is written.
 
         Parameters
         ----------
@@ -205,8 +205,8 @@ class CompileStore:
     def save_result(self, id: str, epoch: int, result: CompileResult) -> None:
         """Store the result of a compile, and move its job to the next state.
 
-        The state is ``refused`` if the verifier rejected the program.  Otherwise it is ``queued``
-        if the client ordered the job to be released at once, or else ``ready``.
+        The state is ``refused`` if the verifier rejected the program.  If the program was accepted,
+        the state is ``queued`` for a job that was ordered with immediate release, else ``ready``.
 
         Parameters
         ----------

@@ -159,7 +159,7 @@ class Database:
         return bytes(value[0])
 
     def alive(self) -> bool:
-        """Return True if the database answers a query; otherwise the database's error is raised."""
+        """Return True if the database answers a query, else raise the error of the database."""
         with self.reading() as session:
             return bool(session.scalar(sa.select(sa.literal(1))))
 

@@ -56,10 +56,11 @@ class DrawingStore:
         new
             The drawing to store.
         key
-            Idempotency-Key of the request, None if it has none.  If a drawing was stored with this
-            key, that drawing is returned and nothing is stored.
+            Idempotency-Key of the request: a text that a client sends again if it repeats the
+            request.  If a drawing was stored with this key, that drawing is returned and nothing is
+            stored.  None if the request has no key.
         fingerprint
-            Hash of the request.
+            Hash of the content of the request.
 
         Raises
         ------
@@ -104,8 +105,11 @@ class DrawingStore:
 
         Parameters
         ----------
-        key, fingerprint
-            Idempotency-Key and hash of the present request.
+        key
+            Idempotency-Key of the present request: a text that a client sends again if it repeats a
+            request.
+        fingerprint
+            Hash of the content of the present request.
 
         Raises
         ------
@@ -129,7 +133,7 @@ class DrawingStore:
         return self.get_with(id)
 
     def get_with(self, id: str, *columns: str) -> Drawing:
-        """Return a drawing with the large columns that are named.
+        """Return a drawing in which some of the large columns are loaded.
 
         One query reads all columns, so that they belong to the same version of the drawing.
 
@@ -137,7 +141,7 @@ class DrawingStore:
         ----------
         id
             Id of the drawing.
-        columns
+        *columns
             Names of the large columns to load: ``content``, ``overrides``, ``edges`` or
             ``import_report``.
 
@@ -198,7 +202,7 @@ class DrawingStore:
             Version of the drawing on which the change is based.
         event
             Description of the change, for the log of events.
-        changes
+        **changes
             New values of columns, by name of the column.
 
         Raises

@@ -71,8 +71,10 @@ class GatewayStore:
 
         Parameters
         ----------
-        machine, name
-            Name of the machine, and name of its gateway.
+        machine
+            Name of the machine to which the gateway belongs.
+        name
+            Name of the gateway.
         """
         with self._db.writing() as session:
             session.merge(Gateway(machine=machine, name=name, seen=self._db.clock()))
@@ -103,14 +105,15 @@ class GatewayStore:
     def queues(self, machines: Collection[str], max_age: float) -> dict[str, Queue]:
         """Return the state of the queue of each machine, by name of the machine.
 
-        The state includes whether a gateway of the machine is connected.
+        The state includes whether the gateway of the machine is connected.
 
         Parameters
         ----------
         machines
             Names of the machines.
         max_age
-            A gateway without a job is connected if its last request is at most this old (s).
+            A gateway counts as connected if its last request is at most this old (s), or if it has
+            a valid lease of a job.
         """
         connected = self.connected_machines(max_age)
         ahead = sa.select(Job.machine, Job.id, Job.state).where(
@@ -137,20 +140,22 @@ class GatewayStore:
 
         Parameters
         ----------
-        machine, gateway
-            Name of the machine, and name of its gateway.
+        machine
+            Name of the machine.
+        gateway
+            Name of the gateway of the machine.
         manual
             Whether the operator must confirm that the sheet is on the table.  If True, the job
             stays ``queued``, and the gateway sends nothing to the machine until ``heartbeat``
             returns ``start``.  If the gateway claims again before that, it gets the same job with a
             new epoch, and the operator must confirm again.  If False, the job is stored as
-            ``running`` before this method returns, and so before anything is sent to the machine.
+            ``running`` before this method returns.
 
         Raises
         ------
         MachineBusy
             Another job is on the table of this machine, or another gateway has claimed a job of
-            this machine and waits.
+            this machine and waits for the operator's confirmation.
         """
         waiting = sa.select(Job).where(Job.machine == machine, CLAIMED)
         with self._db.reading() as session:
@@ -207,7 +212,7 @@ class GatewayStore:
         )
 
     def heartbeat(self, id: str, epoch: int, report: GatewayReport) -> str:
-        """Store the report of a gateway, renew its lease and return the next command for it.
+        """Store the progress of a job, renew its lease, and return a command for the gateway.
 
         Parameters
         ----------
@@ -215,7 +220,7 @@ class GatewayStore:
             Id of the job, and the epoch of the gateway's claim: a number that increases with each
             new owner of the job.
         report
-            Progress of the job.
+            Progress of the job, as the gateway reports it.
 
         Returns
         -------
@@ -242,10 +247,13 @@ class GatewayStore:
     def _answer_waiting(self, session: Session, row: Job) -> str:
         """Return the command for a gateway that has not sent anything to the machine yet.
 
-        Returns ``wait`` until the operator has confirmed the job, then ``start``, and ``cancel`` if
-        the operator has cancelled it.  After the confirmation the job is stored as ``running``.  If
-        the operator has also requested a hold, it becomes ``held``, and ``wait`` is returned until
-        the operator resumes it.
+        The command is one of the following; each answer also renews the lease of the job:
+
+        - ``cancel`` if the operator has cancelled the job;
+        - ``wait`` if the operator has not confirmed the job yet;
+        - ``wait`` if the operator has confirmed the job but requested a hold; the job is stored as
+          ``held`` until the operator resumes it;
+        - ``start`` otherwise; the job is stored as ``running``.
 
         Parameters
         ----------
@@ -310,9 +318,13 @@ class GatewayStore:
     def _answer_running(self, session: Session, row: Job, report: GatewayReport) -> str:
         """Store the report of a gateway on its running job, and return the command for the gateway.
 
-        The command is ``cancel`` if the operator has requested this.  Otherwise it is ``hold`` if a
-        confirmation of the operator is missing, else the action that the operator has requested
-        (``hold`` or ``resume``), or ``continue`` without a request.
+        The command is the first of the following that applies:
+
+        - ``cancel`` if the operator has requested it;
+        - ``hold`` if the operator must first confirm the job, or if the machine is not held
+          although the operator must confirm the next sheet;
+        - ``hold`` or ``resume`` if this action is requested and the machine has not carried it out;
+        - ``continue``.
 
         Parameters
         ----------
@@ -382,8 +394,8 @@ class GatewayStore:
         """Store a gateway's report that a job has ended, and return the job.
 
         A repeated report has no effect.  The last owner may also report after its lease has expired
-        and the job has become ``interrupted``: the outcome ``done`` then moves the job to ``done``,
-        and any other outcome only corrects the line and the message of the job.
+        and the job has become ``interrupted``.  The outcome ``done`` then moves the job to
+        ``done``; any other outcome only updates the stored progress and the message of the job.
 
         Parameters
         ----------
@@ -395,9 +407,12 @@ class GatewayStore:
             queue, if the gateway has sent nothing to the machine.
         cause
             Cause that the gateway reports; None if it reports none.
-        line, copies_done
-            Number of the last executed program line, and number of copies completed since the
-            gateway claimed the job; None for the values of the last heartbeat.
+        line
+            Number of program lines of the current copy that were executed; None for the number in
+            the last heartbeat.
+        copies_done
+            Number of copies completed since the gateway claimed the job; None for the number in the
+            last heartbeat.
 
         Raises
         ------
@@ -473,8 +488,10 @@ class GatewayStore:
             Session with the transaction of the caller.
         row
             The job.
-        actor, cause
-            Actor that returns the job, and reason for it, for the log of events.
+        actor
+            Person or process that returns the job, for the log of events.
+        cause
+            Reason for the return, for the log of events.
         """
         self._change(
             session,
@@ -497,9 +514,9 @@ class GatewayStore:
         Parameters
         ----------
         session
-            Session with that transaction.
+            Session with the transaction of the caller.
         row
-            The job.
+            The locked job.
         changes
             New values of columns, by name of the column.
         """
@@ -510,7 +527,7 @@ class GatewayStore:
 
 
 def silent_gateway_message(gateway: str) -> Message:
-    """Return the message that a job was interrupted because its gateway's lease has expired.
+    """Return the message that a gateway sent no heartbeat before its lease expired.
 
     Parameters
     ----------

@@ -9,11 +9,12 @@ from knifetip.jobs.transitions import LEASE
 
 
 class Grace:
-    """Determines when gateways without a valid lease count as silent again after a pause.
+    """Decides whether a gateway whose lease has expired may count as silent.
 
     A process cannot receive heartbeats, which renew leases, before its start and while it is
-    suspended.  For the duration of one lease after a start, a suspension or a change of the clock,
-    no gateway counts as silent.
+    suspended.  A lease may then expire although its gateway has sent heartbeats.  Therefore no
+    gateway counts as silent for the duration of one lease after a start, a suspension or a change
+    of the clock.
     """
 
     def __init__(self) -> None:

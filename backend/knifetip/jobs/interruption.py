@@ -24,17 +24,20 @@ class Interruption:
 def interruption(
     row: Job, cause: Message, line: int | None = None, copies_done: int | None = None
 ) -> Interruption:
-    """Return the line and the copy at which a job stopped, with the message for the operator.
+    """Return the line and the copy at which a job was interrupted, with a message for operators.
 
     Parameters
     ----------
     row
-        The job before the interruption, or already interrupted.
+        The job, before or after the change of its state to ``interrupted``.
     cause
-        Cause of the interruption: as reported by the gateway, or the expiry of its lease.
-    line, copies_done
-        Number of executed lines of the current copy and number of completed copies, as the gateway
-        reported last; None for the stored values of the job.
+        Cause of the interruption: the cause that the gateway reported, or the expiry of its lease.
+    line
+        Number of executed lines of the current copy, as the gateway reported last; None for the
+        number stored in the job.
+    copies_done
+        Number of completed copies, as the gateway reported last; None for the number stored in the
+        job.
     """
     at = row.line if line is None else min(line, row.lines)
     done = row.copies_done if copies_done is None else min(copies_done, row.copies)

@@ -65,7 +65,7 @@ OPERATOR, CLOCK = Actor(ActorKind.OPERATOR), Actor(ActorKind.CLOCK)
 
 
 class Confirmation(StrEnum):
-    """Whether the operator must confirm, or has confirmed, that the machine may begin a job.
+    """Stages of the operator's confirmation that the machine may begin a job or its next copy.
 
     A confirmation is valid only for the present claim of the job.
     """
@@ -164,14 +164,14 @@ ADVICE: dict[State, Message] = {
 
 
 def sources(action: Action, actor_kind: ActorKind) -> tuple[State, ...]:
-    """Return the states of a job from which an action may be performed, () if there are none.
+    """Return the states of a job in which an action may be performed; empty if there are none.
 
     Parameters
     ----------
     action
-        The action.
+        Action that moves the job to another state.
     actor_kind
-        Kind of the person or process that performs it.
+        Kind of the person or process that performs the action.
     """
     return tuple(
         row.source for row in TRANSITIONS if row.action is action and actor_kind in row.actors

@@ -74,10 +74,11 @@ class JobStore:
         order
             Machine, board, interpretation and number of copies.
         key
-            Idempotency-Key of the request, None if it has none.  If a job was stored with this key,
-            that job is returned and nothing is stored.
+            Idempotency-Key of the request: a text that a client sends again if it repeats the
+            request.  If a job was stored with this key, that job is returned and nothing is stored.
+            None if the request has no key.
         fingerprint
-            Hash of the request.
+            Hash of the content of the request.
 
         Raises
         ------
@@ -144,8 +145,11 @@ class JobStore:
 
         Parameters
         ----------
-        key, fingerprint
-            Idempotency-Key and hash of the present request.
+        key
+            Idempotency-Key of the present request: a text that a client sends again if it repeats a
+            request.
+        fingerprint
+            Hash of the content of the present request.
 
         Raises
         ------
@@ -171,10 +175,20 @@ class JobStore:
         return row
 
     def column(self, id: str, column: str) -> bytes:
-        """Return the content of a large column of a job: overrides, program, toolpath or verdict.
+        """Return the content of a large column of a job.
+
+        Parameters
+        ----------
+        id
+            Id of the job.
+        column
+            ``overrides`` (line types that the user has set), ``program``, ``toolpath`` or
+            ``verdict``.
 
         Raises
         ------
+        NoSuchJob
+            There is no job with this id.
         WrongState
             The column is empty: the job is not compiled yet, or it was refused.
         """
@@ -237,7 +251,7 @@ class JobStore:
         Raises
         ------
         WrongState
-            The job is not ``interrupted``, or its last sheet was executed to the last program line.
+            The job is not ``interrupted``, or its last copy was executed to the last program line.
         """
         with self._db.writing() as session:
             row = self._transitions.lock(session, id)
@@ -259,7 +273,9 @@ class JobStore:
         return self.get(id)
 
     def scrap(self, id: str) -> Job:
-        """Give up an interrupted job, which frees the table of its machine; return the job.
+        """Move an interrupted job to ``scrapped`` and return it.
+
+        The job is not made again, and the table of its machine is free for another job.
 
         Raises
         ------
@@ -276,6 +292,11 @@ class JobStore:
         """Move an interrupted job to ``done`` and return it.
 
         An operator calls this after finding that all sheets of the job are complete.
+
+        Raises
+        ------
+        WrongState
+            The job is not ``interrupted``.
         """
         with self._db.writing() as session:
             row = self._transitions.lock(session, id)
@@ -295,11 +316,12 @@ class JobStore:
         return self.get(id)
 
     def confirm(self, id: str, board: str = "", by: str = "") -> Job:
-        """Confirm that the table is clear and that the board and the tools of the job are in place.
+        """Store the operator's confirmation that the machine may begin, and return the job.
 
-        After this, the gateway starts the claimed job, or the next copy of a job that waits for a
-        new sheet.  If the gateway started the job without waiting for a confirmation and the job
-        was held for that reason, it is resumed.  A repeated confirmation has no effect.
+        The operator confirms that the table is clear and that the board and the tools of the job
+        are in place.  The gateway then starts the claimed job, or the next copy of a job that waits
+        for a new sheet.  A job that was started before its confirmation, and was therefore held, is
+        resumed.  A repeated confirmation has no effect.
 
         Parameters
         ----------
@@ -394,7 +416,8 @@ class JobStore:
     def cancel(self, id: str) -> Job:
         """Cancel a job and return it.
 
-        For a running or held job, only the request is stored, and its gateway cancels it later.
+        If the job is running or held, only a request is stored: the job becomes ``cancelled`` when
+        its gateway has stopped the machine.
 
         Raises
         ------

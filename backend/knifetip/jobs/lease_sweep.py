@@ -17,7 +17,7 @@ from knifetip.messages import Message
 class LeaseSweep:
     """Takes jobs back from workers and gateways whose lease has expired.
 
-    A worker or gateway that owns a job loses it unless it renews its lease in time.
+    A worker or gateway that owns a job must renew its lease in time; otherwise it loses the job.
     """
 
     def __init__(
@@ -33,7 +33,7 @@ class LeaseSweep:
         self._gateways = gateways
 
     def run(self, *, gateways: bool = True) -> bool:
-        """Move each job whose lease has expired to the state from which it can continue.
+        """Take back each job whose lease has expired; return whether any job has a lease.
 
         A job on a table becomes ``interrupted``, never ``queued``.  A claimed job that has not been
         started returns to the queue.  A job that was being compiled is compiled again.
@@ -47,8 +47,8 @@ class LeaseSweep:
         Returns
         -------
         bool
-            Whether any job had a lease, expired or not.  Leases of gateways count only if
-            ``gateways`` is True.
+            Whether any job had a lease when the method was called, expired or not.  Leases of
+            gateways count only if ``gateways`` is True.
         """
         now = self._db.clock()
         leased = Job.state == State.COMPILING

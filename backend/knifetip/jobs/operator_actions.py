@@ -28,8 +28,8 @@ _REQUESTED = frozenset({Action.HOLD, Action.RESUME, Action.CANCEL})
 def allowed_actions(row: Job, now: float) -> list[OperatorAction]:
     """Return the actions that an operator may perform or request on a job now.
 
-    All other actions are refused.  The exception is the action that was accepted last: it may be
-    sent again, and then has no effect.
+    An action that is not in the result is refused, unless it is a repetition of the action that was
+    accepted last; the repetition has no effect.
 
     Parameters
     ----------
@@ -60,14 +60,16 @@ def allowed_actions(row: Job, now: float) -> list[OperatorAction]:
 def _apply_request(row: Job, state: State, allowed: set[OperatorAction]) -> None:
     """Change the allowed actions of a job on a table according to the operator's last request.
 
-    A requested cancel removes hold and resume.  A requested hold or resume that the machine has not
-    carried out allows the opposite action.  Resume is removed while the job must be confirmed
-    first.
+    If a cancel was requested, hold and resume are removed.  If a hold was requested that the
+    machine has not carried out, resume is allowed; if a resume was requested, hold is allowed.
+    Resume is removed if the operator must first confirm the job.
 
     Parameters
     ----------
-    row, state
-        The job and its state, ``running`` or ``held``.
+    row
+        The job.
+    state
+        State of the job, ``running`` or ``held``.
     allowed
         Allowed actions; changed in place.
     """

@@ -203,9 +203,9 @@ class ProcessPool:
         return _Worker(process, parent_end)
 
     def trim(self, idle: float = IDLE) -> None:
-        """End the worker processes that have had no task for ``idle`` seconds, but keep one.
+        """End the worker processes that have had no task for ``idle`` seconds.
 
-        The process that was used last is kept.
+        The process that was used last is never ended.
         """
         with self._lock:
             # The worker that was used last is the first to be used again.

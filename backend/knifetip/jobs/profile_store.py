@@ -46,8 +46,8 @@ class ProfileStore:
         version
             Version of the stored profile on which the change is based; None to create a profile.
         anyway
-            Whether to replace the stored profile whatever version it has, or to create it if there
-            is none.
+            If True, ``version`` is ignored: a stored profile with this name is replaced, and if
+            there is none, the profile is created.
 
         Raises
         ------
@@ -101,8 +101,10 @@ class ProfileStore:
 
         Raises
         ------
-        NoSuchJob, StaleVersion
-            There is no such profile, or it has another version.
+        NoSuchJob
+            There is no profile with this name (jobs and profiles have the same error class).
+        StaleVersion
+            The profile has another version.
         """
         with self._db.writing() as session:
             statement = sa.delete(Profile).where(Profile.name == name)

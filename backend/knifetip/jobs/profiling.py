@@ -32,19 +32,27 @@ def preview(
     ----------
     progress
         Called with stage and completed fraction.
-    content, interpretation
-        File of the drawing, and its present interpretation with its profile and overrides.
+    content
+        File of the drawing.
+    interpretation
+        Present interpretation of the drawing, with its profile and overrides (line types that the
+        user has set).
     text
         TOML text of the other profile.
 
     Returns
     -------
     dict
-        ``rules``: for each rule of the other profile, the rule as JSON data with whether it is
-        inherited from another profile (``inherited``), and number (``edges``) and total length in
-        mm (``length``) of the edges that it matches; ``open``: number of edges that no rule
-        matches; ``changes``: edges that would get another line type, grouped by ``before`` and
-        ``after`` (names of the two line types), with ``edges`` (rows of the edges).
+        The entry ``rules`` is a list with one dict for each rule of the other profile: the JSON
+        data of the rule, ``inherited`` (whether the rule comes from a profile that the other
+        profile extends), ``edges`` (number of edges that the rule matches) and ``length`` (total
+        length of these edges, mm).
+
+        The entry ``open`` is the number of edges that no rule matches.
+
+        The entry ``changes`` lists the edges that would get another line type, with one dict for
+        each pair of line types: ``before`` and ``after`` (names of the line types) and ``edges``
+        (rows of the edges).
     """
     from knifetip import pipeline
     from knifetip.classification.decision.profile_rules import matching_rules
@@ -84,27 +92,29 @@ def learn(
 ) -> list[dict[str, Any]]:
     """Return proposed rules that give edges the line types which the user has set by hand.
 
-    Rules are sought that match no edge with a different line type.  Edges for which there is no
-    such rule get rules by layer and colour.  Each proposed rule is listed with the other edges that
-    it would change: if the user set ten red edges of a layer to crease, an eleventh red edge may
-    have been overlooked.
+    A proposed rule should match no edge with a different line type.  Edges for which there is no
+    such rule get rules by layer and colour.  A rule may also change edges that the user did not
+    set, and the result lists these edges: if the user set ten red edges of a layer to crease, an
+    eleventh red edge may have been overlooked.
 
     Parameters
     ----------
     progress
         Called with stage and completed fraction.
-    content, interpretation
-        File of the drawing, and its interpretation, whose overrides are the line types that the
-        user has set.
+    content
+        File of the drawing.
+    interpretation
+        Interpretation of the drawing; its overrides are the line types that the user has set.
 
     Returns
     -------
     list of dict
-        ``rule``: the rule as JSON data; ``explains``: rows of the edges to which the rule gives the
-        line type that the user has set; ``sure``: whether the rule changes only edges that have no
-        line type yet; ``changes``: other edges that the rule would change, grouped by ``before``
-        and ``after`` (names of the two line types), with ``edges`` (rows of the edges).  The list
-        begins with the rules that are ``sure``.
+        One dict for each proposed rule; rules that are ``sure`` come first.  ``rule`` is the rule
+        as JSON data.  ``explains`` lists the rows of the edges to which the rule gives the line
+        type that the user has set.  ``sure`` is True if the rule changes only edges that have no
+        line type yet.  ``changes`` lists the other edges that the rule would change, with one dict
+        for each pair of line types: ``before`` and ``after`` (names of the line types) and
+        ``edges`` (rows of the edges).
     """
     from knifetip import pipeline
     from knifetip.classification.decision.profile_rules import matching_rules
@@ -185,8 +195,9 @@ def _by_attributes(drawing: Drawing, overrides: U8, rows: list[int]) -> list[Lin
 def rule_json(rule: LineRule) -> dict[str, Any]:
     """Return the line type and the conditions of a rule as JSON data.
 
-    The conditions are listed by field (``layer``, ``colour``, …), and ``conditions`` describes all
-    of them in a message.
+    ``type`` is the name of the line type.  The other fields are conditions: ``layer``, ``colour``,
+    ``linetype`` (dash pattern in the file), ``entity`` and ``block`` list the permitted values, and
+    ``conditions`` is a message that describes all conditions together.
     """
     colours: list[int | str] = [*rule.colour, *(f"#{colour:06x}" for colour in rule.true_colour)]
     return {

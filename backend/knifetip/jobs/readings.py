@@ -1,8 +1,8 @@
-"""Restores a drawing and its dieline from the stored reading of the drawing.
+"""Restores a drawing and its dieline from the data that were stored when the file was read.
 
-A *reading* contains all data that questions, planning and verification need, so a file is read and
-classified only once: at upload, or when its unit or profile changes.  The dieline contains the
-edges with their line types.
+The stored data contain everything that questions to the user, planning and verification need.  A
+file is therefore read and classified only once: at upload, or when its unit or profile changes.
+The dieline contains the edges with their line types.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from knifetip.presentation.edges import restore_drawing
 
 @dataclass(frozen=True, slots=True)
 class StoredDrawing:
-    """The file of a drawing, its stored edges, and the interpretation with which it was read."""
+    """A stored drawing: its file, its edges, and the interpretation used to read the file."""
 
     content: bytes  #: the file
     edges: bytes  #: packed ``EdgeTable`` of the drawing
@@ -33,9 +33,10 @@ def restore_or_read(
 ) -> tuple[Drawing, Dieline]:
     """Return a drawing and its dieline (edges with line types) for an interpretation.
 
-    They are restored from the stored edges if the stored interpretation has the same profile and an
-    equal, known unit, and if no override was removed; otherwise the file is read again.  It is read
-    again after the removal of an override because the line type under the override is not stored.
+    Both are restored from the stored edges if three conditions are met: the unit is known, the
+    stored interpretation has the same unit and profile, and no override was removed.  Otherwise the
+    file is read again.  An override is a line type that the user has set for an edge; the line type
+    that the edge had before is not stored.
 
     Parameters
     ----------
@@ -83,16 +84,19 @@ def read_drawing(content: bytes, unit: str) -> Drawing:
 
 
 def _new_overrides(stored: Interpretation, interpretation: Interpretation) -> U8 | None:
-    """Return the overrides that must still be applied to a stored drawing, (n,), or None.
+    """Return the overrides that must still be applied to the n edges of a stored drawing, (n,).
 
-    An override is the LineType that the user has set for an edge.  An edge that already has the
-    right line type gets ``NO_OVERRIDE``.  Returns None if the file must be read again: if unit or
-    profile differ, the numbers of overrides differ, or an override was removed.
+    An override is the LineType that the user has set for an edge.  The result is ``NO_OVERRIDE``
+    for an edge whose override is the same in both interpretations.  The result is None if the file
+    must be read again: the unit or the profile differs, the interpretations have different numbers
+    of edges, or an override was removed.
 
     Parameters
     ----------
-    stored, interpretation
-        Interpretation of the stored drawing, and interpretation that is needed.
+    stored
+        Interpretation of the stored drawing.
+    interpretation
+        Interpretation that the drawing must have.
     """
     if (stored.unit, stored.profile, stored.rules) != (
         interpretation.unit,

@@ -1,9 +1,9 @@
 """The store: drawings, profiles, jobs and their events in SQLite or PostgreSQL.
 
 A transition of a job is one UPDATE … WHERE state IN … in one transaction with its event.  If two
-clients claim the same job, or two jobs need the same table, the database refuses one of them.  It
-does so by the WHERE clause, by the job's epoch (a number that increases with each owner), and by a
-unique index that permits one job on the table of each machine.
+clients claim the same job, or two jobs need the same table, only one of them succeeds.  This is
+ensured by the WHERE clause, by the epoch of the job (a number that increases with each owner), and
+by a unique index that permits one job on the table of each machine.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ class Store:
         self.database.migrate()
 
     def alive(self) -> bool:
-        """Return whether the database answers a query."""
+        """Return True if the database answers a query, else raise the error of the database."""
         return self.database.alive()
 
     def close(self) -> None:

@@ -70,10 +70,10 @@ def read(
         Unit, profile and overrides (line types that the user has set).  The overrides belong to the
         n edges that were found when the same file was read before.
     handles : (n,)
-        Handles of the edges found before; None if the file was not read before, and the overrides
-        are not used.  If the edges found now have the same handles, they get the same overrides.
-        Otherwise an edge gets the override that all earlier edges with its handle had, if they had
-        the same one.
+        Handles of the n earlier edges.  If the edges found now have the same handles, they get the
+        same overrides.  Otherwise an edge gets an override only if all earlier edges with its
+        handle had this override.  None if the file was not read before; the overrides are then
+        ignored.
     """
     from knifetip import pipeline
 
@@ -157,8 +157,10 @@ def open_questions(
     ----------
     progress
         Called with stage and completed fraction.
-    stored, interpretation
-        The stored drawing, and the interpretation with which it is compiled.
+    stored
+        The stored drawing.
+    interpretation
+        Interpretation with which the drawing is to be compiled.
     machine
         Name of the machine.
 
@@ -192,10 +194,14 @@ def compile(
     ----------
     progress
         Called with stage and completed fraction.
-    stored, interpretation
-        The stored drawing, and the interpretation with which it is compiled.
-    machine, board
-        Names of the machine and the board in the library.
+    stored
+        The stored drawing.
+    interpretation
+        Interpretation with which the drawing is compiled.
+    machine
+        Name of the machine in the library.
+    board
+        Name of the board in the library.
     notes
         Comment lines for the beginning of the program.
 
@@ -224,14 +230,14 @@ def compile(
 
 
 def _result(compiled: Compiled, handles: Sequence[str], table: Machine) -> CompileResult:
-    """Return the program, tool path, verdict and tools of a compile in the stored form.
+    """Convert the result of a compile to the form in which it is stored, and return it.
 
     Parameters
     ----------
     compiled
         Result of the compile, with the program.
     handles : (n,)
-        Handles of the edges of the drawing.
+        Handles of the n edges of the drawing.
     table
         The machine for which the program was made.
     """
@@ -268,7 +274,7 @@ def _result(compiled: Compiled, handles: Sequence[str], table: Machine) -> Compi
 def missing_kernels(_progress: Progress, groups: Sequence[str]) -> list[Part]:
     """Return the modules in which kernels lack machine code, with the number of these kernels.
 
-    Kernels are functions that numba compiles once after an installation.
+    Kernels are functions that numba compiles to machine code.  The machine code is stored on disk.
 
     Parameters
     ----------
@@ -288,7 +294,8 @@ def compile_kernels(progress: Progress, module: str, niceness: int) -> None:
     module
         Name of the module.
     niceness
-        Least niceness of this process (see ``nice``).
+        Niceness to which this process is set (see the command ``nice``); if its niceness is already
+        greater, it is not changed.
     """
     os.setpriority(os.PRIO_PROCESS, 0, max(niceness, os.getpriority(os.PRIO_PROCESS, 0)))
     for fraction in compile_module(module):

@@ -40,7 +40,7 @@ class Transitions:
         new_epoch: int | None = None,
         **changes: Any,
     ) -> None:
-        """Perform an action on a job and write the event, if the actor may do so in its state.
+        """Perform an action on a job, which moves the job to another state, and write the event.
 
         Parameters
         ----------
@@ -48,21 +48,27 @@ class Transitions:
             Session with the transaction of the caller.
         id
             Id of the job.
-        action, actor
-            The action, and the person or process that performs it.
+        action
+            The action.
+        actor
+            Person or process that performs the action.
         event
             Description of the transition, for the log of events.
         epoch
             Epoch that the job must have; None for any.
         new_epoch
             New epoch of the job; None to keep its epoch.
-        changes
+        **changes
             New values of further columns, by name of the column.
 
         Raises
         ------
-        NoSuchJob, WrongState, StaleEpoch
-            The transition is not permitted.
+        NoSuchJob
+            There is no job with this id.
+        WrongState
+            The actor may not perform the action in the present state of the job.
+        StaleEpoch
+            The job has another epoch.
         """
         goal = target(action)
         statement = sa.update(Job).where(Job.id == id, Job.state.in_(sources(action, actor.kind)))
@@ -149,12 +155,15 @@ class Transitions:
 def advice(state: str, message: Message | None) -> Message:
     """Return a message about what an operator can do with a job.
 
-    It is the hint of ``message`` if this has one, else a hint for the state.
+    The result is the hint of the message stored in the job.  If there is no such hint, the result
+    is a general hint for the state of the job.
 
     Parameters
     ----------
-    state, message
-        State of the job, and message stored in the job; None for no message.
+    state
+        State of the job.
+    message
+        Message stored in the job; None if there is none.
     """
     if message is not None and hint(message):
         return Message("advice.of-reason", reason=message)
@@ -171,23 +180,29 @@ def stale_epoch_error(id: str, state: str, current: int, epoch: int) -> StaleEpo
 
     Parameters
     ----------
-    id, state
-        Id and state of the job.
-    current, epoch
-        Present epoch of the job, and epoch that the worker or gateway has sent.
+    id
+        Id of the job.
+    state
+        State of the job.
+    current
+        Present epoch of the job: a number that increases with each new owner.
+    epoch
+        Epoch that the worker or gateway has sent.
     """
     return StaleEpoch("job.stale-epoch", job=id, state=state, current=current, epoch=epoch)
 
 
 def same_request(row: Row, key: str, fingerprint: str) -> Row:
-    """Return ``row`` if the present request is the one that created it; otherwise raise an error.
+    """Return ``row`` if it was stored by the present request; otherwise raise an error.
 
     Parameters
     ----------
     row
         Drawing or job that was stored with the Idempotency-Key of the present request.
-    key, fingerprint
-        Idempotency-Key and hash of the present request.
+    key
+        Idempotency-Key: a text that a client sends again if it repeats a request.
+    fingerprint
+        Hash of the content of the present request.
 
     Raises
     ------

@@ -21,7 +21,7 @@ class Turns:
 
     @contextmanager
     def turn(self, urgent: bool) -> Iterator[None]:
-        """Return a context that waits for the lock, holds it in its body, and then releases it.
+        """Return a context manager that acquires the lock on entry and releases it on exit.
 
         Parameters
         ----------
@@ -47,5 +47,5 @@ class NoTurns:
     """Replacement of ``Turns`` for databases that permit several writers at a time."""
 
     def turn(self, urgent: bool) -> AbstractContextManager[None]:  # noqa: ARG002  # as Turns.turn
-        """Return a context that neither waits nor locks."""
+        """Return a context manager that neither waits nor locks."""
         return nullcontext()

@@ -2,11 +2,11 @@
 
     python -m knifetip.jobs.warm_up        compiles all kernels and prints the progress
 
-Kernels are the functions that numba compiles.  Two processes compile module after module in the
-order of ``warming.GROUPS``: first the kernels that read drawings, then those that compile jobs,
-then those that offset contours.  Requests and compiles wait for the groups that they need; other
-requests are served meanwhile.  The processes end after the last module, because compiling leaves
-hundreds of megabytes in them.
+Kernels are the functions that numba compiles.  Two processes compile the modules with kernels, one
+module after another, in the order of ``warming.GROUPS``: first the kernels that read drawings, then
+those that compile jobs, then those that offset contours.  A request that needs a group of kernels
+waits until this group is compiled; other requests are served meanwhile.  The processes end after
+the last module, because compiling leaves hundreds of megabytes in them.
 """
 
 from __future__ import annotations
@@ -36,7 +36,10 @@ _log = logging.getLogger("knifetip.jobs")
 
 @dataclass(frozen=True, slots=True)
 class WarmUpProgress:
-    """Progress of compiling the kernels (functions that numba compiles), and whether it ended."""
+    """Progress of a warm-up: how many kernels it has compiled, and whether it has finished.
+
+    Kernels are functions that numba compiles.
+    """
 
     finished: bool
     compiled: int = 0  #: kernels
@@ -92,8 +95,7 @@ class WarmUp:
         Parameters
         ----------
         pool
-            Pool of processes.  One of its workers finds the kernels to compile, and can then read
-            drawings without delay.
+            Pool of worker processes.  One of them finds the kernels that have no machine code.
         """
         self._running = True
         threading.Thread(target=self.run, args=(pool,), name="warm-up", daemon=True).start()
@@ -104,12 +106,12 @@ class WarmUp:
         Parameters
         ----------
         pool
-            Pool of processes, one of whose workers finds the kernels to compile.
+            Pool of worker processes.  One of them finds the kernels that have no machine code.
 
         Returns
         -------
         bool
-            False if a module could not be compiled.
+            False if the kernels of a module could not be compiled, else True.
         """
         self._running = True
         try:
@@ -185,7 +187,7 @@ class WarmUp:
 
         Parameters
         ----------
-        groups
+        *groups
             Names of the groups, from ``warming.GROUPS``.
         watch
             Called repeatedly during the wait, with the stage ``PREPARE`` and the fraction of the
@@ -212,12 +214,12 @@ class WarmUp:
     def fraction_compiled(self, *groups: str) -> float:
         """Return the fraction (0 … 1) of the kernels of some groups that are compiled.
 
-        Only kernels without machine code at the start of the warm-up are counted.  Returns 1 only
-        if all of them are compiled, or if no warm-up is running, so that no caller has to wait.
+        Only kernels without machine code at the start of the warm-up are counted.  The result is 1
+        if all of them are compiled, or if no warm-up is running.
 
         Parameters
         ----------
-        groups
+        *groups
             Names of the groups, from ``warming.GROUPS``.
         """
         with self._changed:

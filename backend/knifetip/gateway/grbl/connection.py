@@ -295,7 +295,7 @@ class GrblConnection:
         )
 
     def surplus_answer(self) -> ControllerError:
-        """Return (not raise) a new error for an answer that belongs to no unanswered line."""
+        """Return (not raise) a new error for an answer that belongs to no line."""
         return ControllerError("controller.unexpected-answer", name=self.name)
 
     async def wait_until(self, condition: Callable[[], bool], code: str = "") -> None:
@@ -487,6 +487,6 @@ class GrblConnection:
 
 
 def _code(line: str) -> int:
-    """Return the code in an answer, such as 9 for ``error:9``; -1 if it is not a number."""
+    """Return the code in an answer, such as 9 for ``error:9``; -1 if the code is not a number."""
     code = line.partition(":")[2].strip()
     return int(code) if code.isdecimal() else -1

@@ -266,7 +266,7 @@ class Grbl:
         Raises
         ------
         ControllerError
-            The controller has failed, or has sent more answers than lines were sent to it.
+            The controller has failed, or has sent an answer that belongs to no line.
         """
         await self.drain()
         idle = 0

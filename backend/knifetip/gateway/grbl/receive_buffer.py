@@ -84,8 +84,8 @@ class ReceiveBuffer:
     def reserve(self, line: PendingLine) -> None:
         """Keep at least the size of a line free in the buffer from now on.
 
-        If the controller answers a line twice, the byte count becomes too small by the size of the
-        line.  The buffer does not overflow if at least this number of bytes is free.
+        If the controller answers a line twice, the sender counts too few occupied bytes; the error
+        is the size of that line.  The free bytes then prevent an overflow of the buffer.
         """
         self._longest = max(self._longest, line.size)
 

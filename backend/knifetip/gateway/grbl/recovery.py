@@ -71,7 +71,7 @@ class Recoverable(Protocol):
 
 
 async def make_safe(machine: Recoverable, safe: SafeState | None, silence: float) -> Status:
-    """Bring a machine into its safe state, discarding its program, and return its status.
+    """Discard the running program, bring the machine into its safe state and return a status.
 
     If the controller does not answer or the connection is lost, the function tries again for ``6 *
     silence`` seconds.
