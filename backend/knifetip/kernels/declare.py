@@ -58,7 +58,7 @@ def argument_types(function: Callable[..., Any]) -> dict[str, Any]:
     Raises
     ------
     TypeError
-        An argument has no annotation or one outside the vocabulary, or a default value.
+        An argument has no annotation, an annotation outside the vocabulary, or a default value.
     """
     hints = get_type_hints(function, include_extras=True)
     declared = {}

@@ -35,8 +35,8 @@ class Kernel(CPUDispatcher):
     def _cache(self) -> KernelCache:
         """Return the cache files of this kernel.
 
-        The record is created at first use, because numba then looks for a folder to which it may
-        write, and most kernels of a command are never called.
+        The record is created at first use, because its creation makes numba look for a writable
+        folder, and most kernels of a command are never called.
         """
         return KernelCache(self.py_func)
 

@@ -114,7 +114,8 @@ def _beam_switching(toolpath: Toolpath, machine: Machine) -> tuple[Bool, F64]:
     """Return the mask of the rows at whose start a laser beam is switched, and the piercing times.
 
     Both arrays have one entry per row of the toolpath, (n,).  The piercing time (s) is the time for
-    which the laser rests at the start of a cut; it is 0 unless the beam is switched on there.
+    which the laser rests at the start of a cut; it is 0 for a row that does not start with
+    switching the beam on.
     """
     beams = np.zeros(256, np.bool_)
     pierce = np.zeros(256)

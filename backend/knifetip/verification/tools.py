@@ -1,8 +1,8 @@
 """The properties that the verifier expects of each kind of tool.
 
 The values are derived from the tools' drawings and the machines' manuals, independently of the
-stages that make programs.  Only the dimensions in the tools' records are shared.  To add a kind of
-tool, add a row to ``_EXPECTED``.
+stages that make programs.  The verifier shares with these stages only the dimensions in the tools'
+records.  To add a kind of tool, add a row to ``_EXPECTED``.
 """
 
 from __future__ import annotations

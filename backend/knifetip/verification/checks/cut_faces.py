@@ -225,7 +225,7 @@ def _split_curves(curve: F64) -> tuple[F64, I64, F64]:
 
 
 def _assign_faces(curve: F64, cycle: I64, outside: Bool, component: I64) -> tuple[I64, int]:
-    """Return the index of the faces on the left and right of p pieces, (p, 2), and the number of
+    """Return the indices of the faces on the left and right of p pieces, (p, 2), and the number of
     faces.
 
     Parameters

@@ -59,10 +59,10 @@ def check_edges(context: CheckContext, work: TipPaths) -> None:
 
 
 def _edge_stations(work: TipPaths, rows: I64, edges: Edges, tolerance: float) -> I64:
-    """Return the index of the station whose tip paths cover most of each of n edges, (n,).
+    """Return the index of the station that covers the greatest length of each of n edges, (n,).
 
-    An edge without tip paths gets the first of the stations that have tip paths, or -1 if there are
-    no tip paths at all.
+    A station covers the part of an edge that tip paths of its tool follow.  An edge without tip
+    paths gets the first of the stations that have tip paths, or -1 if there are none.
 
     Parameters
     ----------

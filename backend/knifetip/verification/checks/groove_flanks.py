@@ -128,10 +128,10 @@ def _nearest_points(
 
 
 def _group_extremes(values: F64, group: I64, count: int) -> tuple[F64, F64]:
-    """Return the least and the greatest value of each of ``count`` groups of rows, (count,) each.
+    """Return the least and the greatest of all values in each of ``count`` groups, (count,) each.
 
-    ``values`` is (k, j), and ``group`` is the index of the group of each of its k rows, (k,).  A
-    group without rows gets the least value inf and the greatest value -inf.
+    A group is a set of rows of ``values``, (k, j); ``group`` is the index of the group of each of
+    the k rows, (k,).  A group without rows gets the least value inf and the greatest value -inf.
     """
     low, high = np.full(count, np.inf), np.full(count, -np.inf)
     np.minimum.at(low, group, values.min(axis=1))

@@ -204,7 +204,7 @@ def check_board_moves(
     """Check the moves of a tool in the board.
 
     Adds a finding for each rapid in the board, each plunge or lift that is slanted, and each turn
-    of C in the board that is too wide.  A feed move from or to an unknown position gives a finding
+    of C in the board that is too large.  A feed move from or to an unknown position gives a finding
     too.  ``tolerance`` is the greatest sideways deviation of the tip in a plunge or lift (mm).
     """
     lowest = np.fmin(tip.start[:, 2], tip.end[:, 2])

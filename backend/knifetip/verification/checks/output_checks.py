@@ -29,7 +29,7 @@ def check_switching(moves: Moves, machine: Machine, board: Board, findings: Find
     """Check when and at which height the program switches outputs and the spindle; add findings.
 
     The program must set all outputs and the spindle before the first move, switch them at a safe
-    height, and never lower two stations together.
+    height, and never have two stations lowered at the same time.
     """
     datum = np.array([station.z for station in machine.stations])
     # While the states are unknown any station may be lowered: clear the board with each.

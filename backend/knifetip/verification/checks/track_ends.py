@@ -23,8 +23,8 @@ from knifetip.verification.findings import MAX_FINDINGS
 
 
 class _RunStops(NamedTuple):
-    """Points at which the knife leaves the board after each of k runs, and which of these points
-    are wrong.
+    """Points at which the knife leaves the board after each of k runs, and the indices of the runs
+    that leave it at a wrong point.
 
     A run is a chain of tracks, each of which begins where the previous track ended.  A track is a
     chain of tip paths between two lifts.

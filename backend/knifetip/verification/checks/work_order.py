@@ -308,7 +308,7 @@ def _completing_lines(
 def _new_spans(edge: I64_1, low: F64_1, high: F64_1) -> Any:
     """Return the mask of the stretches of cuts that are not repetitions of earlier stretches, (k,).
 
-    A stretch is new if earlier stretches of the same cut cover at most half of it.  ``edge``,
+    A stretch is no repetition if earlier stretches of its cut cover at most half of it.  ``edge``,
     ``low`` and ``high`` are the index of the cut of each of k stretches, and the stretch's start
     and end on it (mm), sorted by cut and then by program line.
     """

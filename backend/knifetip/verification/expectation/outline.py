@@ -119,8 +119,8 @@ def _lowest_connected(one: I64, other: I64, count: int) -> I64:
 def _swept_areas(edges: Edges) -> F64:
     """Return twice the signed area between each of n edges and a common origin, (n,) mm².
 
-    This is the area that the straight line from the origin to a point sweeps while the point moves
-    along the edge, positive for an anticlockwise sweep.  The origin is the start of the first edge.
+    The area is swept by the straight line from the origin to a point that moves along the edge.  It
+    is positive for an anticlockwise sweep.  The origin is the start of the first edge.
     """
     curve = edges.curve
     origin = edges.ends[0]
