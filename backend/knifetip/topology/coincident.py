@@ -1,7 +1,7 @@
 """coincident: find edges that other edges cover along their whole length.
 
-A piece of an edge is coincident with another piece if both connect the same vertices along the same
-line or arc.
+The edges are divided into pieces at the vertices of a planar graph.  Two pieces are coincident if
+they connect the same vertices along the same line or arc.
 """
 
 from __future__ import annotations
@@ -14,9 +14,11 @@ from knifetip.topology.planar_graph import PlanarGraph
 
 
 def coincident_edges(graph: PlanarGraph, length: F64) -> I32:
-    """Return for each of n edges the other edge that covers the greatest part of its length, (n,).
+    """Return for each of n edges another edge that covers it, (n,), or -1.
 
-    The entry is -1 for an edge of which some part is covered by no other edge.
+    An edge has an entry other than -1 only if other edges cover its whole length.  If several edges
+    cover it together, the entry is the index of the edge on its longest piece.  A piece is the part
+    of an edge between two neighbouring vertices of the planar graph.
 
     Parameters
     ----------

@@ -44,8 +44,8 @@ def find_enclosing_faces(
     Parameters
     ----------
     start, end : (n, 2) mm
-        Ends of the edges.  Ends that meet have equal coordinates, so that no ray passes between
-        them.
+        Start and end points of the edges.  Edges that meet have exactly equal end points, so that
+        no ray passes between them.
     bulge : (n,)
         Bulges of the edges.
     face : (n, 2)
@@ -60,7 +60,7 @@ def find_enclosing_faces(
     enclosing : (c,)
         Bounded face that contains each component, -1 if there is none.
     depth : (c,)
-        Number of components around each component.
+        Number of other components around each component; 0 for a component that is inside no other.
     """
     count = int(component.max()) + 1
     if count == 1:
@@ -114,7 +114,7 @@ def _follow_hits(
     enclosing : (c,)
         Bounded face that contains each component, -1 if there is none.
     depth : (c,)
-        Number of components around each component.
+        Number of other components around each component; 0 for a component that is inside no other.
     """
     enclosing = np.full(len(order), -1, np.int64)
     depth = np.zeros(len(order), np.int64)
@@ -284,20 +284,24 @@ def _boxes_of_spans(spans: F64_2) -> Any:
 def _first_below(lowest: F64_2, spans: F64_2, owner: I32_1, boxes: F64_2, order: I64_1) -> Any:
     """Return the first span of another component below the lowest point of each component.
 
-    A span is a part of an edge that runs from left to right.  The search follows a vertical ray
-    downwards, immediately to the right of the lowest point.  So the ray hits a span that starts
-    exactly below the point, and of two spans that start at one point the steeper one is the upper
-    one.  Of spans with equal height and slope, the one with the highest index is returned.
+    A span is a part of an edge that runs from left to right; a span contains its left end but not
+    its right end.  If several spans are at the same height below a point, the one with the greatest
+    slope is returned, because it is the upper one immediately to the right of the point.  Of spans
+    with equal height and slope, the one with the highest index is returned.
 
     Parameters
     ----------
     lowest : (c, 2)
         Lowest point of each component.
-    spans, owner : (k, 8) and (k,)
-        Spans, and the component of each span.
-    boxes, order : (k, 4) and (k,)
+    spans : (k, 8)
+        Spans of all components.
+    owner : (k,)
+        Component of each span.
+    boxes : (k, 4)
         Bounding boxes of the spans, sorted so that near ones follow one another, as ``BoxTree``
-        requires, and the index of the span of each box.
+        requires.
+    order : (k,)
+        Index of the span of each box.
 
     Returns
     -------

@@ -1,7 +1,8 @@
 """faces: trace the faces of a planar graph, and find the faces on the two sides of every piece.
 
-A face is traced by taking the sharpest left turn at every vertex, so that the face is on the left
-of the path.  The boundary of a bounded face runs counter-clockwise.
+A piece is the part of an edge between two neighbouring vertices of the graph.  A face is traced by
+taking the sharpest left turn at every vertex, so that the face is on the left of the path.  The
+boundary of a bounded face runs counter-clockwise.
 """
 
 from __future__ import annotations
@@ -25,7 +26,11 @@ _FINE: Final = 10_000_000
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Faces:
-    """The f faces of a planar graph with p pieces and c components."""
+    """The f faces of a planar graph: their areas, their components and the faces beside each piece.
+
+    The graph has c connected components and p pieces; a piece is the part of an edge between two
+    neighbouring vertices.
+    """
 
     left: I32  #: (p,) face on the left of each piece
     right: I32  #: (p,) face on the right of each piece
@@ -178,12 +183,13 @@ def _direction(position: F64_2, start: I32_1, end: I32_1, bulge: F64_1, half: in
 
 @kernel(allocates=False)
 def _curvature_rank(position: F64_2, start: I32_1, end: I32_1, bulge: F64_1, half: int) -> float:
-    """Return a number that grows with the curvature of half-edge ``half``, positive to the left.
+    """Return a number that grows with the curvature of half-edge ``half``.
 
-    The number sorts half-edges that leave a vertex in the same direction.  Half-edge 2 i leaves the
-    start of piece i, half-edge 2 i + 1 leaves its end.  ``position`` (q, 2) are the positions of
-    the vertices; ``start``, ``end`` and ``bulge`` (p,) are start vertex, end vertex and bulge of
-    each piece.
+    The number is positive if the half-edge bends to the left, negative if it bends to the right,
+    and 0 if it is straight.  It sorts half-edges that leave a vertex in the same direction.
+    Half-edge 2 i leaves the start of piece i, half-edge 2 i + 1 leaves its end.  ``position`` (q,
+    2) are the positions of the vertices; ``start``, ``end`` and ``bulge`` (p,) are start vertex,
+    end vertex and bulge of each piece.
     """
     p = half // 2
     a, b = start[p], end[p]

@@ -61,7 +61,8 @@ def link_loose_ends(
     loose : (q,)
         Whether only one edge ends at each of q vertices.
     gap_of : (2n,)
-        Largest distance from the start and the end of each edge to the edge that it is linked to.
+        Search distance of the start and of the end of each edge: another edge must be nearer to a
+        dangling end than this to be linked to it.
     vertices
         The q vertices.
 
@@ -109,16 +110,18 @@ def _find_targets(
 ) -> None:
     """Find the nearest edge ahead of each dangling end of edges ``begin`` … ``end`` - 1.
 
-    The search distance of an end is its entry in ``gap_of``.  It is at least ``ahead`` for a long
-    straight edge with two dangling ends that has other edges straight ahead of both ends, at most
-    ``ahead`` away.
+    An edge is found only within the search distance of the end, its entry in ``gap_of``.  The
+    search distance is raised to ``ahead`` for both ends of an edge that is long and straight,
+    dangles at both ends, and has another edge straight ahead of each end within ``ahead``.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) and (n,)
         Start and end points and bulges of the edges.
-    end_vertex, twin : (2n,) and (n,)
-        Vertex of each end, and the first edge that coincides with each edge.
+    end_vertex : (2n,)
+        Vertex of the start and of the end of each edge.
+    twin : (n,)
+        First edge that coincides with each edge, the edge itself if there is none.
     loose : (q,)
         Whether only one edge ends at each vertex.
     ahead

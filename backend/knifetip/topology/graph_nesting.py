@@ -1,9 +1,12 @@
 """graph_nesting: find the face of a drawing's planar graph that contains each connected component.
 
-A ray runs to the left from the leftmost vertex of a component.  The first piece of another
-component that the ray meets bounds the face that contains the first component, or belongs to a
-component that is in the same face.  The ray starts beside the vertex, because pieces meet only
-within a tolerance.
+A horizontal ray runs to the left from the leftmost vertex of a component.  The first piece of
+another component that the ray meets bounds the face that contains the first component, or belongs
+to a component that is in the same face.  A piece is the part of an edge between two neighbouring
+vertices.
+
+The ends of pieces at one vertex are equal only within a tolerance.  A ray at exactly the height of
+a vertex could pass between them, so each ray starts a fraction of the tolerance above its vertex.
 
 ``exact_nesting`` does the same for edges that meet exactly at their ends.
 """
@@ -26,7 +29,11 @@ from knifetip.topology.segment import BULGE
 
 
 class LeftNeighbours(NamedTuple):
-    """For each of c components, the nearest piece of another component to its left."""
+    """For each of c components of a planar graph, its left neighbour.
+
+    The left neighbour is the first piece of another component that a ray meets which runs to the
+    left from the component.  A piece is the part of an edge between two neighbouring vertices.
+    """
 
     piece: I32  #: (c,) first piece to the left of each component, -1 for none
     upward: Bool  #: (c,) whether that piece runs upwards where the ray meets it
@@ -35,7 +42,10 @@ class LeftNeighbours(NamedTuple):
 def find_left_neighbours(
     graph: PlanarGraph, ends: F64, bulge: F64, tolerance: float
 ) -> LeftNeighbours:
-    """Return the nearest piece of another component to the left of each component of a graph.
+    """Return the left neighbour of each connected component of a planar graph, if it has one.
+
+    The left neighbour is the first piece of another component that a ray meets which runs to the
+    left from the component.  A piece is the part of an edge between two neighbouring vertices.
 
     Parameters
     ----------
@@ -101,9 +111,11 @@ def _find_left(
     begin: int,
     end: int,
 ) -> None:
-    """Find the nearest pieces to the left of components ``begin`` … ``end`` - 1.
+    """Find the left neighbours of the components ``begin`` … ``end`` - 1 of a planar graph.
 
-    A ray runs to the left from the leftmost vertex of each component.
+    A ray runs to the left from the leftmost vertex of each component.  The left neighbour is the
+    first piece of another component that the ray meets.  A piece is the part of an edge between two
+    neighbouring vertices.
 
     Parameters
     ----------
@@ -113,15 +125,20 @@ def _find_left(
         Grid that lists the edges in each cell.
     position : (q, 2)
         Positions of the vertices.
-    first_piece, parameter : (n + 1,) and (p,)
-        First piece of each edge, and the parameter on the edge at which each piece starts.
-    component, leftmost : (p,) and (c,)
-        Component of each piece, and leftmost vertex of each component.
+    first_piece : (n + 1,)
+        Index of the first piece of each edge.
+    parameter : (p,)
+        Parameter on the edge, 0 … 1, at which each piece starts.
+    component : (p,)
+        Component of each piece.
+    leftmost : (c,)
+        Leftmost vertex of each component.
     tolerance
         Largest distance between ends that became one vertex.
-    piece, upward : (c,)
-        Receive the piece that the ray of each component meets first, and whether this piece runs
-        upwards there.  Not changed for a component whose ray meets no piece.
+    piece : (c,)
+        Receives the left neighbour of each component; unchanged for a component without one.
+    upward : (c,)
+        Receives whether the left neighbour runs upwards at the point at which the ray meets it.
     """
     low, size, side, first, listed = grid
     for c in range(begin, end):
@@ -191,11 +208,12 @@ def _containing_faces(hit: I32_1, outside: I32_1, owner: I32_1) -> Any:
 
 @inline_kernel
 def _x_at(ends: F64_3, bulge: F64_1, i: int, y: float, root: int) -> tuple[float, bool]:
-    """Return the x coordinate of edge ``i`` at height ``y``, and whether it runs upwards there.
+    """Return the x coordinate of edge ``i`` at height ``y``, and whether the edge rises there.
 
-    The x coordinate is NaN if the edge does not reach that height.  ``root`` is 0 for the left half
-    and 1 for the right half of the circle of an arc; it has no effect on lines.  ``ends`` (n, 2, 2)
-    and ``bulge`` (n,) are the end points and bulges of the edges.
+    The x coordinate is NaN if the edge does not reach that height.  The edge rises if it runs
+    upwards from its start to its end.  ``root`` is 0 for the left half and 1 for the right half of
+    the circle of an arc; it has no effect on lines.  ``ends`` (n, 2, 2) and ``bulge`` (n,) are the
+    end points and bulges of the edges.
     """
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     bx, by = ends[i, 1, 0], ends[i, 1, 1]

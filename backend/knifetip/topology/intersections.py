@@ -33,7 +33,7 @@ class Splits(NamedTuple):
 
 
 def concatenate(*several: Splits) -> Splits:
-    """Return one record with the splits of all given records, in their order."""
+    """Return one record with the splits of all records in ``several``, in their order."""
     return Splits(*(np.concatenate(column) for column in zip(*several, strict=True)))
 
 

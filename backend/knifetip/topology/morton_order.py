@@ -76,7 +76,10 @@ def _count_leaps(ends: F64_3, max_step: float) -> int:
 
 @kernel
 def _sort_by_cell(ends: F64_3, left: float, low: float, scale: float) -> Any:
-    """Return the rows of n edges, (n,), sorted by the Morton code of the cell of the start point.
+    """Return the indices of n edges in Morton order, (n,), which puts neighbours close together.
+
+    The edges are sorted by the Morton code of a grid cell: the cell that contains the start point
+    of the edge.
 
     Parameters
     ----------

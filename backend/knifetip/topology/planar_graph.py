@@ -32,7 +32,11 @@ from knifetip.topology.vertices import VertexTable, first_coincident, merge_ends
 
 @dataclass(frozen=True, eq=False, slots=True)
 class PlanarGraph:
-    """A planar graph of n edges: p pieces and links, q vertices and c connected components."""
+    """A planar graph of n edges, with p pieces, q vertices and c connected components.
+
+    A piece is the part of an edge between two neighbouring vertices, or a link: a straight
+    connection of two vertices that closes a gap and belongs to no edge.
+    """
 
     grid: EdgeGrid
     vertex: F64  #: (q, 2) position of each vertex
@@ -51,7 +55,10 @@ class PlanarGraph:
     dashed: Bool  #: (n,) whether each edge is a dash of a row
 
     def chords(self) -> F64:
-        """Return the distance between the two ends of each piece, (p,)."""
+        """Return the straight distance between the start and the end vertex of each piece, (p,).
+
+        A piece is the part of an edge between two neighbouring vertices of the graph.
+        """
         chord: F64 = _chords(self.vertex, self.start, self.end)
         return chord
 
@@ -172,6 +179,9 @@ def _merge_vertices(ends: F64, bulge: F64, tolerance: float) -> tuple[VertexTabl
 def connected_components(position: F64_2, start: I32_1, end: I32_1) -> Any:
     """Return the component of each piece, (p,), and the leftmost vertex of each component, (c,).
 
+    A piece is a line or arc that connects two vertices of a planar graph.  A component is a set of
+    connected pieces.
+
     Parameters
     ----------
     position : (q, 2)
@@ -209,14 +219,18 @@ def _dangling_vertices(
 ) -> Any:
     """Return the mask of vertices at which one edge ends and no edge is split, (vertex_count,).
 
+    Coincident edges count as one edge.
+
     Parameters
     ----------
-    end_vertex, twin : (2n,) and (n,)
-        Vertex of the start and the end of each edge, and the first edge that coincides with each
-        edge, which is the edge itself if there is none.
-    end_splits, crossing_splits
-        Vertices at which edges are split by the ends of other edges, and vertices at which they are
-        split at crossings.
+    end_vertex : (2n,)
+        Vertex of the start and of the end of each of n edges.
+    twin : (n,)
+        First edge that coincides with each edge, the edge itself if there is none.
+    end_splits
+        Vertices at which an edge is split because another edge ends on it.
+    crossing_splits
+        Vertices at which edges are split because they cross.
     """
     degree = np.zeros(vertex_count, np.uint8)
     for half in range(len(end_vertex)):

@@ -2,7 +2,8 @@
 
 Points within a tolerance of each other become one vertex: a point gets the nearest existing vertex
 within the tolerance, or a new vertex if there is none.  Points with equal coordinates always get
-the same vertex, even if a nearer vertex is added after the first of them.
+the same vertex: that of the first of these points, even if a vertex that is nearer to them was
+added later.
 """
 
 from __future__ import annotations
@@ -198,12 +199,12 @@ def vertex_at(
 def _nearest_vertex(
     x: float, y: float, tolerance: float, point: F64_2, head: I32_1, next_vertex: I32_1
 ) -> int:
-    """Return the nearest vertex within the tolerance of (``x``, ``y``), or a negative number.
+    """Return the index of the vertex nearest to (``x``, ``y``) within the tolerance.
 
-    The number is ``_NONE`` if no vertex is within the tolerance.  If several vertices are within
-    the tolerance, and none is exactly at the point, the number is ``_SEVERAL`` minus the nearest
-    vertex, because returning a second value would take longer.  ``point``, ``head`` and
-    ``next_vertex`` are columns of a ``VertexTable``.
+    Two negative results are possible.  The result is -1 if no vertex is within the tolerance.  It
+    is -2 minus the index of the nearest vertex if several vertices are within the tolerance and
+    none of them is exactly at the point.  ``point``, ``head`` and ``next_vertex`` are columns of a
+    ``VertexTable``.
     """
     mask = len(head) - 1
     fx, fy = x / (_CELL * tolerance), y / (_CELL * tolerance)

@@ -1,11 +1,12 @@
 """evidence: find the unit of a drawing from all evidence together.
 
 The result is a ``UnitFinding``: the unit, or none if the user must choose, and the evidence.  The
-header of the file is one kind of evidence among several.  Each kind gives every unit a weight:
-the natural logarithm of the likelihood of the unit relative to the least likely unit.  The weights
-of all kinds are added to a total weight for each unit.  The unit that the header states is kept if
-its total weight is the greatest by a margin.  A unit that the header does not state is chosen only
-by a larger margin.  Otherwise the user must choose.
+candidates are all units that the program supports, such as mm, in and pt.  The header of the file
+is one kind of evidence among several.  Each kind gives every candidate a weight: the natural
+logarithm of its likelihood relative to the least likely candidate.  The weights of all kinds are
+added to a total weight for each candidate.  The unit that the header states is kept if its total
+weight is the greatest by a margin.  A unit that the header does not state is chosen only by a
+larger margin.  Otherwise the user must choose.
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ from knifetip.units.text_evidence import text_evidence
 
 
 def find_unit(drawing: Drawing) -> UnitFinding:
-    """Return the unit of a drawing, the evidence for each unit, and warnings.
+    """Return the unit of a drawing, the evidence for all candidate units, and warnings.
 
     The unit is empty if the evidence is not conclusive.  The evidence is computed from the
     coordinates in the file, so it does not depend on the unit in which the drawing was read.  The
@@ -165,11 +166,11 @@ def _contradictions(drawing: Drawing, lengths: Lengths, best: str, lead: float) 
 
 
 def _header_evidence(drawing: Drawing) -> list[UnitEvidence]:
-    """Return one piece of evidence for each unit, from the unit that the file's header states.
+    """Return the evidence for each candidate unit from the header of the file.
 
-    The weight of a unit is computed from the fraction of carton drawings with the same header that
-    are in the unit.  A header that states no unit counts as a header too.  The unit with the least
-    fraction has no entry in the list, because its weight is 0.
+    The weight of a candidate is computed from a fraction: how many of the carton drawings whose
+    header states the same unit, or states no unit if this one states none, are really in the
+    candidate unit.  The least likely candidate has the weight 0 and no entry in the list.
     """
     fractions = weights.STATED[drawing.stated]
     least = min(fractions.values())

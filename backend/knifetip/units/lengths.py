@@ -1,8 +1,8 @@
 """lengths: evidence for the unit from the lengths of a drawing's edges.
 
-The lengths are measured in file units; the result is a weight for each unit.  The weights come from
-the size of the drawing, from its shortest edges, and from the grid: the spacing, such as 1 mm or
-1/16 in, of which the lengths of edges are multiples.  The grid is the strongest evidence.
+The lengths are measured in file units; the result is a weight for each candidate unit.  The weights
+come from the size of the drawing, from its shortest edges, and from the grid: the spacing, such as
+1 mm or 1/16 in, of which the lengths of edges are multiples.  The grid is the strongest evidence.
 Designers who draw in millimetres choose panels of whole or half millimetres; designers who draw in
 inches choose sixteenths.  If x is a length in file units and f the number of millimetres in one
 file unit, f x is a round number only with the right f:
@@ -164,7 +164,7 @@ def _bounding_box(ends: F64, bulge: F64, straight: Bool) -> tuple[float, float, 
 def _quantum(ends: F64) -> float:
     """Return the value of the last decimal place of the coordinates ``ends``, for example 0.01.
 
-    The value is 0 if the coordinates are not rounded to at most six decimal places.
+    The value is 1 for whole numbers, and 0 if the coordinates have more than six decimal places.
     """
     flat = ends.reshape(-1)
     sample = np.abs(flat[:: max(1, len(flat) // _SAMPLE)])
@@ -176,11 +176,11 @@ def _quantum(ends: F64) -> float:
 
 
 def relative_weights(weight: Mapping[str, float]) -> dict[str, float]:
-    """Return for each unit its weight of evidence minus the least weight of all units.
+    """Return for each candidate unit its weight of evidence, 0 for the least likely unit.
 
-    ``weight`` contains for each unit the logarithm of its likelihood.  Before the subtraction, a
-    weight below the greatest weight minus ``weights.HEAVIEST`` is raised to that limit, so that no
-    result is greater than ``HEAVIEST``.
+    ``weight`` contains the logarithm of the likelihood of each candidate.  The result is this
+    logarithm minus the least one.  No result is greater than ``weights.HEAVIEST``: logarithms that
+    are more than this below the greatest one are raised first.
     """
     most = max(weight.values())
     cut = {unit: max(value, most - weights.HEAVIEST) for unit, value in weight.items()}
@@ -191,17 +191,17 @@ def relative_weights(weight: Mapping[str, float]) -> dict[str, float]:
 def evidence_of_units(
     kind: str, weight: Mapping[str, float], message: Mapping[str, Message]
 ) -> list[UnitEvidence]:
-    """Return one ``UnitEvidence`` for each unit, all of the same kind.
+    """Return one ``UnitEvidence`` for each candidate unit, all of the same kind.
 
     Parameters
     ----------
     kind
         Name of the kind of evidence, which is stored in each record.
     weight
-        For each unit, the logarithm of its likelihood; ``relative_weights`` converts these to the
-        weights of the evidence.
+        For each candidate unit, the logarithm of its likelihood; ``relative_weights`` converts
+        these to the weights of the evidence.
     message
-        For each unit, the message that describes the evidence.
+        For each candidate unit, the message that describes the evidence.
     """
     return [
         UnitEvidence(unit, message[unit], value, kind)
@@ -210,10 +210,10 @@ def evidence_of_units(
 
 
 def size_evidence(lengths: Lengths) -> list[UnitEvidence]:
-    """Return the evidence for each unit from the longer side of the drawing.
+    """Return the evidence for each candidate unit from the longer side of the drawing.
 
-    A unit in which this side has a usual length for a carton gets a greater weight.  ``lengths`` is
-    the size of the drawing in file units.
+    A unit gets a greater weight if this side, measured in the unit, has a usual length for a
+    carton.  ``lengths`` contains the size of the drawing in file units.
     """
     weight = {
         unit: _interpolate(weights.SIZE, lengths.longer * scale)
@@ -228,7 +228,7 @@ def size_evidence(lengths: Lengths) -> list[UnitEvidence]:
 
 
 def feature_evidence(lengths: Lengths) -> list[UnitEvidence]:
-    """Return the evidence for each unit from the shortest edge of the drawing.
+    """Return the evidence for each candidate unit from the shortest edge of the drawing.
 
     Slots and small flaps have usual lengths, since these depend on the caliper of the board.  The
     list is empty if the drawing has too few straight edges.  ``lengths`` are the lengths of the
@@ -248,10 +248,10 @@ def feature_evidence(lengths: Lengths) -> list[UnitEvidence]:
 
 
 def paper_evidence(lengths: Lengths) -> list[UnitEvidence]:
-    """Return evidence for each unit in which the drawing has the size of a paper, such as A4.
+    """Return evidence for each unit in which the drawing would be as large as a paper, such as A4.
 
     The drawing may have this size because it contains a frame or the outline of a page.
-    ``lengths`` is the size of the drawing in file units.
+    ``lengths`` contains the size of the drawing in file units.
     """
     shorter, longer = sorted((lengths.width, lengths.height))
     found_in = []
@@ -265,7 +265,7 @@ def paper_evidence(lengths: Lengths) -> list[UnitEvidence]:
 
 
 def grid_evidence(lengths: Lengths) -> list[UnitEvidence]:
-    """Return the evidence for each unit from the edges whose lengths are round numbers in the unit.
+    """Return the evidence for each candidate unit: how many edge lengths are round numbers in it.
 
     The list is empty if the drawing has no straight edges.  ``lengths`` are the lengths of the
     edges in file units.
@@ -277,8 +277,9 @@ def grid_evidence(lengths: Lengths) -> list[UnitEvidence]:
 
 
 def grid_likelihood(lengths: Lengths) -> dict[str, float]:
-    """Return for each unit the log-likelihood of the edges' lengths if the drawing is in this unit.
+    """Return for each candidate unit the log-likelihood of the edge lengths.
 
+    It is the logarithm of the probability of these lengths if the drawing is in the candidate unit.
     ``lengths`` are the lengths in file units.
     """
     result = {}
@@ -329,8 +330,8 @@ def _log_likelihood(value: F64, exact: float, table: Mapping[float, float], scal
 def _grid_message(lengths: Lengths, unit: str) -> Message:
     """Return the message that names the best grid spacing and how many lengths are multiples of it.
 
-    The best grid spacing is the one for which the edges whose length is a multiple of it have the
-    greatest total length.
+    For each grid spacing, the total length of the edges whose lengths are multiples of it is
+    computed.  The best grid spacing is the one with the greatest total length.
 
     Parameters
     ----------

@@ -43,7 +43,7 @@ def choose_unit(drawing: Drawing, read_in: Callable[[str], Drawing]) -> Drawing:
 def _unit_evidence(finding: UnitFinding, drawing: Drawing) -> Message:
     """Return the message that explains why the unit that the file states was not kept.
 
-    ``finding`` is the evidence for each unit of ``drawing``.
+    ``finding`` is the evidence for all candidate units of ``drawing``.
     """
     best = finding.ranking[0]
     if best == drawing.stated:

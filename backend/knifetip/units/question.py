@@ -1,7 +1,7 @@
 """question: build the question that asks the user for the unit of a drawing.
 
-The question states the size of the drawing in each unit, the likeliest unit first, and the evidence
-for the likeliest unit.
+The possible answers are units, the likeliest one first, each with the size that the drawing would
+have in this unit.  The question also states the evidence for the likeliest unit.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _SHOWN: Final = 2
 def unit_question(drawing: Drawing, finding: UnitFinding) -> Question | None:
     """Return the question that asks the user for the unit; None if the drawing has a unit.
 
-    ``finding`` is the evidence for each unit of the drawing.
+    ``finding`` is the evidence for all candidate units of the drawing.
     """
     if drawing.unit:
         return None
@@ -64,7 +64,7 @@ def unit_question(drawing: Drawing, finding: UnitFinding) -> Question | None:
 def _reason(drawing: Drawing, finding: UnitFinding) -> Message:
     """Return the message that explains why the unit of a drawing is not known.
 
-    ``finding`` is the evidence for each unit.
+    ``finding`` is the evidence for all candidate units.
     """
     if drawing.stated == finding.ranking[0]:
         return Message("question.unit-doubtful", stated=drawing.stated, other=finding.ranking[1])

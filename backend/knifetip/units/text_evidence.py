@@ -1,10 +1,10 @@
 """text_evidence: evidence for the unit from texts and dimensions on the sheet.
 
-The result is a weight for each unit, and warnings about scales.  A number on the sheet that is the
-length of an edge relates the unit of the number to the unit of the file: with "350" beside an edge
-of 13.78, the file is in inches and the text in millimetres.  Some numbers match a length by chance.
-The frequency of such chance matches is measured at scales that are not the ratio of any two units.
-The weight of a match grows with the ratio of its probability to this frequency.
+The result is a weight for each candidate unit, and warnings about scales.  A number on the sheet
+that is the length of an edge relates the unit of the number to the unit of the file: with "350"
+beside an edge of 13.78, the file is in inches and the text in millimetres.  Some numbers match a
+length by chance.  How often this happens is measured at scales that are not the ratio of any two
+units.  The rarer such chance matches are, the greater is the weight of a match.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ class _Number:
 
 
 def text_evidence(drawing: Drawing, lengths: Lengths) -> TextEvidence:
-    """Return the evidence for each unit, and warnings, from the texts of a drawing.
+    """Return the evidence for all candidate units, and warnings, from the texts of a drawing.
 
     ``lengths`` are the lengths of the edges of the drawing.
     """
@@ -136,9 +136,10 @@ def _numbers(text: Annotation, scale: float) -> Iterable[_Number]:
 def _number_evidence(
     numbers: Sequence[_Number], lengths: Lengths, stated: Sequence[str]
 ) -> list[UnitEvidence]:
-    """Return the evidence for each unit from numbers in texts that equal lengths of the drawing.
+    """Return the evidence for each candidate unit from the numbers in texts that match lengths.
 
-    The list is empty if no number equals a length.
+    A number matches if it equals the length of an edge after conversion between two units.  The
+    list is empty if no number matches.
 
     Parameters
     ----------
@@ -220,8 +221,9 @@ def _match(numbers: Sequence[_Number], lengths: Lengths) -> tuple[F64, Bool]:
     Returns
     -------
     gain : (n, ratios)
-        Logarithm of the probability of the outcome (match or no match) if the number states a
-        length, divided by the probability of the same outcome by chance.
+        Log-likelihood ratio of the outcome, which is a match or no match: the logarithm of p / q,
+        where p is the probability of the outcome if the number states a length of the drawing, and
+        q its probability by chance.
     hits : (n, ratios)
         Whether the number, multiplied by the ratio, equals a length.
     """
