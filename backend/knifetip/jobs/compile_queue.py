@@ -61,8 +61,8 @@ class TableQueue:
     poll
         Time between two queries for jobs that another process received (s).
     fraction_compiled
-        Function that takes the name of a machine.  It returns the fraction (0 … 1) of the numba
-        functions needed to compile a job for this machine that have machine code.  While the
+        Function that takes the name of a machine and returns a fraction (0 … 1): the part of the
+        numba functions for compiling jobs for this machine that has machine code.  While the
         fraction is below 1, jobs for this machine stay ``received``; jobs for other machines are
         compiled.
     """
@@ -125,9 +125,9 @@ class TableQueue:
     def _next_job(self) -> Job | None:
         """Take the oldest received job that can be compiled now; return None if there is none.
 
-        The numba functions that compile a job must have machine code.  If those for a machine still
-        have none after ``_PATIENCE`` seconds, each received job for this machine gets a message
-        that it waits.
+        A job can be compiled if all numba functions that its machine needs have machine code.  If
+        they do not have it within ``_PATIENCE`` seconds, a message is stored in the received jobs
+        for the machine.
         """
         machines = self._store.compiles.received_machines()
         compiled = {machine: self._fraction_compiled(machine) for machine in machines}
@@ -178,8 +178,8 @@ def queue_of(
     compiles
         Whether this process compiles jobs; False if it only receives them.
     fraction_compiled
-        Function that takes the name of a machine.  It returns the fraction (0 … 1) of the numba
-        functions needed to compile a job for this machine that have machine code.  Not used with
+        Function that takes the name of a machine and returns a fraction (0 … 1): the part of the
+        numba functions for compiling jobs for this machine that has machine code.  Not used with
         PostgreSQL.
     """
     if store.database.url.startswith("postgresql"):

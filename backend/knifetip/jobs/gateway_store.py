@@ -134,9 +134,10 @@ class GatewayStore:
         return queues
 
     def claim(self, machine: str, gateway: str, *, manual: bool) -> Job | None:
-        """Assign the next queued job of a machine to a gateway; return None if there is none.
+        """Assign the next queued job of a machine to a gateway, and return the job.
 
-        Each claim gives the job a new epoch: a number that the gateway sends with all its reports.
+        Returns None if there is no job to assign.  Each claim gives the job a new epoch: a number
+        that the gateway sends with all its reports.
 
         Parameters
         ----------
@@ -320,11 +321,11 @@ class GatewayStore:
 
         The command is the first of the following that applies:
 
-        - ``cancel`` if the operator has requested it;
+        - ``cancel`` if the operator has requested a cancel;
         - ``hold`` if the operator must first confirm the job, or if the machine is not held
           although the operator must confirm the next sheet;
         - ``hold`` or ``resume`` if this action is requested and the machine has not carried it out;
-        - ``continue``.
+        - ``continue`` in all other cases.
 
         Parameters
         ----------
@@ -527,7 +528,7 @@ class GatewayStore:
 
 
 def silent_gateway_message(gateway: str) -> Message:
-    """Return the message that a gateway sent no heartbeat before its lease expired.
+    """Return the message which states that a gateway has stopped responding.
 
     Parameters
     ----------

@@ -164,7 +164,7 @@ ADVICE: dict[State, Message] = {
 
 
 def sources(action: Action, actor_kind: ActorKind) -> tuple[State, ...]:
-    """Return the states of a job in which an action may be performed; empty if there are none.
+    """Return the states of a job in which an action may be performed; empty if there is none.
 
     Parameters
     ----------

@@ -93,9 +93,9 @@ def learn(
     """Return proposed rules that give edges the line types which the user has set by hand.
 
     A proposed rule should match no edge with a different line type.  Edges for which there is no
-    such rule get rules by layer and colour.  A rule may also change edges that the user did not
-    set, and the result lists these edges: if the user set ten red edges of a layer to crease, an
-    eleventh red edge may have been overlooked.
+    such rule get rules by layer and colour.  A rule may also change edges whose line type the user
+    did not set.  The result lists these edges: if the user set ten red edges of a layer to crease,
+    an eleventh red edge may have been overlooked.
 
     Parameters
     ----------
@@ -109,12 +109,12 @@ def learn(
     Returns
     -------
     list of dict
-        One dict for each proposed rule; rules that are ``sure`` come first.  ``rule`` is the rule
-        as JSON data.  ``explains`` lists the rows of the edges to which the rule gives the line
-        type that the user has set.  ``sure`` is True if the rule changes only edges that have no
-        line type yet.  ``changes`` lists the other edges that the rule would change, with one dict
-        for each pair of line types: ``before`` and ``after`` (names of the line types) and
-        ``edges`` (rows of the edges).
+        One dict for each proposed rule.  ``rule`` is the rule as JSON data.  ``explains`` lists the
+        rows of the edges to which the rule gives the line type that the user has set.  ``changes``
+        lists the other edges that the rule would change, with one dict for each pair of line types:
+        ``before`` and ``after`` (names of the line types) and ``edges`` (rows of the edges).
+        ``sure`` is True if the rule changes only edges that have no line type yet; these rules come
+        first.
     """
     from knifetip import pipeline
     from knifetip.classification.decision.profile_rules import matching_rules
@@ -195,9 +195,9 @@ def _by_attributes(drawing: Drawing, overrides: U8, rows: list[int]) -> list[Lin
 def rule_json(rule: LineRule) -> dict[str, Any]:
     """Return the line type and the conditions of a rule as JSON data.
 
-    ``type`` is the name of the line type.  The other fields are conditions: ``layer``, ``colour``,
-    ``linetype`` (dash pattern in the file), ``entity`` and ``block`` list the permitted values, and
-    ``conditions`` is a message that describes all conditions together.
+    ``type`` is the name of the line type.  ``layer``, ``colour``, ``linetype`` (dash pattern in the
+    drawing file), ``entity`` and ``block`` list the values that the rule requires.  ``conditions``
+    is a message that describes these requirements.
     """
     colours: list[int | str] = [*rule.colour, *(f"#{colour:06x}" for colour in rule.true_colour)]
     return {

@@ -2,11 +2,11 @@
 
     python -m knifetip.jobs.warm_up        compiles all kernels and prints the progress
 
-Kernels are the functions that numba compiles.  Two processes compile the modules with kernels, one
-module after another, in the order of ``warming.GROUPS``: first the kernels that read drawings, then
-those that compile jobs, then those that offset contours.  A request that needs a group of kernels
-waits until this group is compiled; other requests are served meanwhile.  The processes end after
-the last module, because compiling leaves hundreds of megabytes in them.
+Kernels are the functions that numba compiles.  Two processes compile the kernels, module by module,
+in the order of ``warming.GROUPS``: first the kernels that read drawings, then those that compile
+jobs, then those that offset contours.  A request that needs a group of kernels waits until this
+group is compiled; other requests are served meanwhile.  The processes end after the last module,
+because compiling leaves hundreds of megabytes in them.
 """
 
 from __future__ import annotations
@@ -183,7 +183,7 @@ class WarmUp:
         self._on_progress(self.progress)
 
     def wait(self, *groups: str, watch: Watch = lambda _stage, _fraction: True) -> None:
-        """Return when the kernels of some groups are compiled.
+        """Wait until the kernels (functions that numba compiles) of the given groups are compiled.
 
         Parameters
         ----------
@@ -212,10 +212,11 @@ class WarmUp:
                 raise TaskCancelled
 
     def fraction_compiled(self, *groups: str) -> float:
-        """Return the fraction (0 … 1) of the kernels of some groups that are compiled.
+        """Return the fraction (0 … 1) of the kernels of the given groups that are compiled.
 
-        Only kernels without machine code at the start of the warm-up are counted.  The result is 1
-        if all of them are compiled, or if no warm-up is running.
+        Kernels are functions that numba compiles.  Only kernels without machine code at the start
+        of the warm-up are counted.  The result is 1 if all of them are compiled, or if no warm-up
+        is running.
 
         Parameters
         ----------
