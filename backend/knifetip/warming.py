@@ -1,4 +1,4 @@
-"""Find and compile the kernels (compiled functions) of which no machine code is on disk.
+"""Find and compile the kernels (compiled functions) that have no machine code on disk.
 
 A kernel declares the types of its arguments, so it can be compiled before it is used.
 ``GROUPS`` divides the kernels by purpose, such as "drawings", in the order in which a server needs

@@ -99,8 +99,8 @@ def _adjust_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
     paths : Paths
         Paths with n segments, including lead-ins and lead-outs.
     rows : (n,)
-        For each returned segment, the segment of the operation of which it is a part, or that it
-        extends or touches.
+        For each returned segment, the segment of the operation from which it comes; for an
+        extension, a lead-in or a lead-out, the segment of the operation that it adjoins.
     motion : (n,)
         ``Motion`` of each segment: LEAD_IN, FEED or LEAD_OUT.
 

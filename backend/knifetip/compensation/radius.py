@@ -55,9 +55,9 @@ class CentrePaths:
 def centre_paths(operation: Operation) -> CentrePaths:
     """Return the paths of the cutter's centre for an operation, with the unreachable areas.
 
-    The unreachable areas are those beside the contours that the cutter cannot cut away.  Closed
-    centre paths keep the cutter out of all other closed paths of the operation.  Each closed centre
-    path starts in the middle of its longest line, or of its longest arc if it has no line.
+    The unreachable areas lie beside the contours, where the cutter does not fit.  Closed centre
+    paths keep the cutter out of all other closed paths of the operation.  Each closed centre path
+    starts in the middle of its longest line, or of its longest arc if it has no line.
 
     Raises
     ------
@@ -361,8 +361,9 @@ def _lead_in(
 ) -> tuple[F64, F64, F64]:
     """Return lead-ins to centre paths, shortened near other contours.
 
-    A lead-in along which the disc would enter a contour is halved.  If this is not enough, its
-    length becomes 0, so that the tool plunges beside the contour and touches it.
+    If the disc would enter a contour along a lead-in, the lead-in is halved.  If the disc would
+    still enter a contour, the length of the lead-in becomes 0; then the tool plunges at the start
+    of the centre path, where it touches its own contour.
 
     Parameters
     ----------

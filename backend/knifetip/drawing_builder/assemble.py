@@ -284,7 +284,8 @@ def _outcomes(
     length : (n,)
         Length of each segment (file units).
     no_length, duplicate : (n,)
-        Masks of the segments without length, and of those equal to an earlier segment.
+        Mask of the segments without length, and mask of the segments that are equal to an earlier
+        segment.
     first : (n,)
         Index of the first segment that is equal to each segment.
     """

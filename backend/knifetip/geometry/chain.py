@@ -1,8 +1,9 @@
 """chain: connect edges into paths.
 
-Edges whose ends meet are connected.  If three or more ends meet at a point, two of them are
-connected only if one edge continues the other straight, and no third edge continues either of them
-straight: ends that are left open do less harm than ends that are connected wrongly.
+If two ends of edges meet at a point, the two edges are connected.  If three or more ends meet, two
+of them are connected only if one edge continues the other straight, and no third edge continues
+either of these two straight.  In doubtful cases the edges stay unconnected, because a missing
+connection does less harm than a wrong one.
 """
 
 from __future__ import annotations

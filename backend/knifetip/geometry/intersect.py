@@ -210,8 +210,8 @@ def _add_point(
 ) -> int:
     """Append (x, y) to ``points`` if it is on both segments; return the new number of points.
 
-    The point must be on the lines or circles of both segments.  It is not appended if ``points``
-    has a point within ``touch`` mm of it, or has no free row.
+    The point must be on the lines or circles of both segments.  It is left out if ``points``
+    already has a point within ``touch`` mm of (x, y), or if ``points`` has no free row.
 
     Parameters
     ----------

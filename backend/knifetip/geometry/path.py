@@ -242,15 +242,21 @@ def reverse_paths(paths: Paths, mask: Bool) -> tuple[Paths, I32]:
 def start_in_middle(paths: Paths, mask: Bool) -> tuple[Paths, I32]:
     """Return all paths, some of them with their start moved to the middle of a segment.
 
-    The segment is the longest line of the path, or its longest arc if it has no line, so that the
-    blade enters and leaves at a smooth point.  The segment is split in two halves, which become the
-    first and the last segment of the path.  Also returns the input segment that each returned
-    segment comes from.
+    The new start is the middle of the longest line of the path, or of its longest arc if the path
+    has no line, so that the blade enters and leaves at a smooth point.  This segment is split in
+    two halves, which become the first and the last segment of the path.
 
     Parameters
     ----------
     mask : (p,)
         Mask of the paths whose start is moved; they must be closed.
+
+    Returns
+    -------
+    paths : Paths
+        All p paths, with m segments.
+    rows : (m,)
+        Input segment that each returned segment comes from.
     """
     owner = paths.path_of
     along = arc.length(paths.start, paths.end, paths.bulge)

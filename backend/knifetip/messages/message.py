@@ -86,9 +86,9 @@ class Message:
 def from_json(plain: Mapping[str, Any] | str) -> Message:
     """Return the message from the JSON data that ``Message.as_json`` returned.
 
-    Older versions of knifetip stored sentences.  Such a sentence becomes a message with the code
-    ``stored.text``.  A message of another version also gets this code if this version does not have
-    the code of the message, or lists other arguments for it.
+    Older versions of knifetip stored a sentence in place of this data.  Such a sentence becomes a
+    message with the code ``stored.text``.  So does the stored text of a message whose code is
+    unknown to this version of knifetip, or whose arguments are not those of its code.
     """
     if isinstance(plain, str):
         return Message(STORED, text=plain, hint="")

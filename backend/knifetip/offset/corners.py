@@ -85,9 +85,9 @@ def line_crossing(
 def smooth_joint(table: F64_2, row: int, x: float, y: float) -> int:
     """Return the kind of a smooth corner whose moved segments are joined at the point (x, y).
 
-    The kind is ``SHIFTED`` if joining moves the start of the segment after the corner by more than
-    rounding errors, so that its bulge must be computed again, else ``SMOOTH``.  That segment is row
-    ``row`` of ``table``, the moved segments.
+    Joining moves the start of the segment after the corner, which is row ``row`` of ``table``, the
+    moved segments.  The kind is ``SHIFTED`` if the start moves by more than rounding errors, so
+    that the bulge of this segment must be computed again, else ``SMOOTH``.
     """
     shift = abs(x - table[row, SX]) + abs(y - table[row, SY])
     return SHIFTED if shift > NEGLIGIBLE_SHIFT else SMOOTH
@@ -95,7 +95,7 @@ def smooth_joint(table: F64_2, row: int, x: float, y: float) -> int:
 
 @inline_kernel
 def join_segments(table: OutF64_2, row_before: int, row_after: int, x: float, y: float) -> None:
-    """Move the end of the segment before a corner and the start of the one after it to (x, y).
+    """Set the end of the segment before a corner and the start of the segment after it to (x, y).
 
     ``row_before`` and ``row_after`` are the rows of the two segments in ``table``, the moved
     segments.

@@ -130,8 +130,8 @@ def raw_offset(
 ) -> int:
     """Write the moved segments and transitions of a path to ``raw``, for ``region`` to split.
 
-    Neighbouring segments are trimmed only if each of them keeps about half its length.  Arcs of
-    which no part remains are omitted.
+    Neighbouring segments are trimmed only if each of them keeps about half its length.  An arc is
+    omitted if the offset leaves no part of the arc.
 
     Parameters
     ----------

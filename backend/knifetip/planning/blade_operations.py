@@ -214,11 +214,15 @@ def plan_perforations(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
 
 
 def _split_into_dashes(paths: Paths, cut: float, gap: float) -> tuple[Paths, I32]:
-    """Split p perforated paths into dashes; return one path for each dash, and for each segment of
-    these new paths the index of the segment in ``paths`` of which it is a part.
+    """Split p perforated paths into dashes.
 
     Every perforated path starts and ends with a dash, so that the board tears from the path's ends.
     The dashes are ``cut`` mm long; the gaps between them are equal, and at most ``gap`` mm.
+
+    Returns
+    -------
+    One path for each dash, and for each segment of these new paths the index of the segment in
+    ``paths`` from which it comes.
     """
     length = paths.lengths
     count = np.maximum(1, np.ceil((length + gap) / (cut + gap) - 1e-9)).astype(np.int64)

@@ -2,8 +2,8 @@
 
 Bridges are first spaced equally around the contour.  Then each is moved to the nearest permitted
 position: on a straight segment, 5 mm away from sharp corners, or in the middle of a segment that is
-too short for this.  Arcs are used only if the straight segments do not suffice.  A slot so narrow
-that the cutter clears it completely while it cuts one side gets no bridge.
+too short for this.  Arcs are used only if the straight segments do not suffice.  A narrow slot gets
+no bridge if the cutter, while it cuts one side of the slot, also removes the other side.
 
 The board is weak at a point at which a slit opens into the contour, or a crease ends on it.
 Bridges stay 5 mm away from such points, if possible.
@@ -37,7 +37,7 @@ _TRIES = 16
 
 
 class Spacing(NamedTuple):
-    """Length of bridges along a path, and the greatest distance between two neighbouring ones."""
+    """Length of bridges along a path, and the greatest distance between neighbouring bridges."""
 
     gap: float  #: mm of the path that a bridge takes
     most: float  #: greatest distance between the middles of two neighbouring bridges (mm)
@@ -85,7 +85,7 @@ def place_bridges(
 
 
 def ends_of_others(dieline: Dieline, rows: I32) -> F64:
-    """Return the start and end points, (m, 2) mm, of all edges of a dieline but those in ``rows``.
+    """Return the ends, (m, 2) mm, of those edges of a dieline that are not in ``rows``.
 
     ``rows`` are indices of edges in the dieline.  Ignored and unclassified edges are left out too.
     """
@@ -219,7 +219,7 @@ def _place_on_contour(
 
 
 def _drop_spare(middle: F64, length: float, spacing: float) -> F64:
-    """Remove superfluous bridges; return the positions of the remaining ones along a contour (mm).
+    """Remove superfluous bridges; return the positions of the remaining bridges, ascending (mm).
 
     A bridge is superfluous if the bridges before and after it are not more than ``spacing`` mm
     apart.  At least two bridges remain.  ``middle`` are the positions of the bridges along a closed

@@ -49,11 +49,12 @@ class _NearbyChords:
         return _NearbyChords(*(getattr(self, name)[rows] for name in self.__slots__))
 
     def clip(self, column: F64, least: F64 | float, greatest: F64 | float) -> _NearbyChords:
-        """Return only those parts of the chords on which a coordinate is in a range.
+        """Return the pairs, each chord shortened to the part on which a coordinate is in a range.
 
         The range is ``least`` … ``greatest`` (mm), for all chords or for each one.  ``column`` is
         ``self.along`` or ``self.offset``: the coordinate at the two ends of each chord, (k, 2) mm.
-        A chord without a part in the range is left out, also if ``least`` exceeds ``greatest``.
+        A pair is left out if its chord has no part in the range.  A range whose ``least`` exceeds
+        ``greatest`` contains nothing.
         """
         first, step = column[:, 0], column[:, 1] - column[:, 0]
         level = np.abs(step) < 1e-12
@@ -205,8 +206,9 @@ def _ends_on_cuts(nearby: _NearbyChords, length: F64, reach: float, run_out: F64
 def _crosses_between_flanks(strip: _NearbyChords, reach: float) -> Bool:
     """Return the mask of the chords whose cut crosses the groove and ends between its flanks, (k,).
 
-    A cut crosses the groove if the part of it in ``strip`` extends at least as far across the
-    groove as along it.  ``reach`` is the distance of the flanks from the groove's line (mm).
+    ``strip`` contains the parts of the cuts near the grooves.  Such a part crosses the groove if it
+    has points on both sides of the groove's line, and extends across the groove at least as far as
+    along the groove.  ``reach`` is the distance of the flanks from the groove's line (mm).
     """
     if len(strip.path) == 0:
         return np.zeros(0, np.bool_)

@@ -37,8 +37,8 @@ def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
         have gaps of up to ``CONTOUR_GAP``.
     contour : (n,)
         Number of the closed contour to which each cut belongs, -1 for none.  All cuts of a contour
-        get one layer, unless contours enclose each other in a cycle; then each cut gets its own
-        layer.
+        get the same layer.  But if contours enclose each other in a cycle, the contours are
+        disregarded, and each cut gets its own layer.
 
     Raises
     ------

@@ -1,7 +1,7 @@
 """noding: split edges where other edges end on them or cross them.
 
-The functions return the pieces of all edges, which meet only at their ends, and the index of the
-edge of which each piece is a part.
+The functions return the pieces of all edges, and for each piece the index of the edge from which it
+comes.  The pieces meet only at their ends.
 """
 
 from __future__ import annotations

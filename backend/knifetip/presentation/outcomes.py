@@ -168,7 +168,7 @@ def _groups(
 
 
 def _merge_groups(groups: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Return the groups after merging those with equal outcome and reason.
+    """Merge groups that have the same outcome and reason, and return all groups.
 
     The number and the length of a merged group are the sums of the numbers and lengths of its
     parts.

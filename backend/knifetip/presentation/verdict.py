@@ -48,7 +48,7 @@ def verdict_summary(verdict: Verdict) -> dict[str, Any]:
     mistake).  The sums over all edges (mm) are ``uncut_total`` and ``setback_total`` (length not
     machined by plan).  ``unreached`` is the total of the areas that no cutter reaches (mm²),
     ``unreached_places`` the number of these areas.  ``accepted``, ``tolerance`` (mm) and
-    ``seconds`` are those of the verdict.
+    ``seconds`` are copied from the verdict.
     """
     return {
         "accepted": bool(verdict.accepted),

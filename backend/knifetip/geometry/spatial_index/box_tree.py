@@ -39,7 +39,7 @@ _STACK_LENGTH: Final = 16 * NODE_SIZE
 class BoxTree(NamedTuple):
     """A packed tree over n bounding boxes.
 
-    It has t boxes: the n given ones, and those of the nodes of the tree.
+    Its array of boxes has t rows: the n given boxes, then the boxes of the tree's nodes.
     """
 
     boxes: F64_2  #: (t, 4) x0, y0, x1, y1 of the n given boxes, then of the nodes above them

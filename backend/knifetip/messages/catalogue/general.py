@@ -1,4 +1,4 @@
-"""general: messages of no single area, such as stored texts and the positions of faults."""
+"""general: messages for all areas of knifetip, such as stored texts and the positions of faults."""
 
 from __future__ import annotations
 
