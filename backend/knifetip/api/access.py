@@ -196,10 +196,9 @@ def _without_key(
 def _is_listed(rules: AccessRules, facts: RequestFacts, host: Authority) -> bool:
     """Return whether the Host header of a request names this server.
 
-    It must contain a loopback name, the local IP address of the connection, or an entry of
-    ``rules.hosts``.  This prevents DNS rebinding: an attacker can let a domain name of his own
-    refer to this server, but the Host header then contains this domain name, so the request is
-    refused.
+    The header must contain a loopback name, the local IP address of the connection, or an entry of
+    ``rules.hosts``.  This prevents DNS rebinding: an attacker can let his own domain name refer to
+    this server, but then the Host header contains this domain name, so the request is refused.
 
     Parameters
     ----------

@@ -150,7 +150,7 @@ def get_edges(
     id: DrawingId,
     format: DataFormat = "json",
 ) -> Response:
-    """List the edges of a drawing, as JSON or as binary columns (``format=columns``)."""
+    """List the edges of a drawing, as JSON or as binary arrays (``format=columns``)."""
     row = service.store.drawings.get_with(id, "edges")
     if format == "columns":
         return bytes_response(request, row.edges, str(row.version), "application/octet-stream")

@@ -218,7 +218,8 @@ def _journal_path(database: str) -> Path | None:
 class _SimulatedMachine(threading.Thread):
     """Thread with its own event loop for the simulated machine and the gateway of the machine.
 
-    The machine updates its position many times a second, which must not delay the server.
+    The machine updates its position many times a second.  It has its own thread so that these
+    updates do not delay the server.
     """
 
     def __init__(self, host: str, port: int, speed: float, journal: Path | None) -> None:

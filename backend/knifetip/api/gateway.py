@@ -1,4 +1,7 @@
-"""Routes for gateways: claim a job, download its program, send heartbeats and finish the job."""
+"""Routes for gateways: claim a job, download its program, send heartbeats and finish the job.
+
+A gateway is a program that fetches jobs from the server and controls one machine.
+"""
 
 from __future__ import annotations
 
@@ -89,7 +92,10 @@ async def get_gateway_program(service: ServiceDep, request: Request, id: JobId) 
 
 @router.post("/heartbeat")
 async def heartbeat(service: ServiceDep, report: HeartbeatIn) -> HeartbeatOut:
-    """Report the progress of a job, renew its lease and get the next command for the machine."""
+    """Report the progress of a job, renew its lease and get the next command for the machine.
+
+    The lease is the time for which a gateway owns the job without a new heartbeat.
+    """
     command = await service.threads.reports(
         service.store.gateways.heartbeat,
         report.job,

@@ -188,7 +188,7 @@ def get_verdict(
     id: JobId,
     format: DataFormat = "json",
 ) -> Response:
-    """Get the verdict on a job's program, with measurements per edge, as JSON or binary columns."""
+    """Get the verdict on a job's program, with measurements per edge, as JSON or binary arrays."""
     row = service.store.jobs.get(id)
     block = service.store.jobs.column(id, "verdict")
     if format == "columns":
@@ -224,9 +224,9 @@ def verdict_out(block: bytes) -> VerdictOut:
 
 @router.get("/{id}/toolpath", response_class=Response, responses={200: BINARY})
 def get_toolpath(service: ServiceDep, request: Request, id: JobId) -> Response:
-    """Get the tool path of a job as binary columns; each of its n moves of the head is one row.
+    """Get the tool path of a job as binary arrays; each of its n moves of the head is one row.
 
-    The columns are ``pose`` (n + 1 positions, at the start and after each move: X and Y of the
+    The arrays are ``pose`` (n + 1 positions, at the start and after each move: X and Y of the
     head's axis and Z of the tool's tip in mm, C in degrees), ``bulge`` (tan(sweep / 4) of an arc, 0
     for a line), ``motion`` (number of the kind of the move, such as 0 for a rapid move), ``feed``
     (mm/min), ``source`` (row of the processed edge in the drawing; -1 between edges), ``tool``

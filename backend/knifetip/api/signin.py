@@ -143,8 +143,8 @@ def retry_url(request: Request) -> str:
     """Return a URL with which a browser can repeat a refused request for the page.
 
     If a user follows a link from another web site, the browser omits the session cookie, and the
-    request is refused.  If the refusal page then loads the returned URL, the browser sends the
-    cookie.  The result is "" if the refused request already had such a URL.
+    request is refused.  If the sign-in page in the response then loads the returned URL, the
+    browser sends the cookie.  The result is "" if the refused request already had such a URL.
     """
     # A different URL: a reload of the same one would still count as a request of the other site.
     if _AGAIN in request.query_params:

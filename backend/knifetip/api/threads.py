@@ -20,7 +20,8 @@ T = TypeVar("T")
 class GatewayThreads:
     """Two thread pools for requests of gateways: one for claims of jobs, one for reports on jobs.
 
-    Waiting claims therefore cannot delay a report.
+    A claim can wait a long time for a job.  Because of the separate pools, waiting claims do not
+    delay the reports.
     """
 
     def __init__(self) -> None:

@@ -10,7 +10,7 @@ from knifetip.jobs.changes import Changes
 
 
 class Wake:
-    """An event for coroutines; every change of a job or drawing sets it, on any thread."""
+    """An event for coroutines, which is set by every change of a job or drawing in any thread."""
 
     def __init__(self) -> None:
         self._event = asyncio.Event()

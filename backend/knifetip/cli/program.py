@@ -64,7 +64,7 @@ class CornerType(Enum):
 
 
 class Interference(Enum):
-    """The choice for contours into which a cutter does not fit.
+    """How to treat a contour into which a cutter does not fit.
 
     ``trim`` leaves the areas uncut that the cutter cannot reach; ``refuse`` compiles no program.
     """

@@ -33,7 +33,7 @@ DATABASE = "sqlite:///knifetip.sqlite"
 
 @dataclass(frozen=True, slots=True)
 class PartOptions:
-    """Options of the command ``knifetip serve`` for optional tasks of the server process.
+    """Options of the command ``knifetip serve`` that select optional tasks of the server process.
 
     The options state whether the process compiles jobs, whether it runs a simulated machine and at
     which speed, and whether it adds the sample drawings to a new database.

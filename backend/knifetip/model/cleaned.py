@@ -184,7 +184,7 @@ class Cleaned:
         Parameters
         ----------
         handles : (n,)
-            Handles of the drawn edges.
+            For each drawn edge, the handle of its entity (the identifier in the file).
         """
         return {
             "lengths": self.lengths,

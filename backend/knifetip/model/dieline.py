@@ -12,7 +12,7 @@ from knifetip.messages import Message
 
 
 class LineType(IntEnum):
-    """The operation that makes an edge, such as cut or crease, or the reason why none makes it."""
+    """The operation that makes an edge, such as cut or crease, or the reason for no operation."""
 
     UNCLASSIFIED = 0
     CUT = 1
@@ -46,7 +46,7 @@ class LineType(IntEnum):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Dieline:
-    """n edges with their line types, in the order of the drawing and not yet connected to paths."""
+    """n edges with their line types, in the order of the drawing; they are not joined to paths."""
 
     ends: F64  #: (n, 2, 2) mm
     bulge: F64  #: (n,) tan(sweep / 4)

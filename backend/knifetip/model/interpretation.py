@@ -31,5 +31,8 @@ class Interpretation:
 
     @property
     def override_column(self) -> U8 | None:
-        """Override of each edge, (n,): ``NO_OVERRIDE`` or a LineType; None without overrides."""
+        """Override of each edge, (n,): the LineType set by the user, or ``NO_OVERRIDE``.
+
+        The value is None if the interpretation contains no overrides.
+        """
         return np.frombuffer(self.overrides, np.uint8) if self.overrides else None

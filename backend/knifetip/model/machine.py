@@ -44,7 +44,7 @@ class Station:
         return kind_of(self.tool).switching == Switching.CUT
 
     def planner(self, line_type: LineType) -> Planner:
-        """Return the planner for ``line_type``: the function that turns edges into operations.
+        """Return the planner with which edges of a line type become operations of the tool.
 
         Raises
         ------
@@ -88,7 +88,7 @@ class Machine:
 
     @property
     def has_beam(self) -> bool:
-        """Whether a station has a laser, which must be off in all air moves."""
+        """Whether a station has a laser, which must be off in all moves between cuts."""
         return any(station.is_beam for station in self.stations)
 
     @property

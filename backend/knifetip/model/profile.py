@@ -1,6 +1,6 @@
 """Records of a classification profile: rules that assign line types to edges.
 
-The rules compare the layer, colour, dash pattern, entity kind and block of an edge.
+A rule has conditions on the layer, colour, dash pattern, entity kind and block of an edge.
 """
 
 from __future__ import annotations

@@ -46,7 +46,7 @@ def _none() -> F64:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Samples:
-    """Deviations of the tool's tip from the edges at m points of the edges, shown on the page.
+    """Deviations of the tool's tip from the edges at m points of the edges, for the web page.
 
     The number m is at most 200,000.
     """

@@ -359,7 +359,7 @@ class EdgeOut(BaseModel):
 
 
 class EdgesOut(BaseModel):
-    """All edges of a drawing; ``format=columns`` returns the same data as binary columns."""
+    """All edges of a drawing; ``format=columns`` returns the same data as binary arrays."""
 
     edges: list[EdgeOut] = Field(description="Edges of the drawing, in the order of their rows")
 

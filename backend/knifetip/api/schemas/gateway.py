@@ -1,4 +1,4 @@
-"""Models of the protocol between a gateway and the service."""
+"""Models of the protocol between the server and a gateway, which controls one machine."""
 
 from __future__ import annotations
 

@@ -281,7 +281,7 @@ class JobOut(BaseModel):
 
 
 class JobEvent(BaseModel):
-    """One state change of a job: its time, author and reason."""
+    """One state change of a job: its time, its cause (such as the operator) and its description."""
 
     id: int = Field(description="Number of the event; increases with time")
     job: str = Field(description="Id of the job")

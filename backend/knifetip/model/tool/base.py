@@ -46,7 +46,7 @@ class TipCircle:
 
 @dataclass(frozen=True, slots=True)
 class Footprint:
-    """The mark that a tool leaves on the board and the position of its tip, shown on the page.
+    """The mark that a tool leaves on the board and the position of its tip, shown on the web page.
 
     ``shape`` is the shape of the mark:
 
@@ -154,7 +154,7 @@ class Tool(ABC):
 
     @property
     def footprint(self) -> Footprint:
-        """The mark that the tool leaves on the board, shown on the page."""
+        """The mark that the tool leaves on the board, shown on the web page."""
         return Footprint()
 
     @property

@@ -71,9 +71,9 @@ class Laser(DiscTool):
         return self.focus
 
     def passes(self, cut_depth: float) -> F64:
-        """Return the depth of the focus in the only pass of a cut, (1,) (mm).
+        """Return the depth of the focus in a cut (mm), (1,), because a laser cuts in one pass.
 
-        It is negative if the focus is above the board; ``cut_depth`` is not used.
+        The depth is negative if the focus is above the board; ``cut_depth`` is not used.
         """
         del cut_depth
         return np.array([-self.focus])
