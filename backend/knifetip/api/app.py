@@ -159,7 +159,8 @@ async def _ready(service: ServiceDep, response: Response) -> Health:
 async def _status(service: ServiceDep) -> ServiceOut:
     """Get the version of the server, and its progress in compiling functions to machine code.
 
-    They are compiled once after an installation; uploads and jobs wait until this is complete.
+    The functions are compiled once after an installation; uploads and jobs wait until all of them
+    are compiled.
     """
     progress = service.warm_up.progress
     return ServiceOut(

@@ -120,8 +120,7 @@ def read_drawing(
         line type that the user has set for one edge.
     handles : (n,)
         Handles of the n edges to which the overrides belong, one per edge.  A handle is the
-        identifier of an entity in the file.  If it is None, the drawing is new, and the overrides
-        are not used.
+        identifier of an entity in the file.  None for a new drawing, which has no overrides.
 
     Raises
     ------

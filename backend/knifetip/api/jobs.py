@@ -247,9 +247,10 @@ def release_job(service: ServiceDep, id: JobId) -> JobOut:
 def confirm_job(service: ServiceDep, id: JobId, confirmation: ConfirmIn | None = None) -> JobOut:
     """Confirm that table, board and tools are ready; then the machine starts.
 
-    If the job waits between two copies, the request confirms that the next sheet is on the table.
-    If a gateway claims the job again, a new confirmation is necessary.  The status is 409 if the
-    job does not wait for a confirmation, or if the request names another board than the job.
+    A job can make several copies, each on a new sheet.  Between two copies, the request confirms
+    that the next sheet is on the table.  If a gateway claims the job again, a new confirmation is
+    necessary.  The status is 409 if the job does not wait for a confirmation, or if the request
+    names another board than the job.
     """
     confirmed = confirmation or ConfirmIn()
     return job_out(

@@ -176,7 +176,7 @@ def set_next_page(response: Response, path: str, cursor: int | None, limit: int)
 def bytes_response(
     request: Request, content: bytes, tag: str, media: str, attachment: str = ""
 ) -> Response:
-    """Return a response with bytes and their ETag, or 304 if the client already has the bytes.
+    """Return a response with bytes and their ETag, or with status 304 if the client has the bytes.
 
     Parameters
     ----------

@@ -13,7 +13,9 @@ from typing import Any, get_type_hints
 
 
 def expand(command: Callable[..., None]) -> Callable[..., None]:
-    """Return a function for Typer in which fields of dataclasses replace dataclass parameters.
+    """Return a function for Typer that calls ``command`` but has no dataclass parameters.
+
+    Each dataclass parameter of ``command`` is replaced by one parameter for each of its fields.
 
     Parameters
     ----------

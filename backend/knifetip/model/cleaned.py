@@ -48,10 +48,11 @@ _MESSAGES = {
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Stretches:
-    """q stretches (parts of drawn edges), each with the cleaned edge that covers it, if any.
+    """q stretches (parts of drawn edges), each with the row of the cleaned edge that covers it.
 
-    The stretches are in the order of the edges in the drawing.  They cover the whole length of each
-    drawn edge that is to be machined; edges that are ignored or not classified have no stretches.
+    The row is -1 if no cleaned edge covers the stretch.  The stretches are in the order of the
+    edges in the drawing.  They cover the whole length of each drawn edge that is to be machined;
+    edges that are ignored or not classified have no stretches.
     """
 
     row: I32  #: (q,) row in the drawn dieline

@@ -25,7 +25,7 @@ class LineType(IntEnum):
 
     @property
     def word(self) -> str:
-        """Name of the line type in files, in JSON data and on the page, such as ``v-groove``."""
+        """Name of the line type in files, JSON data and the web page, such as ``v-groove``."""
         return self.name.lower().replace("_", "-")
 
     @classmethod

@@ -49,8 +49,9 @@ KEPT: Final = Message("import.kept")
 class ImportReport:
     """The import report of a file: outcome and reason for each of m entities.
 
-    An entity in a block has one row for each INSERT of the block.  The handle in such a row is the
-    handle of the INSERT, a slash and the handle of the entity; the kind is that of the entity.
+    An entity in a block has one row for each INSERT of the block.  Such a row contains the kind of
+    the entity, and a handle that consists of the handle of the INSERT, a slash and the handle of
+    the entity.
     """
 
     handle: Sequence[str]  #: (m,) handle in the file, or ``#17`` for the 17th entity

@@ -44,7 +44,7 @@ class Station:
         return kind_of(self.tool).switching == Switching.CUT
 
     def planner(self, line_type: LineType) -> Planner:
-        """Return the planner with which edges of a line type become operations of the tool.
+        """Return the key of the planner that makes operations from edges of a line type.
 
         Raises
         ------
@@ -101,7 +101,7 @@ class Machine:
         return station is not None and station.planner(LineType.CUT) == Planner.OFFSET_CUTS
 
     def station_for(self, line_type: LineType, caliper: float | None = None) -> Station | None:
-        """Return the station whose tool makes a line type, or None if the machine has none.
+        """Return the station whose tool makes a line type, or None if no station does.
 
         Parameters
         ----------

@@ -80,7 +80,7 @@ class Problem(MessageOut):
 class ServiceOut(BaseModel):
     """Version of the server, and its progress in compiling functions to machine code.
 
-    They are compiled once after an installation.
+    The functions are compiled once after an installation.
     """
 
     version: str = Field(description="Version of knifetip on the server, such as 1.2.0")

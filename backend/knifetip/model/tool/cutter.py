@@ -53,8 +53,8 @@ class Cutter(DiscTool):
     def passes(self, cut_depth: float) -> F64:
         """Return the depths of the k passes of a cut that is ``cut_depth`` mm deep, (k,) (mm).
 
-        All passes have the same increment, which is at most the field ``step`` of the cutter
-        unless the cut would then have more than 200 passes.
+        All passes have the same increment.  It is at most ``step``, a field of the cutter, but
+        larger if more than 200 passes would be necessary.  If ``step`` is 0, there is one pass.
         """
         count = (
             1 if self.step == 0.0 else min(_MAX_PASSES, int(np.ceil(cut_depth / self.step - 1e-9)))

@@ -37,9 +37,9 @@ class DiscTool(Tool):
         def approach(self) -> float:
             """Angle between lead-in and contour (degrees).
 
-            It is 90 if the lead-in comes at a right angle from the side of the contour on which the
-            tool travels, 0 if it is in line with the contour, and −90 if it comes from the opposite
-            side.
+            At 0 the lead-in is in line with the contour.  At 90 the lead-in is perpendicular to the
+            contour and comes from the side on which the tool travels; at −90 it is perpendicular
+            and comes from the opposite side.
             """
 
         @property
