@@ -30,7 +30,8 @@ class Group(types.NamedTuple):
     def can_convert_from(self, typingctx: Any, other: Any) -> Any:
         """Return how numba converts a value of type ``other`` to this type; None if it cannot.
 
-        The result is ``Conversion.safe``, or the conversion of a field that is less safe than that.
+        The result is the least safe conversion of a field, or ``Conversion.safe`` if all
+        conversions of fields are safer than that.
         """
         if getattr(other, "instance_class", None) is not self.instance_class:
             return None

@@ -195,8 +195,9 @@ def _insert_nearest(
     """Insert a track into the list of the nearest tracks found so far; return the list's new
     length.
 
-    The list is sorted by distance.  A track that is already in it keeps the smaller distance.  A
-    track that is farther than all entries of a full list is not inserted.
+    The list is sorted by distance.  If the track is already in the list, the smaller of its two
+    distances is kept.  If the list is full and all tracks in it are nearer, the track is not
+    inserted.
 
     Parameters
     ----------

@@ -35,8 +35,9 @@ class OperationKind(IntEnum):
 
     @property
     def tool(self) -> str:
-        """Return the name, for messages, of the tool that makes this operation: a key of
-        ``english.TOOLS``.
+        """Return the key in ``english.TOOLS`` of the tool that makes this operation.
+
+        Messages contain the name of the tool that has this key.
         """
         return ("knife", "knife", "wheel", "v-cutter", "cutter")[self]
 
