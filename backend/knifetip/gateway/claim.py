@@ -6,15 +6,15 @@ outgoing connections.  It decides the following by itself:
 - It claims jobs only while the controller is connected and idle: a machine that is switched off
   gets no job.
 - If the operator must confirm a job, the gateway sends nothing to the machine before the server has
-  answered a heartbeat with ``start``.  Meanwhile the controller must stay idle; otherwise the job
+  answered a heartbeat with ``start``.  Until then the controller must stay idle; otherwise the job
   is returned to the queue, and the operator must confirm again.
 - If the server cannot be reached, the machine continues until the lease expires.  Then the gateway
-  stops it with a hold.  The machine does not continue by itself: either the operator resumes the
-  job, or the server answers that the job was reassigned (409), and the machine is then brought into
-  its safe state.
-- The answer ``resume`` also starts the next copy.  It is accepted only if the heartbeat that it
-  answers reported a held machine.  Otherwise a late answer, meant for an earlier hold, could start
-  the next copy before its sheet is on the table.
+  stops the machine with a hold.  The machine does not continue by itself: either the operator
+  resumes the job, or the server answers that the job was reassigned (409), and the machine is then
+  brought into its safe state.
+- The answer ``resume`` to a heartbeat also starts the next copy.  The gateway ignores ``resume`` if
+  this heartbeat did not report a held machine.  Otherwise a late answer, meant for an earlier hold,
+  could start the next copy before its sheet is on the table.
 - The end of a job is recorded in the journal and reported until the server has answered.  After a
   restart, a job whose end is not recorded is reported as ``done`` only if the journal records that
   every copy was executed to its last line.
@@ -166,9 +166,9 @@ class _GatewayLoop:
             pause = min(2.0 * pause, LONGEST_PAUSE)
 
     async def _connected_controller(self) -> Controller:
-        """Return the controller of the machine, without a fault.
+        """Return a connected controller of the machine that has no fault.
 
-        Connects to the controller if there is no connection, or if the connection has a fault.
+        A new connection is made if there is none, or if the present connection has a fault.
         """
         if self._controller is not None and self._controller.fault is not None:
             await self._disconnect()

@@ -101,8 +101,10 @@ async def serve(
     ----------
     machine
         Machine that is simulated.
-    host, port
-        Address on which the server listens; port 0 for any free port.
+    host
+        Address on which the server listens.
+    port
+        TCP port on which the server listens; 0 for any free port.
     speed
         Simulated seconds per second of real time.
     faults
@@ -132,8 +134,10 @@ def run(
     ----------
     machine
         Machine that is simulated.
-    host, port
-        Address on which the server listens; port 0 for any free port.
+    host
+        Address on which the server listens.
+    port
+        TCP port on which the server listens; 0 for any free port.
     speed
         Simulated seconds per second of real time.
     on_ready

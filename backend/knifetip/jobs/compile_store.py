@@ -181,16 +181,20 @@ class CompileStore:
 
         Parameters
         ----------
-        id, epoch
-            Id of the job, and the epoch that it had when the worker took it: a number that
-            increases with each new owner of the job.
-        stage, progress
-            Present stage of the compile, and completed fraction of the compile (0 … 1).
+        id
+            Id of the job.
+        epoch
+            Epoch of the job when the worker took the job: a number that increases with each new
+            owner.
+        stage
+            Present stage of the compile.
+        progress
+            Completed fraction of the compile (0 … 1).
 
         Returns
         -------
         bool
-            False if the compile must end, because its job has another state or epoch.
+            False if the compile must end, because its job has another state or epoch; else True.
         """
         with self._db.writing() as session:
             return bool(
@@ -210,16 +214,20 @@ class CompileStore:
 
         Parameters
         ----------
-        id, epoch
-            Id of the job, and the epoch that it had when the worker took it: a number that
-            increases with each new owner of the job.
+        id
+            Id of the job.
+        epoch
+            Epoch of the job when the worker took the job: a number that increases with each new
+            owner.
         result
             Program, tool path, verdict and tools.
 
         Raises
         ------
-        WrongState, StaleEpoch
-            The job has another state or epoch, so the worker no longer owns it.
+        WrongState
+            The job has another state.
+        StaleEpoch
+            The job has another epoch, because the worker has lost the job.
         """
         columns: dict[str, Any] = {
             "program": result.program,
@@ -274,9 +282,11 @@ class CompileStore:
 
         Parameters
         ----------
-        id, epoch
-            Id of the job, and the epoch that it had when the worker took it: a number that
-            increases with each new owner of the job.
+        id
+            Id of the job.
+        epoch
+            Epoch of the job when the worker took the job: a number that increases with each new
+            owner.
         message
             Reason for which the job is refused.
         source
@@ -286,8 +296,10 @@ class CompileStore:
 
         Raises
         ------
-        WrongState, StaleEpoch
-            The job has another state or epoch, so the worker no longer owns it.
+        WrongState
+            The job has another state.
+        StaleEpoch
+            The job has another epoch, because the worker has lost the job.
         """
         with self._db.writing() as session:
             self._transitions.move(
@@ -310,14 +322,18 @@ class CompileStore:
 
         Parameters
         ----------
-        id, epoch
-            Id of the job, and the epoch that it had when the worker took it: a number that
-            increases with each new owner of the job.
+        id
+            Id of the job.
+        epoch
+            Epoch of the job when the worker took the job: a number that increases with each new
+            owner.
 
         Raises
         ------
-        WrongState, StaleEpoch
-            The job has another state or epoch, so the worker no longer owns it.
+        WrongState
+            The job has another state.
+        StaleEpoch
+            The job has another epoch, because the worker has lost the job.
         """
         with self._db.writing() as session:
             attempt = self._transitions.lock(session, id).attempt

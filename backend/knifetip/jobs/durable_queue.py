@@ -108,7 +108,7 @@ class DurableQueue:
                 self._received.wait(_POLL)
 
     def compile(self, id: str, attempt: int) -> None:
-        """Compile a job, unless it no longer waits for this attempt to compile it.
+        """Compile a job if it still waits for this compile attempt; otherwise do nothing.
 
         Parameters
         ----------

@@ -217,9 +217,10 @@ class GatewayStore:
 
         Parameters
         ----------
-        id, epoch
-            Id of the job, and the epoch of the gateway's claim: a number that increases with each
-            new owner of the job.
+        id
+            Id of the job.
+        epoch
+            Epoch of the gateway's claim: a number that increases with each new owner of the job.
         report
             Progress of the job, as the gateway reports it.
 
@@ -400,9 +401,10 @@ class GatewayStore:
 
         Parameters
         ----------
-        id, epoch
-            Id of the job, and the epoch of the gateway's claim: a number that increases with each
-            new owner of the job.
+        id
+            Id of the job.
+        epoch
+            Epoch of the gateway's claim: a number that increases with each new owner of the job.
         outcome
             ``done``, ``interrupted`` or ``cancelled``; ``returned`` puts the job back into the
             queue, if the gateway has sent nothing to the machine.

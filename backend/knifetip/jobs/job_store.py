@@ -390,9 +390,10 @@ class JobStore:
                 )
 
     def hold(self, id: str) -> Job:
-        """Store the request to hold a job, which its gateway carries out; return the job.
+        """Store an operator's request to hold a job, and return the job.
 
-        The job becomes ``held`` when the machine has stopped.
+        The gateway of the job carries out the request.  The job becomes ``held`` when the machine
+        has stopped.
 
         Raises
         ------
@@ -402,9 +403,10 @@ class JobStore:
         return self._request(id, OperatorAction.HOLD)
 
     def resume(self, id: str) -> Job:
-        """Store the request to resume a job, which its gateway carries out; return the job.
+        """Store an operator's request to resume a job, and return the job.
 
-        Between two copies, the request also confirms that a new sheet is on the table.
+        The gateway of the job carries out the request.  Between two copies, the request also
+        confirms that a new sheet is on the table.
 
         Raises
         ------

@@ -98,6 +98,8 @@ class ProcessPool:
         ----------
         task
             Function of an importable module; it calls ``progress(stage, fraction)``.
+        *arguments
+            Further arguments of the task.
         limit
             Seconds after which the worker process is killed.
         watch
@@ -167,8 +169,10 @@ class ProcessPool:
 
         Returns
         -------
-        kind, value
-            "result" and the result, or "error" and a ``KnifetipError`` or the text of a traceback.
+        kind
+            "result" or "error".
+        value
+            The result of the task; after an error, a ``KnifetipError`` or the text of a traceback.
 
         Raises
         ------

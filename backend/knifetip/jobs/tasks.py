@@ -294,8 +294,8 @@ def compile_kernels(progress: Progress, module: str, niceness: int) -> None:
     module
         Name of the module.
     niceness
-        Niceness to which this process is set (see the command ``nice``); if its niceness is already
-        greater, it is not changed.
+        Niceness to which this process is set (see the command ``nice``); a greater niceness that
+        the process already has is kept.
     """
     os.setpriority(os.PRIO_PROCESS, 0, max(niceness, os.getpriority(os.PRIO_PROCESS, 0)))
     for fraction in compile_module(module):

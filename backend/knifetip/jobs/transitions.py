@@ -112,8 +112,10 @@ class Transitions:
         ----------
         session
             Session with the transaction of the caller.
-        kind, subject
-            "job" or "drawing", and the id of the job or drawing.
+        kind
+            "job" or "drawing".
+        subject
+            Id of the job or drawing.
         state
             State of the job after the event; for a drawing ``read``, ``changed`` or ``deleted``.
         actor

@@ -97,7 +97,7 @@ class ReceiveBuffer:
         self._longest = 0
 
     def has_room_for(self, line: PendingLine) -> bool:
-        """Return whether a line fits into the free bytes of the buffer beyond the reserve.
+        """Return whether the buffer has room for a line and for the bytes that are kept free.
 
         Returns True if there is no unanswered line.
         """
