@@ -101,7 +101,9 @@ def test_an_inner_contour_behind_its_outer_one_is_refused(machine: Machine, boar
         first = verdict.findings[0]
         assert first.edge >= 0
         assert first.line > 0
-        assert "has already cut out, so this part of the board may move" in first.text
+        assert (
+            "of the program has already cut out, so this part of the board may move" in first.text
+        )
 
 
 @pytest.mark.parametrize("gap", [0.05, 0.4, 1.4])

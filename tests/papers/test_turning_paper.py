@@ -47,7 +47,7 @@ def test_1_at_60_degrees_from_square_it_is_tan_60_times_half_the_width() -> None
 
 
 def test_1_along_the_edge_there_is_no_answer() -> None:
-    with pytest.raises(CompensationError, match=r"meets the edge of the board at 90\.00°"):
+    with pytest.raises(CompensationError, match=r"deviates by 90\.00° from the perpendicular"):
         corner_run_outs(np.array([[0.0, 1.0]]), np.array([[1.0, 0.0]]), np.array([6.0]))
 
 

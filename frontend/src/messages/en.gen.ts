@@ -405,7 +405,7 @@ export const TEXTS = {
   },
   "command.no-such-layer": {
     "text": "The file {file} has no layer {layer!r}.",
-    "hint": "Choose one of its layers: {layers:, }."
+    "hint": "Choose one of the layers of the file: {layers:, }."
   },
   "command.unreadable-file": {
     "text": "The file {path} cannot be read: {reason}.",
@@ -737,7 +737,7 @@ export const TEXTS = {
   },
   "dxf.blocks-expand-too-far": {
     "text": "The blocks of the DXF file expand to {count} entities (drawn objects), but the limit is {limit:,}.",
-    "hint": "Export a drawing with a single carton, or explode the blocks and delete the copies."
+    "hint": "Export a drawing with a single carton, or explode the blocks and delete the copies that are not needed."
   },
   "dxf.blocks-too-deep": {
     "text": "The blocks of the DXF file are nested {depth} levels deep, but the limit is {limit} levels.",
@@ -832,7 +832,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.no-kind": {
-    "text": "{path} lacks the field {field}, which states its kind",
+    "text": "{path} does not state its kind: the field {field} is missing",
     "hint": ""
   },
   "field.not-a-colour": {
@@ -924,7 +924,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.too-many-passes": {
-    "text": "{path} is {value:g} mm, so the V-groove would need more than {most} passes",
+    "text": "{path} is {value:g} mm, which is too small: the V-groove would need more than {most} passes",
     "hint": ""
   },
   "field.too-short": {
@@ -1540,7 +1540,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.array": {
-    "text": "the object inserts a grid of copies ({columns} columns × {rows} rows)",
+    "text": "the object inserts the block as a grid of copies ({columns} columns × {rows} rows)",
     "hint": ""
   },
   "import.bad-operands": {
@@ -1548,7 +1548,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.bad-path-data": {
-    "text": "the path data of the object is invalid at character {character} ({text!r}), so only the path before this character was imported, as in a browser",
+    "text": "the path data of the object is invalid at character {character} ({text!r}), so only the path before this character was imported (browsers do the same)",
     "hint": ""
   },
   "import.bad-place": {
@@ -1672,7 +1672,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.fit-points": {
-    "text": "the curve was computed from its fit points, through which it passes",
+    "text": "the file states only the fit points of the curve, so the curve was drawn through these points",
     "hint": ""
   },
   "import.font-shape": {
@@ -1776,7 +1776,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.no-parameter-range": {
-    "text": "the object has no length, because it starts and ends at the same parameter, {parameter:g}",
+    "text": "the ellipse has no length, because its start parameter and its end parameter are both {parameter:g}",
     "hint": ""
   },
   "import.no-points": {
@@ -1848,7 +1848,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.parameters-not-numbers": {
-    "text": "the parameters of the object are not numbers",
+    "text": "the start or end parameter of the ellipse is not a number",
     "hint": ""
   },
   "import.partly-outside-page": {
@@ -1920,7 +1920,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.short-path-data": {
-    "text": "the path data of the object ends inside a command, so only the commands before it were imported, as in a browser",
+    "text": "the path data of the object ends inside a command, so only the commands before the incomplete command were imported (browsers do the same)",
     "hint": ""
   },
   "import.solid": {
@@ -1960,7 +1960,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.uncentred-arc": {
-    "text": "the centre of the arc is {first:g} file units away from the start of the arc, but {second:g} file units away from its end",
+    "text": "the centre of the arc is {first:g} file units away from the start of the arc, but {second:g} file units away from the end of the arc",
     "hint": ""
   },
   "import.underlay": {
@@ -2324,7 +2324,7 @@ export const TEXTS = {
     "hint": ""
   },
   "motion.unknown": {
-    "text": "motion {number}",
+    "text": "motion type {number}",
     "hint": ""
   },
   "offset.bad-distance": {
@@ -2397,7 +2397,7 @@ export const TEXTS = {
   },
   "pdf.expands-too-far": {
     "text": "The page of the PDF and its repeated forms expand to more than {limit:.1f} MB.",
-    "hint": "Export a drawing with a single carton, without the symbols that it does not need."
+    "hint": "Export a drawing with a single carton, without symbols that the carton does not need."
   },
   "pdf.form": {
     "text": "The PDF is a dynamic form (XFA), whose page contains no drawing.",
@@ -2444,7 +2444,7 @@ export const TEXTS = {
     "hint": ""
   },
   "pdf.page-too-large": {
-    "text": "The page of the PDF extends to {size:g} mm, but the limit is {limit:g} mm.",
+    "text": "A side of the PDF page is {size:g} mm away from the origin of the page coordinates, but the limit is {limit:g} mm.",
     "hint": "Export the drawing in its true size."
   },
   "pdf.part-missing": {
@@ -2629,7 +2629,7 @@ export const TEXTS = {
   },
   "reading.expands-too-far": {
     "text": "The repeated parts of the {format} file expand to more than {limit:,} elements.",
-    "hint": "Export a drawing with a single carton, without the repeated parts that it does not need."
+    "hint": "Export a drawing with a single carton, without repeated parts that the carton does not need."
   },
   "reading.nested-too-deep": {
     "text": "Blocks, symbols or groups of the {format} file are nested more than {limit} levels deep.",
@@ -2701,7 +2701,7 @@ export const TEXTS = {
   },
   "request.local-only": {
     "text": "This server has no access key, so it accepts only requests from its own computer.",
-    "hint": "Start the server with --key-file PATH or --key KEY, or open it at http://localhost."
+    "hint": "Start the server with --key-file PATH or --key KEY, or open the page of the server at http://localhost on the same computer."
   },
   "request.no-host": {
     "text": "The request does not have exactly one Host header.",
@@ -2748,7 +2748,7 @@ export const TEXTS = {
     "hint": "Add G0, G1, G2 or G3."
   },
   "rs274.bad-arc": {
-    "text": "In the program line, the distances from the centre of the arc to its start and to its end differ by more than {limit:g} mm.",
+    "text": "In the program line, the distance from the centre of the arc to the start of the arc differs by more than {limit:g} mm from the distance from the centre to the end of the arc.",
     "hint": "Correct the centre (I, J) or the end (X, Y) of the arc."
   },
   "rs274.bad-character": {
@@ -2777,7 +2777,7 @@ export const TEXTS = {
   },
   "rs274.ends-lowered": {
     "text": "The program ends while a station is lowered.",
-    "hint": "Release the station (M65) and lift the head before the end of the program."
+    "hint": "Raise the station (M65) and lift the head before the end of the program."
   },
   "rs274.ends-oscillating": {
     "text": "The program ends while a tool oscillates or rotates.",
@@ -2868,7 +2868,7 @@ export const TEXTS = {
     "hint": "Add an F word."
   },
   "rs274.not-settled": {
-    "text": "The program line moves the head before an output or the spindle, which was switched, has reached its new state.",
+    "text": "The program line moves the head too soon after an output or the spindle was switched.",
     "hint": "Add a dwell (G4) before this program line."
   },
   "rs274.number-too-large": {
@@ -3177,11 +3177,11 @@ export const TEXTS = {
   },
   "travel.above": {
     "text": "{tool} (station {station}) would move {excess:.2f}{unit} beyond the upper end of the travel of axis {axis}{place}. The travel is {low:g} to {high:g}{unit}.",
-    "hint": "Move or rotate the drawing on the table, or choose a larger machine."
+    "hint": "For axis X, Y or C, move or rotate the drawing on the table, or choose a larger machine. For axis Z, check the heights in the machine file."
   },
   "travel.below": {
     "text": "{tool} (station {station}) would move {excess:.2f}{unit} beyond the lower end of the travel of axis {axis}{place}. The travel is {low:g} to {high:g}{unit}.",
-    "hint": "Move or rotate the drawing on the table, or choose a larger machine."
+    "hint": "For axis X, Y or C, move or rotate the drawing on the table, or choose a larger machine. For axis Z, check the heights in the machine file."
   },
   "unit.cf2-inches": {
     "text": "the CF2 file states inches (record UI)",
@@ -3224,7 +3224,7 @@ export const TEXTS = {
     "hint": "Check which dimensions belong to the carton, and delete details that are drawn at another scale."
   },
   "unit.drawn-in-imperial": {
-    "text": "inches, but stored as numbers in {unit:unit}",
+    "text": "inches (stored as numbers in {unit:unit})",
     "hint": ""
   },
   "unit.drawn-in-inches": {
@@ -3232,7 +3232,7 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.drawn-in-metric": {
-    "text": "millimetres, but stored as numbers in {unit:unit}",
+    "text": "millimetres (stored as numbers in {unit:unit})",
     "hint": ""
   },
   "unit.drawn-in-millimetres": {
@@ -3441,10 +3441,10 @@ export const TEXTS = {
   },
   "verify.beyond-travel": {
     "text": "Axis {joint} moves to {position:.3f} mm, but its travel is {low:g} to {high:g} mm.",
-    "hint": "Move the drawing on the table, or choose a larger machine."
+    "hint": "For axis X or Y, move the drawing on the table, or choose a larger machine. For axis Z, check the heights in the machine file."
   },
   "verify.bridge-near-corner": {
-    "text": "The bridge at {place:.3f} mm from the start of the contour is too close to a sharp corner, by {distance:.3f} mm.",
+    "text": "The bridge at {place:.3f} mm from the start of the contour is {distance:.3f} mm too close to a sharp corner.",
     "hint": "Compile the job again, or choose a smaller spacing of bridges in the board file."
   },
   "verify.bridge-spacing": {
@@ -3504,7 +3504,7 @@ export const TEXTS = {
     "hint": "Join the crease to a crease on the same straight line, set its line type to ignored, or choose a smaller creasing wheel."
   },
   "verify.cuts-part": {
-    "text": "The cutter cuts {depth:.3f} mm deep into a part, beyond the outline of the part.",
+    "text": "The cutter cuts sideways into a part, up to {depth:.3f} mm from the edge of the part.",
     "hint": "Move the parts further apart, or choose a thinner cutter."
   },
   "verify.cutter-at-rest": {
@@ -3520,7 +3520,7 @@ export const TEXTS = {
     "hint": "Check the tilt and the offsets of the V-cutter in the machine file, then compile the job again."
   },
   "verify.flank-through-cut": {
-    "text": "A flank of the V-groove extends {depth:.3f} mm beyond the cut at edge {edge}. The cut lies {distance:.3f} mm beside the groove, {place:.1f} mm from the start of the groove.",
+    "text": "A flank of the V-groove reaches {depth:.3f} mm sideways past the cut at edge {edge}. The cut lies {distance:.3f} mm from the centre line of the groove, {place:.1f} mm from the start of the groove.",
     "hint": "Move the groove and the cut further apart, or choose a shallower groove."
   },
   "verify.goes-in-anywhere": {
@@ -3552,16 +3552,16 @@ export const TEXTS = {
     "hint": "Switch the beam on (M3) before the edge."
   },
   "verify.loose-piece": {
-    "text": "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board that line {line} has already cut out, so this part of the board may move.",
+    "text": "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board that line {line} of the program has already cut out, so this part of the board may move.",
     "hint": "Process this edge before the contour that cuts out this part of the board."
   },
   "verify.lowers-second": {
     "text": "The program line lowers station {station} while station {other} may still be lowered.",
-    "hint": "Release station {other} (M65 P{output}) before this program line."
+    "hint": "Raise station {other} (M65 P{output}) before this program line."
   },
   "verify.moves-before-stated": {
     "text": "The program moves the head before it switches off {thing}.",
-    "hint": "Switch off {thing} first. Before that, only lift the head straight up, to Z {height:.3f} mm or higher."
+    "hint": "Switch off {thing} before the first move. Only a lift straight up, to Z {height:.3f} mm or higher, may come earlier."
   },
   "verify.moves-with-beam": {
     "text": "The program moves the head before it switches off the spindle (M5), so a laser beam may still be on.",
@@ -3589,7 +3589,7 @@ export const TEXTS = {
   },
   "verify.other-placement": {
     "text": "The program places the drawing at X{x:.4f} Y{y:.4f} on the sheet, but the job places it at X{job_x:.4f} Y{job_y:.4f}.",
-    "hint": "Compile the job again, or verify the program with X and Y of the program."
+    "hint": "Compile the job again, or verify the program with the position X{x:.4f} Y{y:.4f} of the drawing."
   },
   "verify.output": {
     "text": "output {output} (M65 P{output})",
@@ -3677,7 +3677,7 @@ export const TEXTS = {
   },
   "verify.two-lowered": {
     "text": "Station {station} processes the board while station {other} is also lowered (output {output} is on).",
-    "hint": "Release station {other} (M65 P{output}) before this station is used."
+    "hint": "Raise station {other} (M65 P{output}) before this station is used."
   },
   "verify.unclassified": {
     "text": "The edge has no line type (such as cut or crease), so the required tool is not known.",
@@ -3692,11 +3692,11 @@ export const TEXTS = {
     "hint": ""
   },
   "verify.where-past-end": {
-    "text": " at the end of the edge, beyond which the tool must continue",
+    "text": ": the tool must also process the board beyond the end of the edge",
     "hint": ""
   },
   "verify.where-past-start": {
-    "text": " at the start of the edge, before which the tool must begin",
+    "text": ": the tool must also process the board beyond the start of the edge",
     "hint": ""
   },
   "verify.work-creased": {
@@ -3712,11 +3712,11 @@ export const TEXTS = {
     "hint": ""
   },
   "verify.work-grooved-from-end": {
-    "text": "grooved in the direction from its end to its start",
+    "text": "grooved in the direction from the end to the start of the edge",
     "hint": ""
   },
   "verify.work-grooved-from-start": {
-    "text": "grooved in the direction from its start to its end",
+    "text": "grooved in the direction from the start to the end of the edge",
     "hint": ""
   },
   "verify.wrong-depth": {

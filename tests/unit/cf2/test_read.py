@@ -71,7 +71,7 @@ def test_an_arc_with_a_wrong_centre_keeps_its_ends_and_is_noted() -> None:
     assert drawing.ends.tolist() == [[[10, 0], [0, 10.5]]]
     assert (
         reasons(drawing)["#1"] == "the object was imported; note: the centre of the arc is 10 file "
-        "units away from the start of the arc, but 10.5 file units away from its end"
+        "units away from the start of the arc, but 10.5 file units away from the end of the arc"
     )
 
 

@@ -304,8 +304,8 @@ def test_spline_through_fit_points_passes_them() -> None:
     )  # fmt: skip
     drawing = read(dxf(text, version="AC1015"))
     assert only(drawing).startswith(
-        "the object was imported; note: the curve was computed from its "
-        "fit points, through which it passes; the curves of the object were"
+        "the object was imported; note: the file states only the fit points "
+        "of the curve, so the curve was drawn through these points; the curves of the object were"
     )
     joints = drawing.ends.reshape(-1, 2)
     for x, y in points:

@@ -341,8 +341,7 @@ def test_rows_and_columns_repeat_a_block_and_turn_with_it() -> None:
     assert report_reasons(drawing) == (
         (
             "the object was imported; note: the object inserts the block PART; the object "
-            "inserts a "
-            "grid of copies (3 columns × 2 rows)"
+            "inserts the block as a grid of copies (3 columns × 2 rows)"
         ),
         "the object was imported; note: the drawing contains the object 6 times",
     )

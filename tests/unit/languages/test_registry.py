@@ -57,7 +57,9 @@ def test_settings_of_a_language_without_settings_are_refused(tmp_path: Path) -> 
     text = (Path(load.__file__).parent / "machines" / "demo-table.toml").read_text("utf-8")
     file = tmp_path / "table.toml"
     file.write_text(text + "\n[controller]\nbaud = 9600\n", "utf-8")
-    with pytest.raises(LibraryError, match=r"because grblHAL has no settings.*Remove \[contr"):
+    with pytest.raises(
+        LibraryError, match=r"because grblHAL has no settings.*Remove the section \[contr"
+    ):
         load.machine(str(file))
 
 

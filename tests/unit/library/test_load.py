@@ -227,7 +227,11 @@ def test_the_fault_of_an_invalid_board_is_reported(
             '"axe"',
             "station 1 → tool has the unknown kind 'axe'; known kinds are 'knife', 'crease",
         ),
-        ('kind = "v-cutter"\n', "", "station 1 → tool lacks the field 'kind'"),
+        (
+            'kind = "v-cutter"\n',
+            "",
+            "station 1 → tool does not state its kind: the field 'kind' is missing",
+        ),
         ("tilt = 45.0", "tilt = 90.0", "station 1 → tool → tilt is 90.0, but must be less than 90"),
         ("tilt = 45.0", "tilt = nan", "tilt is nan, but must be a number"),
         ("tilt = 45.0", "", "tilt is missing"),

@@ -112,7 +112,10 @@ def test_files_without_a_drawing_are_refused_with_a_hint(data: bytes, words: str
         (pdf("/a BMC " * 120_000), "nested more than"),
         (nested(18), "nested more than 16 levels deep"),
         (laughs(20, 12), "expand to more than 1.0 MB"),
-        (page(stream(LINE.encode()), boxes="[0 0 1000000000 900000000]"), "extends to"),
+        (
+            page(stream(LINE.encode()), boxes="[0 0 1000000000 900000000]"),
+            "away from the origin of the page",
+        ),
     ],
 )
 def test_files_that_are_too_large_are_refused_with_a_hint(data: bytes, words: str) -> None:

@@ -416,11 +416,11 @@ def test_damaged_elements_are_reported_and_the_others_are_read() -> None:
     assert reason["a"] == (
         "the object was imported; note: the path data of the object is invalid at "
         "character 8 ('oops'), "
-        "so only the path before this character was imported, as in a browser"
+        "so only the path before this character was imported (browsers do the same)"
     )
     assert reason["n"] == (
         "the object was imported; note: the path data of the object ends inside a command, "
-        "so only the commands before it were imported, as in a browser"
+        "so only the commands before the incomplete command were imported (browsers do the same)"
     )
     assert reason["b"] == "the object has no size: its width is -3 and its height 2"
     assert reason["c"].startswith(

@@ -182,7 +182,7 @@ def test_a_groove_needs_both_its_passes() -> None:
     findings = findings_of(back, "")
     finding = find_finding("uncut", GROOVE, findings)
     assert finding.measure == pytest.approx(40.0)
-    assert "not grooved in the direction from its end" in finding.text
+    assert "not grooved in the direction from the end to the start of the edge" in finding.text
 
 
 def test_the_blade_runs_past_both_ends_of_a_groove_by_its_width() -> None:

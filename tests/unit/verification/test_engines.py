@@ -84,7 +84,8 @@ def test_a_flank_error_widens_the_groove_by_the_same_length() -> None:
         cutter_program(*groove_passes(20, 60, 30, 1.3049, aside=0.006)), INSIDE
     ).findings
     assert any(
-        "meets the top face of the board 0.0109 mm outside" in finding.text for finding in far
+        "meets the top face of the board 0.0109 mm too far from the centre line" in finding.text
+        for finding in far
     )
 
 
@@ -120,7 +121,7 @@ def test_a_groove_runs_out_until_its_whole_width_has_left_the_board() -> None:
     short = groove_findings(28.75, 100.0)
     assert {finding.kind for finding in short} == {"uncut"}
     assert short[0].measure == pytest.approx(0.05)
-    assert "at the start of the edge, before which the tool must begin" in short[0].text
+    assert ": the tool must also process the board beyond the start of the edge" in short[0].text
     assert {finding.kind for finding in groove_findings(28.7, 99.9)} == {"uncut"}
     # A longer run-out is refused, because a neighbouring blank may be there.
     assert {finding.kind for finding in groove_findings(28.6, 100.0)} == {"overcut"}

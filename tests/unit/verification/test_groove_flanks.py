@@ -130,5 +130,5 @@ def test_the_finding_has_both_edges_and_the_measure() -> None:
     assert finding.edge == 0
     assert finding.measure == pytest.approx(0.8)
     assert finding.text.startswith(
-        "Edge 0: A flank of the V-groove extends 0.800 mm beyond the cut at edge 1"
+        "Edge 0: A flank of the V-groove reaches 0.800 mm sideways past the cut at edge 1"
     )

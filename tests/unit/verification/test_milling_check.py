@@ -110,7 +110,10 @@ def test_a_disc_that_cuts_into_the_part_is_refused_with_edge_and_depth(
     findings = verdict_of(changed(program(*HOLE, *ROUND), old, new)).findings
     mine = [finding for finding in findings if (finding.kind, finding.edge) == ("overcut", edge)]
     assert mine[0].measure == pytest.approx(measure, abs=1e-6)
-    assert f"cuts {measure:.3f} mm deep into a part, beyond the outline" in mine[0].text
+    assert (
+        f"cuts sideways into a part, up to {measure:.3f} mm from the edge of the part"
+        in mine[0].text
+    )
 
 
 def test_a_chord_across_a_corner_is_refused() -> None:

@@ -42,7 +42,7 @@ def with_head(program: bytes, head: str) -> bytes:
         ("M65 P1\n", "moves the head before it switches off output 1 (M65 P1)"),
         (
             "M65 P2\n",
-            "while station 3 may still be lowered. Release station 3 (M65 P2) before",
+            "while station 3 may still be lowered. Raise station 3 (M65 P2) before",
         ),
         ("M5\n", "moves the head before it switches off the spindle (M5)"),
         (
@@ -107,7 +107,7 @@ def test_the_first_lift_clears_the_longest_station() -> None:
     long = replace(MACHINE, stations=(replace(MACHINE.stations[0], z=6.0), *MACHINE.stations[1:]))
     lift = "G21 G90 G91.1 G17 G40 G49 G94 G54\n" + HEAD + "G49\nM2\n"
     low = program_findings(lift.encode(), long, drawn=False)
-    assert "only lift the head straight up, to Z 26.000 mm or higher" in low[0]
+    assert "Only a lift straight up, to Z 26.000 mm or higher, may come earlier" in low[0]
     assert any("while axis Z is at 20.000 mm, which is too low" in line for line in low)
     assert program_findings(lift.replace("Z20.0000", "Z26.0000").encode(), long, drawn=False) == []
 

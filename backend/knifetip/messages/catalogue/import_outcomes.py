@@ -24,7 +24,7 @@ MESSAGES: Final[Entries] = {
         "no lines",
     ),
     "import.array": entry(
-        "the object inserts a grid of copies ({columns} columns × {rows} rows)",
+        "the object inserts the block as a grid of copies ({columns} columns × {rows} rows)",
         columns="count",
         rows="count",
     ),
@@ -33,8 +33,8 @@ MESSAGES: Final[Entries] = {
         operator="text",
     ),
     "import.bad-path-data": entry(
-        "the path data of the object is invalid at character {character} ({text!r}), so only "
-        "the path before this character was imported, as in a browser",
+        "the path data of the object is invalid at character {character} ({text!r}), so only the "
+        "path before this character was imported (browsers do the same)",
         character="count",
         text="text",
     ),
@@ -149,7 +149,8 @@ MESSAGES: Final[Entries] = {
         "the object is a filled area without a line, which is not cut because the page has lines",
     ),
     "import.fit-points": entry(
-        "the curve was computed from its fit points, through which it passes",
+        "the file states only the fit points of the curve, so the curve was drawn through these "
+        "points",
     ),
     "import.font-shape": entry(
         "the object is a shape from a font file, which cannot be read",
@@ -237,7 +238,8 @@ MESSAGES: Final[Entries] = {
         "the object has neither a stroke nor a fill, so it is not visible",
     ),
     "import.no-parameter-range": entry(
-        "the object has no length, because it starts and ends at the same parameter, {parameter:g}",
+        "the ellipse has no length, because its start parameter and its end parameter are both "
+        "{parameter:g}",
         parameter="number",
     ),
     "import.no-points": entry("the object has no points"),
@@ -294,7 +296,9 @@ MESSAGES: Final[Entries] = {
         "the path has neither a stroke nor a fill, because the page ends before the path ends",
     ),
     "import.paper-space": entry("the object is in a layout (paper space), not in the model"),
-    "import.parameters-not-numbers": entry("the parameters of the object are not numbers"),
+    "import.parameters-not-numbers": entry(
+        "the start or end parameter of the ellipse is not a number"
+    ),
     "import.partly-outside-page": entry(
         "a part of the object lies outside the visible area of the page",
     ),
@@ -363,8 +367,8 @@ MESSAGES: Final[Entries] = {
         "the object is a shading (colour gradient), which is not cut",
     ),
     "import.short-path-data": entry(
-        "the path data of the object ends inside a command, so only the commands before it "
-        "were imported, as in a browser",
+        "the path data of the object ends inside a command, so only the commands before the "
+        "incomplete command were imported (browsers do the same)",
     ),
     "import.solid": entry(
         "the object is a solid or a face, not a line in a plane",
@@ -403,7 +407,7 @@ MESSAGES: Final[Entries] = {
     ),
     "import.uncentred-arc": entry(
         "the centre of the arc is {first:g} file units away from the start of the arc, but "
-        "{second:g} file units away from its end",
+        "{second:g} file units away from the end of the arc",
         first="number",
         second="number",
     ),

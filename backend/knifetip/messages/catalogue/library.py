@@ -67,7 +67,7 @@ MESSAGES: Final[Entries] = {
         near="text",
     ),
     "field.no-kind": entry(
-        "{path} lacks the field {field}, which states its kind",
+        "{path} does not state its kind: the field {field} is missing",
         path="text",
         field="text",
     ),
@@ -175,7 +175,8 @@ MESSAGES: Final[Entries] = {
     "field.too-long": entry("{path} is longer than {most} characters", path="text", most="count"),
     "field.too-many": entry("{path} has more than {most} values", path="text", most="count"),
     "field.too-many-passes": entry(
-        "{path} is {value:g} mm, so the V-groove would need more than {most} passes",
+        "{path} is {value:g} mm, which is too small: the V-groove would need more than {most} "
+        "passes",
         path="text",
         value="number",
         most="count",

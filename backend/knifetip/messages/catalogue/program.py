@@ -16,7 +16,7 @@ MESSAGES: Final[Entries] = {
     "motion.swivel": entry(
         "turn of the tool",
     ),
-    "motion.unknown": entry("motion {number}", number="count"),
+    "motion.unknown": entry("motion type {number}", number="count"),
     "program.bad-tolerance": entry(
         "A tolerance of {tolerance} mm is too small for the path blending (rounding of "
         "corners) of the controller.",
@@ -177,7 +177,8 @@ MESSAGES: Final[Entries] = {
     "travel.above": entry(
         "{tool} (station {station}) would move {excess:.2f}{unit} beyond the upper end of the "
         "travel of axis {axis}{place}. The travel is {low:g} to {high:g}{unit}.",
-        "Move or rotate the drawing on the table, or choose a larger machine.",
+        "For axis X, Y or C, move or rotate the drawing on the table, or choose a larger machine. "
+        "For axis Z, check the heights in the machine file.",
         tool="text",
         station="count",
         excess="number",
@@ -190,7 +191,8 @@ MESSAGES: Final[Entries] = {
     "travel.below": entry(
         "{tool} (station {station}) would move {excess:.2f}{unit} beyond the lower end of the "
         "travel of axis {axis}{place}. The travel is {low:g} to {high:g}{unit}.",
-        "Move or rotate the drawing on the table, or choose a larger machine.",
+        "For axis X, Y or C, move or rotate the drawing on the table, or choose a larger machine. "
+        "For axis Z, check the heights in the machine file.",
         tool="text",
         station="count",
         excess="number",

@@ -27,7 +27,8 @@ MESSAGES: Final[Entries] = {
     ),
     "reading.expands-too-far": entry(
         "The repeated parts of the {format} file expand to more than {limit:,} elements.",
-        "Export a drawing with a single carton, without the repeated parts that it does not need.",
+        "Export a drawing with a single carton, without repeated parts that the carton does not "
+        "need.",
         limit="count",
         format="text",
     ),
@@ -123,7 +124,8 @@ MESSAGES: Final[Entries] = {
     "dxf.blocks-expand-too-far": entry(
         "The blocks of the DXF file expand to {count} entities (drawn objects), but the limit "
         "is {limit:,}.",
-        "Export a drawing with a single carton, or explode the blocks and delete the copies.",
+        "Export a drawing with a single carton, or explode the blocks and delete the copies that "
+        "are not needed.",
         count="text",
         limit="count",
     ),
@@ -286,7 +288,7 @@ MESSAGES: Final[Entries] = {
     ),
     "pdf.expands-too-far": entry(
         "The page of the PDF and its repeated forms expand to more than {limit:.1f} MB.",
-        "Export a drawing with a single carton, without the symbols that it does not need.",
+        "Export a drawing with a single carton, without symbols that the carton does not need.",
         limit="number",
     ),
     "pdf.form": entry(
@@ -325,7 +327,8 @@ MESSAGES: Final[Entries] = {
     ),
     "pdf.page": entry("the page"),
     "pdf.page-too-large": entry(
-        "The page of the PDF extends to {size:g} mm, but the limit is {limit:g} mm.",
+        "A side of the PDF page is {size:g} mm away from the origin of the page coordinates, but "
+        "the limit is {limit:g} mm.",
         "Export the drawing in its true size.",
         size="number",
         limit="number",

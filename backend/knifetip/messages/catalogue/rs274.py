@@ -16,8 +16,9 @@ MESSAGES: Final[Entries] = {
         "Add G0, G1, G2 or G3.",
     ),
     "rs274.bad-arc": entry(
-        "In the program line, the distances from the centre of the arc to its start and to its "
-        "end differ by more than {limit:g} mm.",
+        "In the program line, the distance from the centre of the arc to the start of the arc "
+        "differs by more than {limit:g} mm from the distance from the centre to the end of the "
+        "arc.",
         "Correct the centre (I, J) or the end (X, Y) of the arc.",
         limit="number",
     ),
@@ -50,7 +51,7 @@ MESSAGES: Final[Entries] = {
     ),
     "rs274.ends-lowered": entry(
         "The program ends while a station is lowered.",
-        "Release the station (M65) and lift the head before the end of the program.",
+        "Raise the station (M65) and lift the head before the end of the program.",
     ),
     "rs274.ends-oscillating": entry(
         "The program ends while a tool oscillates or rotates.",
@@ -123,8 +124,7 @@ MESSAGES: Final[Entries] = {
         "Add an F word.",
     ),
     "rs274.not-settled": entry(
-        "The program line moves the head before an output or the spindle, which was switched, "
-        "has reached its new state.",
+        "The program line moves the head too soon after an output or the spindle was switched.",
         "Add a dwell (G4) before this program line.",
     ),
     "rs274.number-too-large": entry(

@@ -92,7 +92,8 @@ MESSAGES: Final[Entries] = {
     ),
     "request.local-only": entry(
         "This server has no access key, so it accepts only requests from its own computer.",
-        "Start the server with --key-file PATH or --key KEY, or open it at http://localhost.",
+        "Start the server with --key-file PATH or --key KEY, or open the page of the server at "
+        "http://localhost on the same computer.",
     ),
     "request.no-host": entry(
         "The request does not have exactly one Host header.",
@@ -184,7 +185,7 @@ MESSAGES: Final[Entries] = {
     ),
     "command.no-such-layer": entry(
         "The file {file} has no layer {layer!r}.",
-        "Choose one of its layers: {layers:, }.",
+        "Choose one of the layers of the file: {layers:, }.",
         layer="text",
         file="text",
         layers="texts",

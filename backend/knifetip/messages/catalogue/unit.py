@@ -60,14 +60,14 @@ MESSAGES: Final[Entries] = {
         factor="number",
     ),
     "unit.drawn-in-imperial": entry(
-        "inches, but stored as numbers in {unit:unit}",
+        "inches (stored as numbers in {unit:unit})",
         unit="text",
     ),
     "unit.drawn-in-inches": entry(
         "inches",
     ),
     "unit.drawn-in-metric": entry(
-        "millimetres, but stored as numbers in {unit:unit}",
+        "millimetres (stored as numbers in {unit:unit})",
         unit="text",
     ),
     "unit.drawn-in-millimetres": entry("millimetres"),

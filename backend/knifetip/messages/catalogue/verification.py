@@ -41,15 +41,16 @@ MESSAGES: Final[Entries] = {
     ),
     "verify.beyond-travel": entry(
         "Axis {joint} moves to {position:.3f} mm, but its travel is {low:g} to {high:g} mm.",
-        "Move the drawing on the table, or choose a larger machine.",
+        "For axis X or Y, move the drawing on the table, or choose a larger machine. For axis Z, "
+        "check the heights in the machine file.",
         joint="text",
         position="number",
         low="number",
         high="number",
     ),
     "verify.bridge-near-corner": entry(
-        "The bridge at {place:.3f} mm from the start of the contour is too close to a sharp "
-        "corner, by {distance:.3f} mm.",
+        "The bridge at {place:.3f} mm from the start of the contour is {distance:.3f} mm too "
+        "close to a sharp corner.",
         "Compile the job again, or choose a smaller spacing of bridges in the board file.",
         place="number",
         distance="number",
@@ -141,7 +142,7 @@ MESSAGES: Final[Entries] = {
         "or choose a smaller creasing wheel.",
     ),
     "verify.cuts-part": entry(
-        "The cutter cuts {depth:.3f} mm deep into a part, beyond the outline of the part.",
+        "The cutter cuts sideways into a part, up to {depth:.3f} mm from the edge of the part.",
         "Move the parts further apart, or choose a thinner cutter.",
         depth="number",
     ),
@@ -166,9 +167,9 @@ MESSAGES: Final[Entries] = {
         tolerance="number",
     ),
     "verify.flank-through-cut": entry(
-        "A flank of the V-groove extends {depth:.3f} mm beyond the cut at edge {edge}. The cut "
-        "lies {distance:.3f} mm beside the groove, {place:.1f} mm from the start of the "
-        "groove.",
+        "A flank of the V-groove reaches {depth:.3f} mm sideways past the cut at edge {edge}. The "
+        "cut lies {distance:.3f} mm from the centre line of the groove, {place:.1f} mm from the "
+        "start of the groove.",
         "Move the groove and the cut further apart, or choose a shallower groove.",
         depth="number",
         edge="count",
@@ -214,7 +215,7 @@ MESSAGES: Final[Entries] = {
     ),
     "verify.loose-piece": entry(
         "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board "
-        "that line {line} has already cut out, so this part of the board may move.",
+        "that line {line} of the program has already cut out, so this part of the board may move.",
         "Process this edge before the contour that cuts out this part of the board.",
         x="number",
         y="number",
@@ -222,15 +223,15 @@ MESSAGES: Final[Entries] = {
     ),
     "verify.lowers-second": entry(
         "The program line lowers station {station} while station {other} may still be lowered.",
-        "Release station {other} (M65 P{output}) before this program line.",
+        "Raise station {other} (M65 P{output}) before this program line.",
         station="count",
         other="count",
         output="count",
     ),
     "verify.moves-before-stated": entry(
         "The program moves the head before it switches off {thing}.",
-        "Switch off {thing} first. Before that, only lift the head straight up, to Z "
-        "{height:.3f} mm or higher.",
+        "Switch off {thing} before the first move. Only a lift straight up, to Z {height:.3f} mm "
+        "or higher, may come earlier.",
         thing="message",
         height="number",
     ),
@@ -275,7 +276,8 @@ MESSAGES: Final[Entries] = {
     "verify.other-placement": entry(
         "The program places the drawing at X{x:.4f} Y{y:.4f} on the sheet, but the job places "
         "it at X{job_x:.4f} Y{job_y:.4f}.",
-        "Compile the job again, or verify the program with X and Y of the program.",
+        "Compile the job again, or verify the program with the position X{x:.4f} Y{y:.4f} of the "
+        "drawing.",
         x="number",
         y="number",
         job_x="number",
@@ -425,7 +427,7 @@ MESSAGES: Final[Entries] = {
     "verify.two-lowered": entry(
         "Station {station} processes the board while station {other} is also lowered (output "
         "{output} is on).",
-        "Release station {other} (M65 P{output}) before this station is used.",
+        "Raise station {other} (M65 P{output}) before this station is used.",
         station="count",
         other="count",
         output="count",
@@ -443,16 +445,20 @@ MESSAGES: Final[Entries] = {
         place="number",
     ),
     "verify.where-past-end": entry(
-        " at the end of the edge, beyond which the tool must continue",
+        ": the tool must also process the board beyond the end of the edge",
     ),
     "verify.where-past-start": entry(
-        " at the start of the edge, before which the tool must begin",
+        ": the tool must also process the board beyond the start of the edge",
     ),
     "verify.work-creased": entry("creased"),
     "verify.work-cut": entry("cut"),
     "verify.work-grooved": entry("grooved"),
-    "verify.work-grooved-from-end": entry("grooved in the direction from its end to its start"),
-    "verify.work-grooved-from-start": entry("grooved in the direction from its start to its end"),
+    "verify.work-grooved-from-end": entry(
+        "grooved in the direction from the end to the start of the edge"
+    ),
+    "verify.work-grooved-from-start": entry(
+        "grooved in the direction from the start to the end of the edge"
+    ),
     "verify.wrong-depth": entry(
         "The {tool:tool} is {depth:.3f} mm below the top face of the board instead of "
         "{planned:.3f} mm.",
