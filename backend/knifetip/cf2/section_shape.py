@@ -123,7 +123,7 @@ def place_shape(
 ) -> tuple[F64, F64, I64]:
     """Return a transformed copy of the segments of a section.
 
-    Arcs become elliptic if the scale is not uniform; they are then approximated by arcs.
+    Arcs become elliptic if the scale is not uniform; they are then approximated by circular arcs.
 
     Parameters
     ----------

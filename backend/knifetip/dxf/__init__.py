@@ -2,5 +2,5 @@
 
 ``fast_reader`` reads common files with compiled kernels.  ``ezdxf_reader`` reads all other files
 with the library ezdxf, and single entities that the fast reader does not support.  ``samples``
-writes DXF files.
+writes sample cartons as DXF files.
 """

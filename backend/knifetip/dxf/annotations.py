@@ -93,9 +93,10 @@ def annotation(
 def has_formatting(kind: str, text: str) -> bool:
     """Return whether the text of one entity must be parsed by ``annotation``.
 
-    The result is True if the text may contain formatting codes, which ``annotation`` decodes, or is
-    longer than 2000 characters, to which ``annotation`` shortens it.  All other texts are processed
-    together by ``plain_annotations``.  ``kind`` is the kind of the entity, such as MTEXT.
+    The result is True if the text may contain formatting codes, which ``annotation`` decodes, or if
+    it is longer than 2000 characters, because ``annotation`` shortens such texts.  All other texts
+    are processed together by ``plain_annotations``.  ``kind`` is the kind of the entity, such as
+    MTEXT.
     """
     return kind in _CODED or "\\" in text or "%%" in text or len(text) > _LONGEST
 

@@ -135,8 +135,8 @@ class Styles:
             Name of the linetype of the entity; "BYLAYER" if the entity has none.
         insert_style
             Style of the INSERT that places the entity, None in model space.  An entity whose colour
-            or linetype is BYBLOCK gets the colour or linetype of the INSERT.  An entity in a block
-            that is on layer 0 gets the layer of the INSERT.
+            or linetype is BYBLOCK gets the colour or linetype of the INSERT.  If an entity
+            in a block is on layer 0, it gets the layer of the INSERT.
         """
         block = insert_style or _SHEET
         if insert_style is not None and name == "0":

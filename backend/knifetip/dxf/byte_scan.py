@@ -29,10 +29,10 @@ _FIRST: Final = np.array([(1 << 8 * count) - 1 for count in range(8)], np.uint64
 
 @inline_kernel
 def code_at(data: U8_1, position: U64, size: U64) -> Any:
-    """Return the group code on the line that starts at byte ``position``, and the end of the line.
+    """Return the group code on the line at byte ``position``, and the start of the next line.
 
-    The end is the start of the next line.  ``size`` is the number of bytes of the file.  The code
-    is negative if the line does not contain a group code.
+    ``size`` is the number of bytes of the file.  If the line does not contain a group code, the
+    code is negative, and the second value is the position at which parsing stopped.
     """
     if position + _THREE < size and data[position + _THREE] == 10:
         first, second, third = data[position], data[position + ONE], data[position + ONE + ONE]

@@ -1,10 +1,11 @@
 """decimals: parse decimal numbers in bytes, rounded correctly like Python's ``float``.
 
-A decimal of up to 19 digits is w · 10^q with an integer w < 2^64.  If w < 2^53 and |q| ≤ 22, both
-factors are exact, and one multiplication or division rounds once.  Otherwise w is multiplied by a
-128-bit approximation of 10^q, which decides the rounding unless the product is too near the middle
-of two doubles.  Such numbers are left to ``float``, like longer numbers whose first 19 digits do
-not decide the rounding.
+A decimal of up to 19 digits is w · 10^q with an integer w < 2^64.  If w < 2^53 and |q| ≤ 22, the
+doubles w and 10^|q| are exact, and one multiplication or division gives the correctly rounded
+result.  Otherwise w is multiplied by a 128-bit approximation of 10^q.  This decides the rounding
+unless the product is too near the middle between two doubles.  A number whose rounding is not
+decided is left to ``float``.  The same applies to a number of more than 19 digits, unless its first
+19 digits decide the rounding.
 
 Eight digits of a fraction are parsed at once, as one integer of 64 bits.
 

@@ -152,7 +152,7 @@ class PageLines:
         return table, Paths(row[keep], style, matrix[keep]), styles
 
     def _drop_invisible(self, box: F64) -> Bool:
-        """Return the mask of the paths that are at least partly inside their visible areas, (p,).
+        """Return the mask, (p,), of the paths that are at least partly inside their visible areas.
 
         The reason for dropping each path that is outside, and a note for each path that is only
         partly inside, is written into the import report.

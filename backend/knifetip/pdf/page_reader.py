@@ -2,7 +2,7 @@
 
 ``read_page`` returns ``PageLines``: the paths, and a row of the import report for every path, text
 and image.  Coordinates are points on the displayed page, with (0, 0) at its lower left corner.  The
-total size of the content streams, counted once per copy, is limited.
+total size of the content streams is limited; the stream of a form counts once for each copy.
 
 Source: ISO 32000-1, chapters 7.7.3, 7.8 and 8.10.
 """

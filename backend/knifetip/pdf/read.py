@@ -40,8 +40,8 @@ def read(
     data
         Content of the file.
     unit
-        The length of one point of the page, if the user overrides it: "mm", "in" …  None or "" for
-        the true length, 1/72 in.
+        Unit that the user gives for one point of the page: "mm", "in" …  None or "" for the true
+        length of a point, 1/72 in.
     limits
         Limits of the size of the file and of the drawing.
 

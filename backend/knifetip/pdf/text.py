@@ -167,7 +167,7 @@ class TextObject:
     def begins(self) -> list[tuple[float, float]]:
         """The start point (x, y) of the text as a list of one point; empty if no text was shown.
 
-        The coordinates are those that apply before the operator BT.
+        The point is in the coordinate system that applies before the operator BT.
         """
         return [] if self._begin is None else [self._begin[4:]]
 
@@ -179,7 +179,7 @@ class TextObject:
         Parameters
         ----------
         matrix
-            From the coordinates that apply before the operator BT to points on the page.
+            Matrix from the coordinate system before the operator BT to points on the page.
         """
         text = " ".join("".join(self._parts).split())
         if self._begin is None or self._unread or not text:

@@ -294,7 +294,7 @@ class _Expansion:
     def _enter_window(self, node: Node, sizes: Node, context: _Context) -> _Context:
         """Return the properties that the children of an ``svg`` or ``symbol`` element inherit.
 
-        Their matrix maps the coordinates of the children to file units.
+        The matrix in these properties maps the coordinates of the children to file units.
 
         Parameters
         ----------
@@ -332,7 +332,7 @@ class _Expansion:
         return context._replace(matrix=inner, window=_window(box[2], box[3]))
 
     def _follow_use(self, node: Node, context: _Context) -> tuple[Node, _Context] | None:
-        """Return the element that a ``use`` element copies, and the context of the copy.
+        """Return the element that a ``use`` element copies, and the properties of the copy.
 
         None is returned if the element cannot be copied; the reason is then added to the import
         report.
@@ -342,7 +342,7 @@ class _Expansion:
         node
             The ``use`` element.
         context
-            The context that the ``use`` element inherits.
+            Properties that the ``use`` element inherits.
         """
         handle = self._handle(node)
         context = self._context_of(node, context)

@@ -1,10 +1,10 @@
 """layers: find the layer name of an SVG element.
 
-SVG has no layers.  Inkscape marks groups as layers; Illustrator writes layers as groups with an id;
-other programs name the elements.  The layer name is therefore taken from the label of a group that
-is marked as a layer, the id of a group, or the label, id or class of the element.  Names that a
-program generates, such as "path42", are ignored.  An element without a name is on layer "0", as in
-a DXF.
+SVG has no layers.  Inkscape marks groups (<g> elements) as layers; Illustrator writes layers as
+groups with an id; other programs name the elements.  The layer name is therefore taken from the
+label of a group that is marked as a layer, the id of a group, or the label, id or class of the
+element.  Names that a program generates, such as "path42", are ignored.  An element without a name
+is on layer "0", as in a DXF.
 """
 
 from __future__ import annotations

@@ -44,10 +44,10 @@ def shape_path_data(node: Node, window: Window) -> str:
 
 
 def frame_path_data(node: Node, window: Window) -> str:
-    """Return the path data of the diagonal of an element that has no path, such as an image.
+    """Return the path data of the diagonal of the rectangle of an element such as an image.
 
-    The diagonal is computed from the attributes x, y, width and height of the element.  Its
-    bounding box is the location of the element in the import report.  ``window`` contains the
+    The rectangle is given by the attributes x, y, width and height of the element, which has no
+    path.  The import report shows it as the location of the element.  ``window`` contains the
     lengths to which percentages in these attributes refer.
     """
     wide, high = _size(node, "width", window[0]), _size(node, "height", window[1])

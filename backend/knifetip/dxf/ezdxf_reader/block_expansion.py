@@ -1,10 +1,10 @@
 """block_expansion: replace each INSERT of a drawing by the entities of the block that it places.
 
-The result is the rows of the import report in file order, and the shapes of the entities with their
-placements.  The fast reader and the ezdxf reader use this module; each of them implements
+The result is the import report, with its rows in file order, and the shapes of the entities with
+their placements.  The fast reader and the ezdxf reader use this module; each of them implements
 ``SourceEntity``.  The entities are counted before any block is expanded, because a few nested
-arrays of blocks can expand to billions of lines.  An entity that an INSERT repeats in rows and
-columns has one row in the import report and one placement per repetition.
+arrays of blocks can expand to billions of lines.  If an INSERT repeats its block in a grid, each
+entity of the block has one row in the import report and one placement per repetition.
 """
 
 from __future__ import annotations
@@ -107,7 +107,7 @@ class SourceEntity(Protocol):
         ...
 
     def repeats(self) -> tuple[str, int]:
-        """Return the lower-case name of this INSERT's block, and the number of copies placed."""
+        """Return the lower-case name of this INSERT's block, and how often it places the block."""
         ...
 
 

@@ -1,12 +1,12 @@
 """place: convert placed shapes to arrays of lines and arcs in file order.
 
-A placement that rotates, mirrors or scales equally in x and y keeps lines and arcs.  Unequal scales
+A placement that rotates, mirrors or scales equally in x and y keeps arcs circular.  Unequal scales
 make an arc elliptical.  Ellipses and splines are approximated by arcs, once for all placements that
 differ only by a translation.
 
 The tolerance of the approximation is ``tolerance.CURVE`` mm.  While the unit of the drawing is
 unknown, the tolerance is 1 / 250,000 of the diagonal of the drawing, and at most
-``tolerance.CURVE`` file units.  For a drawing of up to 2.5 m this is at most 0.01 mm.
+``tolerance.CURVE`` file units.  If the diagonal is at most 2.5 m, this fraction is at most 0.01 mm.
 """
 
 from __future__ import annotations

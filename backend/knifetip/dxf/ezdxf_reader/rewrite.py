@@ -4,7 +4,7 @@
 that have no geometry to cut, and ``as_text`` converts the tags of a binary DXF file to lines.
 
 ezdxf expects the geometry of LWPOLYLINE and SPLINE after their subclass markers.  In files of
-version R12, which does not define these entities, it expects layer, colour and the closed flag
+version R12, which does not define these entities, ezdxf expects layer, colour and the closed flag
 before the markers.  Many programs write LWPOLYLINE and SPLINE without markers, or into R12 files.
 ezdxf also refuses a whole file because of one hatch or image that it cannot parse.
 """

@@ -136,7 +136,7 @@ def distant(ends: F64_3, first: I64_1, reach: float) -> Any:
 
 @kernel
 def style_keys(entity: I32_2A, rows: I64_1, count: I64_1) -> Any:
-    """Return the rows of the d entities that have segments, (d,), and the style key of each, (d,).
+    """Return the rows, (d,), of the d entities with segments, and their style keys, (d,).
 
     A style key is an integer of 64 bits that is equal for entities with equal styles.  It contains
     layer and linetype (15 bits each), colour (9 bits) and true colour (25 bits).

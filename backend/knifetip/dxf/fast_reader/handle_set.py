@@ -142,14 +142,17 @@ def _spell(
     ----------
     data
         Content of the file.
-    start, size, block : (e,)
-        Position and length of each handle in ``data``, and row of the block that contains the
-        entity, -1 for an entity of model space.
+    start, size : (e,)
+        Position and length of the handle of each entity in ``data``.
+    block : (e,)
+        Row of the block that contains each entity, -1 for an entity of model space.
     count
         Array of zeros that receives the number of entities of each block; the last element is for
         model space.
-    text, end
-        Arrays that receive the text of all handles, and the end of each handle in this text.
+    text
+        Array that receives the text of all handles.
+    end : (e,)
+        Array that receives the end of each handle in ``text``.
     number : (e,)
         Array that receives the value of each handle, 0 for an entity without a handle.
     """
@@ -191,8 +194,8 @@ def _measure(end: I64_1, own: I64_1, insert: I64_1, out_end: OutI64_1) -> int:
     own : (m,)
         Index into ``end`` of the handle of the entity in each row.
     insert : (m,)
-        Index into ``end`` of the handle of the INSERT that is written before it with a slash; -1 if
-        there is none.
+        Index into ``end`` of the handle of the INSERT that precedes the handle of the entity,
+        separated by a slash; -1 if no INSERT precedes it.
     """
     total = 0
     for row in range(len(own)):

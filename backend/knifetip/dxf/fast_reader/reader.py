@@ -417,9 +417,10 @@ class FastReader:
 
         Parameters
         ----------
-        rows, one_by_one
-            Rows in ``Scan.entity`` of the entities of model space, and the mask of the entities
-            in ``rows`` that ``BlockExpansion`` expands.
+        rows
+            Rows in ``Scan.entity`` of the entities of model space.
+        one_by_one
+            Mask of the entities in ``rows`` that ``BlockExpansion`` expands.
         block
             Row in ``Scan.block`` of the block of each INSERT that array operations place.
         """
@@ -441,7 +442,8 @@ class FastReader:
         sheet
             The entities of model space.
         styles : (e,)
-            Style index of each entity of the file; -1 unless it is in model space and has segments.
+            Style index of each entity of the file; -1 if the entity is not in
+            model space or has no segments.
         total
             Number of segments to return.
         placed

@@ -135,8 +135,8 @@ def _scan_parts(data: bytes, bounds: list[int], entities: int) -> _PartScans:
     bounds
         Positions at which the parts begin, and the end of the last part.
     entities
-        Number of entities for which memory is reserved, in all parts together.  A part with more
-        entities than its proportion of this number is not supported.
+        Number of entities for which memory is reserved, in all parts together.  The number
+        is divided among the parts by their lengths; a part with more entities is not supported.
     """
     parts = list(pairwise(bounds))
     rows = [entities * (end - begin) // max(len(data), 1) for begin, end in parts]
@@ -252,11 +252,18 @@ def _merge_parts(data: bytes, parts: _PartScans) -> Scan | None:
 def _move_up(
     entity: OutI32_2F, value: OutF64_2F, row: int, to: int, count: int, numbers: I32_1, gap: int
 ) -> None:
-    """Close the gap between the rows of one part of a file and the rows of the parts before it.
+    """Move the rows of one part of a file directly after the rows of the parts before it.
 
-    Moves ``count`` rows of ``entity`` and ``value`` from index ``row`` to the lower index ``to``,
-    and renumbers the names and vertices in them: ``numbers[i]`` is the new index of name i, and
-    ``gap`` is subtracted from the indices of vertices.
+    Parameters
+    ----------
+    entity, value
+        Arrays in which the rows are moved.
+    row, to, count
+        The ``count`` rows from index ``row`` on are moved to the lower index ``to``.
+    numbers
+        New index of each name; the names in the moved rows are renumbered.
+    gap
+        Subtracted from the indices of vertices in the moved rows.
     """
     for column in range(f.WIDTH):
         named = column in (f.WORD, f.LAYER, f.LINETYPE, f.REFERENCE)

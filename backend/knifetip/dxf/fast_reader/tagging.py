@@ -213,10 +213,12 @@ def _store_structure_tag(
     Parameters
     ----------
     code
-        Group code of the tag; its value is ``data[low:high]``.
+        Group code of the tag.
+    data, low, high
+        Bytes of the file; the value of the tag is ``data[low:high]``.
     next_tag
-        Position of the next tag; after the name of the section HEADER it is stored as the start of
-        this section.
+        Position of the next tag.  If the tag is the name of the section HEADER, this position is
+        stored as the start of the section.
     tables, state
         The arrays into which the scan writes, and the state of the scan; both are updated.
     """

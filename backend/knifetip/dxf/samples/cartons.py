@@ -44,9 +44,12 @@ def tuck_end_carton(
 
     Parameters
     ----------
-    length, width, depth : float, mm
-        Distances between creases: width of the front panel, width of a side panel, and height of
-        the carton.
+    length : float, mm
+        Width of the front and of the back panel, between creases.
+    width : float, mm
+        Width of the side panel between the front and the back panel, between creases.
+    depth : float, mm
+        Height of the carton, between the creases of the two lids.
     """
     glue, step, slit, tuck = 15.0, 0.5, 6.0, 16.0
     # The last panel lies outside the glue flap's fold: narrower, so that its edge does not project.
@@ -300,12 +303,12 @@ def _notch(radius: float, depth: float, lead: float) -> F64:
     left of the edge, and the middle of the notch is at u = 0.
 
     The columns of the returned array are u along the edge (mm), v into the board (mm), radius of
-    the fillet at the corner, which is always 0, and bulge of the side after the corner.  The
-    fillets at the sides of the notch are not such fillets: they are sides with a bulge.
+    the fillet that ``_contour`` adds at the corner, and bulge of the side after the corner.  The
+    radius is 0, because the two fillets of the notch are already sides with a bulge.
 
     The centre of the arc is ``radius - depth`` outside the board.  The common tangent of the arc
-    and a fillet therefore makes the angle φ with the edge, cos φ = (radius - depth + lead) /
-    (radius + lead).
+    and a fillet therefore makes the angle φ with the edge, with
+    cos φ = (radius - depth + lead) / (radius + lead).
     """
     turned = math.acos((radius - depth + lead) / (radius + lead))
     half = (radius + lead) * math.sin(turned)
@@ -331,8 +334,10 @@ def _sheet_corners(corners: F64, origin: tuple[float, float], axis: tuple[float,
     ----------
     corners : (k, 4)
         Corners with the coordinates u along the edge and v to the left of the edge.
-    origin, axis
-        Point u = v = 0 in the coordinates of the sheet, and unit vector along the edge.
+    origin
+        Point u = v = 0 in the coordinates of the sheet.
+    axis
+        Unit vector along the edge, in the coordinates of the sheet.
     """
     u = np.array(axis)
     xy = origin + corners[:, :1] * u + corners[:, 1:2] * left_normal(u)
