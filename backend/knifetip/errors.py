@@ -194,7 +194,10 @@ class TravelExceeded(PlanError):
 
 
 class CompensationError(KnifetipError):
-    """Raised when an edge cannot be compensated for its tool."""
+    """Raised when tool compensation fails for an edge, or for a correction of a tool.
+
+    Tool compensation computes the head's path from the path of the tool's tip.
+    """
 
 
 class CurvedGroove(CompensationError):
@@ -287,7 +290,10 @@ class StaleEpoch(JobError):
 
 
 class StoreError(JobError):
-    """Raised when the database cannot be used, or when the server cannot start to listen."""
+    """Raised when the database cannot be used, or when a server cannot start.
+
+    A server cannot start, for example, if its network address is already in use.
+    """
 
 
 class KeyReused(JobError):

@@ -107,8 +107,9 @@ def field_error(code: str, **arguments: Any) -> PydanticCustomError:
     code
         Code of the message that describes the error.
     arguments
-        Values by name that are inserted into the message.  The path of the field and, if it is not
-        given here, the value of the field are added when the message is written.
+        Values by name that are inserted into the message.  Two more are added when the message is
+        written: the path of the field and, unless ``arguments`` contains a value, the value of the
+        field.
     """
     return PydanticCustomError(code, code, arguments)
 

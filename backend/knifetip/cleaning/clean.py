@@ -89,20 +89,23 @@ class _State:
     cached_end_points: EndPoints | None = None
 
     def end_points(self) -> EndPoints:
-        """Return the points at which current edges meet, and pairs of ends within ``GAP`` mm.
+        """Return the points at which current edges meet, and the pairs of ends near each other.
 
-        The result is computed again only if the ends have changed since the last call.
+        Two ends are near each other if they do not meet but are at most ``GAP`` (the largest gap
+        that is closed) apart.  The result is computed again only if the ends have changed since the
+        last call.
         """
         if self.cached_end_points is None or self.cached_end_points.ends is not self.ends:
             self.cached_end_points = find_end_points(self.ends, GAP)
         return self.cached_end_points
 
     def remove_overlaps(self, drawn: Dieline) -> bool:
-        """Replace the current edges by pieces that do not overlap each other.
+        """Divide current edges where they overlap, and remove parts that another edge replaces.
 
-        Also divides the stretches, the parts of drawn edges that each belong to one current edge.
-        ``drawn`` contains the drawn edges.  Returns whether any current edge was divided because
-        only a part of it overlaps another edge.
+        A drawn edge consists of stretches, each of which belongs to one current edge.  They are
+        divided at the same points and then belong to the edges that remain.  ``drawn`` contains the
+        drawn edges.  Returns whether any current edge was divided because only a part of it
+        overlaps another edge.
         """
         pieces = remove_overlaps(self.ends, self.bulge, self.kind)
         if not pieces.is_foreign.any():
@@ -213,8 +216,9 @@ def clean(dieline: Dieline) -> Cleaned:
     Returns
     -------
     Cleaned
-        The cleaned edges, and for each drawn edge its outcome, the reason and lengths.  An edge
-        that needs no cleaning keeps its ends and bulge, bit for bit.
+        The cleaned edges, and for each drawn edge its outcome (kept, merged or dropped), the reason
+        for the outcome, and the lengths of the edge that were kept, merged, dropped and added (mm).
+        An edge that needs no cleaning keeps its ends and bulge, bit for bit.
 
     Raises
     ------
@@ -259,13 +263,15 @@ def clean(dieline: Dieline) -> Cleaned:
 
 
 def _slots(state: _State, count: int) -> tuple[I64, I64]:
-    """Return the cleaned row and the source row of each of the k current edges, both (k,).
+    """Return where each of the k current edges is placed in the cleaned dieline.
 
-    The source row is the index of the first drawn edge of which the current edge contains a part.
-    The cleaned row is the index of the current edge in the cleaned dieline.  It is the source row
-    if no other current edge has this source row.  Otherwise, only the current edge that is nearest
-    to the start of the drawn edge gets the source row; the others get rows from ``count`` on, where
-    ``count`` is the number of drawn edges.
+    Two arrays, (k,) each, are returned.  The first contains the row of each current edge in the
+    cleaned dieline.  The second contains its source: the index of the first drawn edge of which the
+    current edge contains a part.
+
+    A current edge is placed in the row with the index of its source.  If several current edges have
+    one source, only the one nearest to the start of the drawn edge is placed there, and the others
+    are placed in rows after all drawn edges.  ``count`` is the number of drawn edges.
     """
     owned = np.flatnonzero((state.edge >= 0) & ~state.overlapping)
     order = owned[np.lexsort((state.begin[owned], state.row[owned], state.edge[owned]))]
@@ -362,9 +368,9 @@ def _report(dieline: Dieline, length: F64, at_work: Bool, state: _State) -> Clea
 def _main_row(row: I64, size: F64, target: I64, overlapping: Bool, count: int) -> I32:
     """Return the row of the cleaned edge that replaces each of n drawn edges, (n,); -1 if dropped.
 
-    A stretch is a part of a drawn edge that belongs to one cleaned edge or is debris.  The returned
-    row is that of the longest stretch; stretches that overlap another edge are used only if the
-    drawn edge has no other stretch.
+    A drawn edge consists of stretches, each of which belongs to one cleaned edge or is debris.  The
+    result is the row of the cleaned edge to which the longest stretch belongs.  A stretch that
+    overlaps another edge is considered only if all stretches of the drawn edge do so.
 
     Parameters
     ----------

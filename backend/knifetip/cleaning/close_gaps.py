@@ -1,14 +1,17 @@
 """close_gaps: remove debris, and join ends of edges that should meet but leave a small gap.
 
-Debris is an edge shorter than ``GAP`` that is isolated, or attached to other edges at one end only.
-An edge shorter than ``SAME`` is also debris if it lies between two edges that are at least as long
-as ``GAP``: their ends can be joined without it.
+``GAP`` is the largest gap that is closed, 0.05 mm, and ``SAME``, 0.01 mm, the distance within which
+edges are the same.  Debris is an edge shorter than ``GAP`` that is isolated, or attached to other
+edges at one end only.  An edge shorter than ``SAME`` is also debris if it lies between two edges
+that are at least as long as ``GAP``: their ends can be joined without it.
 
-If an end meets no other end of its line type, and an end of this line type lies within ``GAP``, the
-two ends are moved to one point: to the intersection of two lines if it is within ``GAP`` of both
-ends, otherwise to the point halfway between the ends.  If several ends meet on one side of the gap,
-they are not moved, and the single end on the other side is moved to their point.  If several ends
-of the line type meet on each side, the gap is left open.
+Two ends of edges of the same line type are joined if they are at different points, at most ``GAP``
+apart, and at least one of them is single: no other edge of this line type ends at its point.
+
+If only one of the two ends is single, it is moved to the point of the other end.  If both are
+single, and edges of other line types end at only one of the two points, that point is kept and the
+other end is moved to it.  In all other cases both ends are moved to one point: to the intersection
+of two lines if it is within ``GAP`` of both ends, otherwise to the point halfway between the ends.
 
 T-junctions, where an end touches the inside of another edge, and edges that end side by side are
 not changed.  An arc keeps its bulge.  No end moves by more than ``GAP``.
@@ -45,6 +48,9 @@ class Closed:
 
 def find_debris(ends: F64, length: F64, end_points: EndPoints) -> Bool:
     """Return the mask of the edges that are debris, shape (k,).
+
+    Debris are edges shorter than the largest gap that is closed, ``GAP``, that are not needed to
+    connect other edges.
 
     Parameters
     ----------
@@ -244,12 +250,15 @@ def _close(
     gap
         Largest distance by which an end may be moved (mm).
     join
-        Distance within which ends or edges touch; no edge may become as short as this (mm).
+        Distance within which an end touches another edge (mm).  An end is not moved if its edge
+        would become as short as this.
     same
-        Distance from both ends of an edge beyond which a point is inside the edge (mm).
-    side_cosine, straight
-        Cosines of the largest angles between edges that end side by side, which are not joined, and
-        between edges that continue each other.
+        An end that touches another edge touches its inside if it is at least this far from both
+        ends of that edge (mm).
+    side_cosine
+        Cosine of the largest angle between two edges that end side by side; these are not joined.
+    straight
+        Cosine of the largest angle by which an edge may bend away from an edge that it continues.
     slant
         Sine of the smallest angle between two lines whose intersection is used.
     """
@@ -405,8 +414,9 @@ def _meeting_point(
 ) -> tuple[float, float]:
     """Return the point (x, y) to which the ends ``one`` and ``other`` are moved to close their gap.
 
-    It is the intersection of two lines if their angle has a sine greater than ``slant`` and the
-    intersection is within ``gap`` mm of both ends, otherwise the point halfway between the ends.
+    If both edges are straight, the point is the intersection of their lines, unless it is more than
+    ``gap`` mm away from one of the ends or the sine of the angle between the lines is at most
+    ``slant``.  In all other cases it is the point halfway between the ends.
 
     Parameters
     ----------

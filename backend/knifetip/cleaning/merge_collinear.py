@@ -1,9 +1,10 @@
 """merge_collinear: merge collinear lines, concentric arcs and segments of flattened curves.
 
 Two edges are merged only if they have the same line type and no third edge ends at the point where
-they meet, or within ``GAP`` of it.  Lines become one line if every joint is within ``JOIN`` of it;
-arcs that turn in the same direction become one arc.  Three or more segments shorter than ``FINE``
-are treated as a flattened curve and are replaced by a line or an arc within ``FITTED`` of them.
+they meet or near it (within ``GAP``).  Lines become one line if every joint is within ``JOIN``
+(0.002 mm) of it; arcs that turn in the same direction become one arc within the same distance.
+Three or more edges shorter than ``FINE`` (0.05 mm) are treated as a flattened curve: they are
+replaced by a line or an arc within ``FITTED`` (0.005 mm) of them.
 """
 
 from __future__ import annotations
@@ -121,8 +122,9 @@ def _continuations(
     """Return for each end of k edges the end of another edge with which it may be merged, (2k,).
 
     The entry is -1 unless exactly two edges meet at the end, both edges have the same line type,
-    and no end of a third edge is near.  Nearness does not count if an edge shorter than ``FINE``
-    ends at either point: the points along a flattened curve are always near each other.
+    and no end of a third edge is near.  A third end that is near does not matter if an edge shorter
+    than ``FINE`` ends at its point or at the point where the two edges meet, because the points
+    along a flattened curve are always near each other.
 
     Parameters
     ----------
@@ -203,8 +205,12 @@ def _split_runs(
         Index into ``order`` of the first edge of each of r runs, followed by the number k.
     closed : (r,)
         Whether each run is closed.
-    join, fitted, fine
-        Tolerances ``JOIN`` and ``FITTED``, and length ``FINE`` (mm).
+    join
+        Largest distance of collinear lines, or of concentric arcs, from their replacement (mm).
+    fitted
+        Largest distance of a flattened curve from its replacement (mm).
+    fine
+        Edges shorter than this belong to a flattened curve (mm).
 
     Returns
     -------
@@ -294,8 +300,9 @@ def _longest_fit(
 ) -> tuple[int, float, float]:
     """Fit the longest possible line or arc to the segments of a run, from segment ``i`` on.
 
-    Returns the index of the first segment that is not replaced, the bulge of the line or arc, and
-    the greatest distance of the replaced segments from it (mm).
+    A run is a chain of segments.  Returns the index of the first segment that the line or arc does
+    not replace, the bulge of the line or arc, and the greatest distance of the replaced segments
+    from it (mm).
 
     Parameters
     ----------
@@ -303,8 +310,14 @@ def _longest_fit(
         Segments in order: x0, y0, x1, y1, bulge; only the first ``count`` rows are used.
     size : (k,)
         Lengths of the segments (mm).
-    join, fitted
-        Largest distance for lines and arcs, and for segments of flattened curves (mm).
+    i
+        Index of the first segment to replace.
+    count
+        Number of segments in the run.
+    join
+        Largest distance of collinear lines, or of concentric arcs, from their replacement (mm).
+    fitted
+        Largest distance of a flattened curve from its replacement (mm).
     fine
         Segments shorter than this belong to a flattened curve (mm).
     """
@@ -390,8 +403,9 @@ def _longest_arc(
     are not replaced.  ``size`` contains the lengths of the segments (mm).  The number of replaced
     segments is found by doubling and bisection.
 
-    Returns the index of the first segment that is not replaced, which is ``i`` if no arc fits, the
-    bulge of the arc, and the greatest distance of the segments from it (mm).
+    Returns the index of the first segment that is not replaced, the bulge of the arc, and the
+    greatest distance of the replaced segments from it (mm).  If no arc fits, the index is ``i``,
+    and bulge and distance are 0.
     """
     good, code, off = i, 0.0, 0.0
     step = 4

@@ -1,6 +1,7 @@
 """overlapping: find pairs of edges that overlap along some length.
 
-Two lines overlap if both ends of the shorter line are within ``SAME`` of the longer line; two arcs
+Two lines overlap if both ends of the shorter line are within ``SAME``, which is 0.01 mm, of the
+longer line; two arcs
 overlap if the ends and the midpoint of the shorter arc are within ``SAME`` of the circle of the
 longer arc.  The common length must be greater than ``SAME``.
 

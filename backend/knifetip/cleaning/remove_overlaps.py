@@ -1,9 +1,10 @@
 """remove_overlaps: keep one edge where several edges overlap, and shorten the other edges.
 
-Edges are processed in the order of the priority of their line types; edges of one priority from the
-longest to the shortest.  Each edge loses the parts that overlap an edge processed before it, if the
-line type of that edge covers its own line type (``priority``).  So a part is removed only at a
-position at which another edge remains.
+Edges are processed in the order of the priority of their line types; edges of equal priority are
+processed from the longest to the shortest.  An edge that is processed later loses the parts that
+overlap an earlier edge, if the line type of the earlier edge makes them superfluous: for example, a
+cut makes a crease superfluous.  The module ``priority`` contains these rules.  A part is removed
+only at a position at which another edge remains.
 """
 
 from __future__ import annotations

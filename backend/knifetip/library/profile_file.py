@@ -113,7 +113,7 @@ class RuleTable(Table):
 class ProfileFile(Table):
     """The fields of the TOML file of a classification profile: a title, and rules for line types.
 
-    The conditions of a rule are layers, colours, linetypes, entity types and blocks.
+    The conditions of a rule are layers, colours, dash patterns, entity types and blocks.
     """
 
     title: Annotated[

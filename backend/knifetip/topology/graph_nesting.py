@@ -210,10 +210,10 @@ def _containing_faces(hit: I32_1, outside: I32_1, owner: I32_1) -> Any:
 def _x_at(ends: F64_3, bulge: F64_1, i: int, y: float, root: int) -> tuple[float, bool]:
     """Return the x coordinate of edge ``i`` at height ``y``, and whether the edge rises there.
 
-    The x coordinate is NaN if the edge does not reach that height.  The edge rises if it runs
-    upwards from its start to its end.  ``root`` is 0 for the left half and 1 for the right half of
-    the circle of an arc; it has no effect on lines.  ``ends`` (n, 2, 2) and ``bulge`` (n,) are the
-    end points and bulges of the edges.
+    The x coordinate is NaN if the edge does not reach that height.  The edge rises there if it runs
+    upwards at that point, in the direction from its start to its end.  ``root`` is 0 for the left
+    half and 1 for the right half of the circle of an arc; it has no effect on lines.  ``ends`` (n,
+    2, 2) and ``bulge`` (n,) are the end points and bulges of the edges.
     """
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     bx, by = ends[i, 1, 0], ends[i, 1, 1]
