@@ -227,7 +227,8 @@ def _write_passes(
     start, end, above_start, above_end : (m, 4) each
         Poses of the head at both ends of each of m = 2 n k strokes, in the board and above it.
     down, up, track, source : (m,) each
-        Whether the tool plunges before and lifts after the stroke, its track and its edge.
+        Whether the tool plunges before each stroke, whether it is lifted after the stroke, and the
+        track and the edge of the stroke.
     """
     passes = depth.shape[1]
     rows = 2 * passes * len(source)

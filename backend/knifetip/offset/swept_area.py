@@ -60,6 +60,9 @@ def area_under_edge(
 ) -> tuple[float, float, float, int]:
     """Return twice the area between the origin and the edge that a tool leaves beside a chain.
 
+    A chain is a path of the tool's centre.  The edge is the border of the area that the tool sweeps
+    on this path, on the side of the contour.
+
     Parameters
     ----------
     line : (r, 5)

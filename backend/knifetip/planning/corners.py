@@ -81,7 +81,7 @@ def distances_to_corners(corners: Corners, contours: list[Bends]) -> F64:
     corners
         Corner types that the user chose; ``at`` contains the choices for single positions.
     contours
-        Bends of the contours of every operation in which the cutter runs beside the edges.
+        Bends of the contours, for every operation in which the cutter mills contours.
 
     Raises
     ------

@@ -43,7 +43,7 @@ def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool
     row : (m,)
         Segment of ``paths`` from which each new segment comes.
     split : (q, 2)
-        Whether each new path starts, and ends, at a split.
+        Whether the start, and whether the end, of each new path is at a split.
     """
     segment, fraction = find_cut_crossings(paths, ends, bulge)
     count = len(paths.bulge)

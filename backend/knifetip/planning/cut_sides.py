@@ -16,7 +16,7 @@ from knifetip.topology.subdivision import subdivide
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CutSides:
-    """For each of n cuts, the side on which the waste lies, and the part or hole that it bounds."""
+    """The side of the waste of each of n cuts, and the part or hole that each cut bounds."""
 
     waste: I8  #: (n,) side of the waste around a part: +1 left, -1 right, 0 if it bounds no part
     face: I64  #: (n,) part or hole that the cut bounds, -1 for none

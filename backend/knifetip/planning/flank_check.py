@@ -84,8 +84,8 @@ def check_flanks(paths: Paths, source: I32, reach: float, run_out: F64, dieline:
 
     A groove that ends on a cut, or runs out over a cut, crosses that cut with its flanks.  At such
     an end, a stretch of the groove is not checked.  The stretch is twice ``reach`` long, or as long
-    as the run-out if the run-out is longer.  A cut that crosses the groove and ends between its
-    flanks is permitted.
+    as the run-out if the run-out is longer.  A cut that crosses the groove and ends between the
+    flanks of the groove is permitted.
 
     Parameters
     ----------

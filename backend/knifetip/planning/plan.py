@@ -45,7 +45,7 @@ def lacks_tool(machine: Machine, line_type: LineType) -> bool:
 
 
 def check_corners(corners: Corners, machine: Machine) -> None:
-    """Check that the user's corner types are valid and that the machine has a milling cutter.
+    """Raise an error if a corner type of the user is invalid or the machine has no milling cutter.
 
     Raises
     ------
