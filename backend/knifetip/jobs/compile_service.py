@@ -43,7 +43,9 @@ _log = logging.getLogger("knifetip.jobs")
 
 
 def _kernels_for(machine: str) -> tuple[str, ...]:
-    """Return the names of the groups of kernels (functions) that compiling for a machine needs.
+    """Return the names of the groups of kernels that are needed to compile jobs for a machine.
+
+    Kernels are functions that numba compiles to machine code.
 
     Parameters
     ----------

@@ -3,13 +3,13 @@
 The controller parses the program in check mode before anything moves.  Every failure raises one of
 five errors, so that a failure never makes a call wait for ever: ``ControllerRejected``,
 ``ControllerAlarm``, ``ControllerReset`` (an unexpected banner), ``ControllerSilent`` (no answer, or
-a lost ``ok``) and ``ControllerError`` (a lost connection, or a surplus ``ok``).  After each of them
-``Grbl.stop`` brings the machine into its safe state (``recovery``).
+a lost ``ok``) and ``ControllerError`` (a lost connection, or a surplus ``ok``).  After each of
+these errors ``Grbl.stop`` brings the machine into its safe state (``recovery``).
 
-A doubled ``ok`` makes the count of free bytes in the receive buffer wrong.  It is detected in one
-of three ways: an answer arrives although no line is unanswered, a status report shows more bytes in
-the buffer than the unanswered lines have, or, at the latest, ``Grbl.settle`` finds a surplus
-answer.
+If the controller sends two ``ok`` for one line, the driver counts too many free bytes in the
+receive buffer.  The driver detects this in one of three ways: an answer arrives although no line is
+unanswered, a status report shows more bytes in the buffer than the unanswered lines have, or, at
+the latest, ``Grbl.settle`` finds a surplus answer.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""recovery: bring a machine into its safe state after a fault, after a cancel, or at takeover.
+"""recovery: bring a machine into its safe state after a fault or a cancel, or on connection.
 
 The steps are: hold, wait for rest, reset, unlock if the alarm permits it, lift Z, switch the
 spindle off, switch the outputs off.  The reasons for this order are in docs/decisions/0019.
