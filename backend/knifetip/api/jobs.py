@@ -1,4 +1,4 @@
-"""Routes for jobs: create, list, read, release, confirm, hold, resume, cancel, finish, requeue."""
+"""Routes for jobs: create, list, read, and commands such as release, confirm, hold and cancel."""
 
 from __future__ import annotations
 

@@ -108,12 +108,12 @@ def check_library_name(shelf: str, name: str) -> str:
     shelf
         Kind of the entry: "machines", "boards" or "profiles".
     name
-        Name of the entry.
+        Name of the entry; the path of a file is not accepted as a name.
 
     Raises
     ------
     LibraryError
-        The library has no such entry; a path of a file is not accepted.
+        The library has no entry of this kind with this name.
     """
     known = load.names(shelf)
     if name not in known:
@@ -200,6 +200,11 @@ def bytes_response(
 
 
 def file_name(name: str) -> str:
-    """Return a name as a portable file name of letters, digits, dots, dashes and underscores."""
+    """Return a portable file name made from a name.
+
+    It consists of letters (A to Z), digits, dots, dashes and underscores.  One dash replaces each
+    sequence of other characters.  Dots and dashes at both ends are removed, and only the last 100
+    characters are kept.  The result is "knifetip" if nothing is left.
+    """
     plain = re.sub(r"[^A-Za-z0-9._-]+", "-", name).strip("-.")
     return plain[-100:] or "knifetip"

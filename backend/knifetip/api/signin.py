@@ -48,8 +48,8 @@ _AGAIN = "again"  # query parameter of the second attempt
 def cookie_name(key: str) -> str:
     """Return the name of the session cookie of a server with the key ``key``.
 
-    The name depends on the key, because servers on other ports of the same host share the cookies
-    of a browser and would otherwise overwrite the cookie.
+    The name depends on the key, because a browser sends the same cookies to all ports of a host.
+    With one name, servers on different ports would overwrite each other's cookies.
     """
     return f"knifetip-{hashlib.sha256(b'cookie ' + key.encode()).hexdigest()[:8]}"
 
@@ -113,7 +113,7 @@ def wants_page(request: Request) -> bool:
 
 
 def welcome(request: Request, key: str, now: float) -> Response:
-    """Return a response that sets the session cookie and then opens the same URL without the key.
+    """Return a page that sets the session cookie and then loads the same URL without the key.
 
     ``now`` is the current time in seconds since 1970.
     """

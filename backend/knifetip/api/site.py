@@ -32,7 +32,7 @@ class Site(StaticFiles):
     """ASGI application that serves the folder of the built page.
 
     A path without a file gets ``index.html``, because it can be a route of the page.  Paths of the
-    API, and paths that end with the name of a missing file (with a dot), get the status 404.
+    API get the status 404, and so do paths without a file if their last part contains a dot.
     """
 
     def __init__(self, folder: Path) -> None:

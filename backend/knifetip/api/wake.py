@@ -27,7 +27,7 @@ class Wake:
 
 @contextmanager
 def wake_on_change(changes: Changes) -> Iterator[Wake]:
-    """Return a context in which a ``Wake`` is set after every change in the store.
+    """Return a context manager that yields a ``Wake``, which every change in the store sets.
 
     Parameters
     ----------

@@ -156,7 +156,10 @@ class Drawing:
 
     @property
     def bounds(self) -> F64:
-        """Bounding box of all edges, (4,): x min, y min, x max, y max (mm); zeros for no edges."""
+        """Bounding box of all edges, (4,): x min, y min, x max, y max (mm).
+
+        All four values are 0 if there are no edges.
+        """
         return extents(self.ends, self.bulge)
 
 

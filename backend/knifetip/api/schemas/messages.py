@@ -94,7 +94,7 @@ class MessageIn(BaseModel):
 
     @model_validator(mode="after")
     def _check(self) -> Self:
-        """Return the message itself.
+        """Return this model unchanged if it is valid.
 
         Raises
         ------

@@ -1,4 +1,4 @@
-"""Classes of tools, with dimensions as manufacturers state them and with their behaviour.
+"""Classes of tools: the dimensions that manufacturers state, and the behaviour of each tool.
 
 The fields ``feed`` and ``plunge`` of all tools are in mm/min.
 """

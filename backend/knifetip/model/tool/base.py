@@ -131,9 +131,9 @@ class Tool(ABC):
 
     @property
     def spindle_missing(self) -> Message | None:
-        """Error message if the program cannot switch the tool on because its S word would be 0.
+        """Error message if the program cannot switch the tool on because the tool's S word is 0.
 
-        None if the S word is greater than 0 or the tool needs none.
+        None if the S word is greater than 0, or if the tool needs no S word.
         """
         return None
 

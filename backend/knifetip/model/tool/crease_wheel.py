@@ -64,7 +64,7 @@ class CreaseWheel(Tool):
 
     @property
     def footprint(self) -> Footprint:
-        """The mark that the wheel leaves on the board: radius and rim width of the wheel."""
+        """The mark that the wheel leaves on the board, with radius and rim width of the wheel."""
         return Footprint("wheel", radius=self.radius, width=self.width)
 
     @classmethod

@@ -81,6 +81,6 @@ class Knife(Tool):
     def footprint(self) -> Footprint:
         """The mark that the knife leaves on the board: a line.
 
-        The tip of a drag knife is behind the axis of the head.
+        The result also contains the distance of the tip behind the axis of the head (``trail``).
         """
         return Footprint(behind=self.trail)

@@ -71,7 +71,7 @@ class Laser(DiscTool):
         return self.focus
 
     def passes(self, cut_depth: float) -> F64:
-        """Return the depth of the focus in a cut (mm), (1,), because a laser cuts in one pass.
+        """Return the depth of the focus in the one pass of a cut, as an array of shape (1,) (mm).
 
         The depth is negative if the focus is above the board; ``cut_depth`` is not used.
         """
