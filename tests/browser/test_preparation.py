@@ -40,7 +40,7 @@ def test_the_banner_shows_the_progress_and_disappears_when_the_server_is_prepare
     page.screenshot(path=screenshots / "preparation.png")
 
     compiled = 180
-    expect(banner).to_contain_text("180 of 240 parts")
+    expect(banner).to_contain_text("180 of 240 software modules")
     expect(banner.get_by_role("progressbar")).to_have_attribute("aria-valuenow", "75")
     # Files can be opened during the preparation.
     expect(page.get_by_test_id("choose-file-large")).to_be_enabled()

@@ -61,7 +61,7 @@ def test_insufficient_directions_are_refused_with_directions_to_measure(
     answer = client.post("/api/boards/greyboard-3.0/deflection", json=order)
     assert answer.status_code == 422
     assert answer.headers["content-type"] == "application/problem+json"
-    assert "runs along X at every measured point" in answer.json()["detail"]
+    assert "At every measured point the contour runs nearly along X" in answer.json()["detail"]
     assert answer.json()["hint"].startswith("Measure one more point where the contour runs along Y")
 
 

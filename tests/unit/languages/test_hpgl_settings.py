@@ -101,7 +101,11 @@ def test_a_machine_may_describe_its_own_device(tmp_path: Path) -> None:
             'work = "groove"',
             "work is 'groove', but must be 'cut', 'half-cut' or 'crease'",
         ),
-        ("number = 2\nstation = 2", "number = 2\nstation = 1", "pen 2 → work is 'crease', which"),
+        (
+            "number = 2\nstation = 2",
+            "number = 2\nstation = 1",
+            "pen 2 → work is 'crease', but the tool of station 1 cannot",
+        ),
         (SECOND, "", "station 2 has no pen"),
         ("force = 12", "force = 99", "pen 3 → force is 99, but must be from 1 to 40"),
         (
@@ -117,7 +121,7 @@ def test_a_machine_may_describe_its_own_device(tmp_path: Path) -> None:
         (
             "swivel = 15.0",
             "swivel = 15.0\ntrail = 0.5",
-            "station 1 → tool → trail is 0.5 mm.*Set trail to 0",
+            r"station 1 → tool → trail \(knife offset\) is 0\.5 mm.*Set trail to 0",
         ),
         (
             "high = 1300.0",

@@ -184,5 +184,5 @@ def test_a_kind_of_work_without_a_pen_is_refused() -> None:
     plotter = MACHINE.controller
     assert isinstance(plotter, Plotter)
     bare = replace(MACHINE, controller=replace(plotter, pens=plotter.pens[1:]))
-    with pytest.raises(ProgramError, match="no pen to cut with station 1"):
+    with pytest.raises(ProgramError, match="no pen to the operation cut with station 1"):
         process(toolpath(*SQUARE), bare)
