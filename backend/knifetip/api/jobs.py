@@ -268,8 +268,8 @@ def hold_job(service: ServiceDep, id: JobId) -> JobOut:
 def resume_job(service: ServiceDep, id: JobId) -> JobOut:
     """Request to resume a held job.
 
-    If the job is held between two copies, the request also confirms that the next sheet is on the
-    table.
+    A job can make several copies, each on a new sheet.  If the job is held between two copies,
+    the call also confirms that the sheet of the next copy is on the table.
     """
     return job_out(service.store, service.store.jobs.resume(id))
 
