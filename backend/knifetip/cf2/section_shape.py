@@ -160,9 +160,10 @@ def place_shape(
 
 
 def _normalise_number(text: str) -> str:
-    """Return a number, which is written in ``text``, in its shortest form: "1" for "1.0" and "01".
+    """Return the number written in ``text`` in its shortest form, such as "1" for "1.0" and "01".
 
-    A text that is not a number is returned unchanged, cut to 20 characters; "0" if it is empty.
+    A text that is not a number is returned unchanged, cut to 20 characters.  "0" is returned for an
+    empty text.
     """
     try:
         return f"{float(text):g}"

@@ -64,8 +64,8 @@ def parse_colour_space(file: PdfFile, definition: object, depth: int = 0) -> Col
     """Return the colour space that the PDF object ``definition`` defines.
 
     The attribute ``kind`` of the result is empty if the colour space is unknown or nested too
-    deeply.  ``depth`` is the number of colour spaces that contain this one; only the recursive call
-    sets it.
+    deeply.  ``depth`` is the number of colour spaces that contain this colour space; it is 0 for a
+    colour space that a page or form uses directly.
     """
     definition = file.resolve(definition)
     if isinstance(definition, NameObject):

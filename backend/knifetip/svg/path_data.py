@@ -50,10 +50,10 @@ def scan_paths(paths: Sequence[str], max_segments: int) -> ScannedPaths | None:
 
 @kernel
 def _skip_separators(data: U8_1, position: int, last: int) -> int:
-    """Return the index of the first byte, from ``position`` on, that is not white space or a comma.
+    """Return the index of the next byte that is neither white space nor a comma.
 
-    ``data`` are the bytes of the path data; ``last`` is the index after the last byte of the path,
-    which is returned if there is no such byte.
+    The search starts at the index ``position`` of the path data ``data``.  ``last`` is the index
+    after the last byte of the path; it is returned if only separators are left.
     """
     while position < last and (
         data[position] == 32

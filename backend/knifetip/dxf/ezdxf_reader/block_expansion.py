@@ -107,7 +107,7 @@ class SourceEntity(Protocol):
         ...
 
     def repeats(self) -> tuple[str, int]:
-        """Return the lower-case name of this INSERT's block, and how often it places the block."""
+        """Return the lower-case name of this INSERT's block, and the number of its copies."""
         ...
 
 

@@ -55,7 +55,7 @@ class EzdxfEntity:
         )
 
     def repeats(self) -> tuple[str, int]:
-        """Return the lower-case name of this INSERT's block, and how often it places the block."""
+        """Return the lower-case name of this INSERT's block, and the number of its copies."""
         columns, rows = _cells(self._entity)
         return _block_name(self._entity).lower(), columns * rows
 
