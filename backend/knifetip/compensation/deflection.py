@@ -1,4 +1,4 @@
-"""deflection: compensate the deflection of a cutter by moving its programmed path to the contour.
+"""deflection: compensate the deflection of a cutter by moving its path towards the contour.
 
 A contour that runs at azimuth a pushes the cutter away from it by Δ = σ (−δx sin a, δy cos a), with
 δx and δy the largest deflections along X and Y, and σ = +1 if the cutter is left of travel, −1 if

@@ -363,7 +363,7 @@ def _lead_in(
 
     If the disc would enter a contour along a lead-in, the lead-in is halved.  If the disc would
     still enter a contour, the length of the lead-in becomes 0; then the tool plunges at the start
-    of the centre path, where it touches its own contour.
+    of the centre path, where the tool touches the contour.
 
     Parameters
     ----------

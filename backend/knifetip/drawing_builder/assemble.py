@@ -36,7 +36,7 @@ from knifetip.model.words import Repeated
 class KnownUnit(NamedTuple):
     """The unit of length of a file, its scale, and the evidence for the unit.
 
-    If the unit is unknown, it is empty and the scale is 0.
+    If the unit is unknown, the unit is "" and the scale is 0.
     """
 
     scale: float  #: millimetres per file unit, 0 if unknown

@@ -148,7 +148,7 @@ class OffsetChains(NamedTuple):
 
 
 class RegionOffset(NamedTuple):
-    """The offset of one region as chains of r segments or, if this is impossible, the failure."""
+    """The offset of one region as chains of r segments, or the failure that prevented it."""
 
     line: OutF64_2  #: (r, 5) x0, y0, x1, y1, bulge
     tag: OutI64_2  #: (r, 4) contour segment, whether inserted, path, raw row

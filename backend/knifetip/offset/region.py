@@ -129,9 +129,9 @@ def _select_pieces(
     Returns
     -------
     row, other_row, depth
-        Of use only if ``refuse`` is true: the contour segment beside which the tool would cut
-        deepest, the contour segment into which it would cut, and the depth of this cut (mm).  They
-        are -1, -1 and 0 if the tool fits everywhere.
+        Of use only if ``refuse`` is true: the contour segment along which the tool, at one
+        position, would cut deepest into a contour; the contour segment into which it would cut
+        there; and the depth of this cut (mm).  They are -1, -1 and 0 if the tool fits everywhere.
     """
     size = abs(signed)
     limit = size - DISTANCE_TOLERANCE

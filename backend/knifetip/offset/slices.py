@@ -222,9 +222,9 @@ def follow_pieces(pieces: JoinedPieces, follow: I64_1, good: Bool_1, count: int)
 
     The successor of a piece is normally the next piece of the same row or, after the last piece of
     a row, the first piece of the row that follows.  This piece must be valid and start at the end
-    of its predecessor, within a small tolerance.  If it does not, the successor is another valid
-    piece that has no predecessor and starts within this tolerance; of several such pieces, the one
-    whose start is nearest.  If there is none, the successor is -1.
+    of its predecessor, within a small tolerance.  Otherwise the successor is the valid piece that
+    has no predecessor and whose start is nearest to this end, within the same tolerance.  If there
+    is no such piece, the successor is -1.
 
     Parameters
     ----------

@@ -11,7 +11,7 @@ is past one of the two edges.  At an inner corner (a notch) each half of the too
 edges.
 
 An end of a groove gets no run-out if the groove, continued beyond this end, would enter the board
-or run along its edge within 5°.  Such an end counts as inside the board; there the board's
+or run along the board's edge within 5°.  Such an end counts as inside the board; there the board's
 ``groove_overcut`` limits how far the blade may cut beyond the end.
 
 Source of the run-out at a straight edge: "A new method of turning processing in multi axis linkage

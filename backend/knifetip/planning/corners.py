@@ -121,9 +121,9 @@ def choices_at_bends(corners: Corners, nearest: F64, bends: Bends) -> tuple[U8, 
 
     Bend i is at the start of segment i.  For a bend without a choice, the returned type is
     ``AS_OTHERS``, which means the type that the user set for all corners, and the returned k is
-    NaN.  k is also NaN if the user gave no k.  The choice for a position applies to all bends whose
-    distance from this position is the distance in ``nearest``; these are several bends if, for
-    instance, two contours touch at the corner.
+    NaN.  k is also NaN if the user gave no k.  The choice for a position applies to all bends
+    at the distance from this position that ``nearest`` states: several bends if, for instance, two
+    contours touch at the corner.
 
     Parameters
     ----------

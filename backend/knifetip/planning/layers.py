@@ -8,8 +8,8 @@ layer may be made in any order, after all cuts of higher layers.
 
 In this order, a hole is cut before its part, and a part before the window in which it lies.  The
 line between two parts is cut before their common outline, and an open cut before the contour in
-which it lies.  A closed contour gets one layer, and so does a cut that belongs to no contour: the
-highest of the layers that its parts between crossings would get.
+which it lies.  A closed contour gets one layer, and so does a cut that belongs to no contour.  If
+the pieces between crossings with other cuts have different layers, the highest of these counts.
 """
 
 from __future__ import annotations
