@@ -170,12 +170,18 @@ def is_meaningless(name: str) -> bool:
 
 
 def is_dashed_linetype(name: str) -> bool:
-    """Return whether the linetype with the given lower-case name is dashed."""
+    """Return whether a linetype, given by its lower-case name, is dashed.
+
+    A linetype is the dash pattern of a line in a CAD drawing.
+    """
     return any(part in name for part in _vocabulary().dashed)
 
 
 def is_centre_linetype(name: str) -> bool:
-    """Return whether the linetype with the given lower-case name is for centre lines."""
+    """Return whether a linetype, given by its lower-case name, is the one for centre lines.
+
+    A linetype is the dash pattern of a line in a CAD drawing.
+    """
     return any(part in name for part in _vocabulary().centre_line)
 
 

@@ -128,8 +128,8 @@ def _profile(name: str) -> LineRules:
 def conventions() -> tuple[LineRules, ...]:
     """Return for each profile of the library the rules that the default profile lacks.
 
-    Profiles without such rules are omitted.  If a layer, colour and linetype in a drawing match no
-    rule of the chosen profile, classification tries the returned rules.
+    Profiles without such rules are omitted.  If a layer, colour and dash pattern in a drawing match
+    no rule of the chosen profile, classification tries the returned rules.
     """
     common = set(profile("default", files=False).rules)
     own = []

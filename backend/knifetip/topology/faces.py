@@ -67,6 +67,8 @@ def trace_faces(graph: PlanarGraph, ends: F64, bulge: F64, tolerance: float) -> 
 def trace_sides(vertex: F64, start: I32, end: I32, bulge: F64, twin: I32) -> tuple[I32, I32, F64]:
     """Return the faces left and right of p pieces between q vertices, and the area of each face.
 
+    A piece is the part of an edge between two neighbouring vertices of the graph.
+
     Parameters
     ----------
     vertex : (q, 2)
@@ -109,7 +111,8 @@ def _half_edges_by_vertex(
     """Return the half-edges that leave each of q vertices, in counter-clockwise order.
 
     Half-edge 2 i leaves the start of piece i, half-edge 2 i + 1 leaves the end of piece i.  Of
-    coincident pieces only the first one has half-edges.
+    coincident pieces only the first one has half-edges.  A piece is the part of an edge between two
+    neighbouring vertices of the graph.
 
     Parameters
     ----------
@@ -166,7 +169,7 @@ def _direction(position: F64_2, start: I32_1, end: I32_1, bulge: F64_1, half: in
     The integer is a result of ``_angle_code`` and grows with the angle.  Half-edge 2 i leaves the
     start of piece i, half-edge 2 i + 1 leaves its end.  ``position`` (q, 2) are the positions of
     the vertices; ``start``, ``end`` and ``bulge`` (p,) are start vertex, end vertex and bulge of
-    each piece.
+    each piece.  A piece is the part of an edge between two neighbouring vertices of the graph.
     """
     p = half // 2
     a, b, bend = start[p], end[p], bulge[p]
@@ -189,7 +192,8 @@ def _curvature_rank(position: F64_2, start: I32_1, end: I32_1, bulge: F64_1, hal
     and 0 if it is straight.  It sorts half-edges that leave a vertex in the same direction.
     Half-edge 2 i leaves the start of piece i, half-edge 2 i + 1 leaves its end.  ``position`` (q,
     2) are the positions of the vertices; ``start``, ``end`` and ``bulge`` (p,) are start vertex,
-    end vertex and bulge of each piece.
+    end vertex and bulge of each piece.  A piece is the part of an edge between two neighbouring
+    vertices of the graph.
     """
     p = half // 2
     a, b = start[p], end[p]
@@ -210,7 +214,8 @@ def _trace(
 ) -> Any:
     """Return the faces left and right of each piece, (p,) each, and the area of each face, (f,).
 
-    The area is signed: zero or negative for outer faces.
+    The area is signed: zero or negative for outer faces.  A piece is the part of an edge between
+    two neighbouring vertices of the graph.
 
     Parameters
     ----------
@@ -277,7 +282,8 @@ def _outer_faces(
 ) -> Any:
     """Return the outer face of each of c components, (c,), and the component of each face, (f,).
 
-    The outer face of a component is its face with the least signed area.
+    The outer face of a component is its face with the least signed area.  A piece is the part of an
+    edge between two neighbouring vertices of the graph.
 
     Parameters
     ----------

@@ -75,6 +75,8 @@ def enclosing_faces(
 ) -> I32:
     """Return the bounded face that contains each of c components, (c,), -1 if there is none.
 
+    A piece is the part of an edge between two neighbouring vertices of the graph.
+
     Parameters
     ----------
     left_neighbours

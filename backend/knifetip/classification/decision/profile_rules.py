@@ -1,8 +1,8 @@
 """profile_rules: match the rules of a profile against the styles of a drawing.
 
-A style is a combination of layer, colour, linetype, kind of entity and block.  A drawing of 100,000
-edges has a few dozen styles.  Rules are matched against the styles, and each edge gets the result
-of its style.
+A style is a combination of layer, colour, dash pattern, kind of entity and block.  A drawing of
+100,000 edges has a few dozen styles.  Rules are matched against the styles, and each edge gets the
+result of its style.
 
 Patterns are shell globs.  Names in a drawing are literal: a layer called ``[CUT]`` matches only the
 same name.  Comparison ignores case and uses one Unicode form, since ``BIÇAK`` may be written with
@@ -73,7 +73,7 @@ class StyleTable:
 def tabulate_styles(drawing: Drawing) -> StyleTable:
     """Return the table of the different styles of a drawing, and the style of each edge.
 
-    A style combines layer, colour, linetype, kind of entity and block.
+    A style combines layer, colour, dash pattern, kind of entity and block.
     """
     report = drawing.import_report
     kinds, kind = number_words(report.kind)
@@ -221,7 +221,7 @@ def rule_confidence(rule: LineRule) -> float:
     """Return the confidence of a rule, which depends on the attributes for which it has patterns.
 
     The confidence is 1 for a rule with layer (or block) and colour, 0.95 for layer or block without
-    colour, 0.8 for colour or linetype without layer and block, and 0.5 for all other rules.
+    colour, 0.8 for colour or dash pattern without layer and block, and 0.5 for all other rules.
     """
     coloured = bool(rule.colour or rule.true_colour)
     if rule.layer or rule.block:

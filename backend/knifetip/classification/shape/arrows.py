@@ -227,7 +227,7 @@ def _mark_extension_lines(
     Parameters
     ----------
     graph, incidence
-        Graph of n edges with q vertices, and the pieces at each vertex.
+        Graph of n edges with q vertices, and the pieces of edges that end at each vertex.
     unit
         Number of drawing units in a millimetre.
     is_arrow : (n,)
@@ -263,7 +263,8 @@ def _mark_coincident(graph: _Graph, twin: I32_1, is_arrow: OutBool_1) -> None:
     """Set ``is_arrow`` to True also for edges that are covered by edges of arrows.
 
     ``is_arrow`` (n,) is the mask of edges of arrows, and ``twin`` (p,) is the first piece that
-    coincides with each piece, the piece itself if there is none.
+    coincides with each piece, the piece itself if there is none.  A piece is the part of an edge
+    between two neighbouring vertices of the graph.
     """
     for i in range(len(is_arrow)):
         if is_arrow[i] or graph.first[i] == graph.first[i + 1]:
@@ -306,7 +307,7 @@ def _other_end(start: I32_1, end: I32_1, first_piece: I32_1, i: int, vertex: int
 def _connected(graph: _Graph, incidence: _Incidence, first_vertex: int, second_vertex: int) -> bool:
     """Return whether a single edge of the graph connects ``first_vertex`` and ``second_vertex``.
 
-    ``incidence`` lists the pieces at each vertex.
+    ``incidence`` lists the pieces of edges that end at each vertex.
     """
     for k in range(incidence.first[first_vertex], incidence.first[first_vertex + 1]):
         i = graph.edge[incidence.piece[k]]
@@ -322,8 +323,18 @@ def _connected(graph: _Graph, incidence: _Incidence, first_vertex: int, second_v
 def _chord_length(vertex: F64_2, start: I32_1, end: I32_1, first_piece: I32_1, i: int) -> float:
     """Return the distance between the two end vertices of edge ``i``.
 
-    ``vertex`` (q, 2) are the positions of the vertices; ``start``, ``end`` (p,) and ``first_piece``
-    (n + 1,) are the vertices at which each piece starts and ends, and the first piece of each edge.
+    The vertices of a planar graph divide each of n edges into pieces, p in total.
+
+    Parameters
+    ----------
+    vertex : (q, 2)
+        Position of each vertex.
+    start, end : (p,)
+        Start vertex and end vertex of each piece.
+    first_piece : (n + 1,)
+        Index of the first piece of each edge.
+    i
+        Index of the edge.
     """
     a, b = start[first_piece[i]], end[first_piece[i + 1] - 1]
     return math.hypot(vertex[b, 0] - vertex[a, 0], vertex[b, 1] - vertex[a, 1])

@@ -64,7 +64,7 @@ def _mark_words(box: F64_2, shape: F64_2, order: I64_1, axis: int, letter: OutBo
     box : (k, 4)
         Bounding boxes of k small components.
     shape : (k, 4)
-        Shorter and longer side, total length and number of pieces of each component.
+        Shorter side, longer side, total edge length and number of edge pieces of each component.
     order : (k,)
         The components sorted by the least coordinate of their boxes along the axis.
     axis

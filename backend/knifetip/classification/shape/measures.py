@@ -86,6 +86,8 @@ class Measures(NamedTuple):
     ) -> Measures:
         """Return areas, lengths, nearby texts and other measures of a graph's components.
 
+        A piece is the part of an edge between two neighbouring vertices of the graph.
+
         Parameters
         ----------
         graph, faces
@@ -144,7 +146,7 @@ def _measure_boxes(
     vertex : (q, 2)
         Position of each vertex.
     start, end, bulge, component : (p,)
-        Start vertex, end vertex, bulge and component of each piece.
+        Start vertex, end vertex, bulge and component of each piece of an edge.
     box : (c, 4)
         Gets x min, y min, x max, y max of each component.
     rectilinear : (c,)

@@ -68,6 +68,8 @@ class PartKinds:
     ) -> PartKinds:
         """Return the kinds of the components of a graph.
 
+        A piece is the part of an edge between two neighbouring vertices of the graph.
+
         Parameters
         ----------
         graph, faces
@@ -182,7 +184,7 @@ def _add_open_outlines(
     ----------
     open_row, open_box, open_dangling : (k,), (k, 4) and (k,)
         Indices of the open components, their bounding boxes, and the lengths of their dangling
-        pieces.
+        edges.
     box, box_area : (c, 4) and (c,)
         Bounding box of each component, and its area.
     blank : (b,)

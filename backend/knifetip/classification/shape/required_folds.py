@@ -52,6 +52,8 @@ def find_required_folds(
 ) -> Bool:
     """Return the mask of edges that must be folds, because a panel is attached by them alone, (n,).
 
+    A piece is the part of an edge between two neighbouring vertices of the graph.
+
     Parameters
     ----------
     graph, faces
@@ -275,7 +277,7 @@ def _find_single_cartons(
     graph, faces
         Planar graph of the drawing, with p pieces and c components, and its f faces.
     length : (p,)
-        Length of each piece.
+        Length of each piece, which is the part of an edge between two neighbouring vertices.
     at_rim, panel : (f,) and (f,)
         Whether each face is at the outline of a blank, and whether it is a panel.
     """
