@@ -649,14 +649,14 @@ export const TEXTS = {
   },
   "cut.too-short": {
     "text": "The cut at edge {edge} is {length:.2f} mm long and ends inside a panel or at a bridge. The slanted blade of the knife needs a cut of at least {lead:.2f} mm.",
-    "hint": "Set the line type of the cut to ignored, join the cut to another cut, or choose a knife with a steeper blade."
+    "hint": "Set the line type of the cut to ignored, join the cut to another cut, or choose a knife with a less slanted blade."
   },
   "cutter.does-not-fit": {
     "text": "The cutter of {diameter:.2f} mm diameter does not fit into the contour at edge {edge}. Number of other contours that are too narrow: {others}.",
     "hint": "Choose a thinner cutter, or set the line type of the contours to ignored."
   },
   "cutter.misses-bridge": {
-    "text": "A bridge is needed on the contour at edge {edge}, {distance:.1f} mm from its start, but the cutter does not reach the contour there.",
+    "text": "A bridge is needed on the contour at edge {edge}, {distance:.1f} mm from the start of this edge in the direction of milling, but the cutter does not reach the contour there.",
     "hint": "Choose a thinner cutter, a board with another spacing of bridges, or a board without bridges."
   },
   "cutter.short-lead": {
@@ -2340,7 +2340,7 @@ export const TEXTS = {
     "hint": "Give +1 or -1 as the side."
   },
   "offset.dead-end": {
-    "text": "The offset curve at a distance of {radius:g} mm from path {path} is not closed, because a piece of the curve, {depth:.4g} mm long and beside segment {segment}, does not connect to the rest.",
+    "text": "The offset curve at a distance of {radius:g} mm from path {path} is not closed. A piece of the curve beside segment {segment} of the path is {depth:.4g} mm long and does not connect to the rest of the curve.",
     "hint": "Draw the contour so that it does not overlap itself, or change the radius of the tool slightly."
   },
   "offset.interference": {

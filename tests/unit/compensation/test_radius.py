@@ -442,6 +442,7 @@ def test_a_bridge_that_the_cutter_cannot_reach_is_refused() -> None:
     )  # fmt: skip
     with pytest.raises(
         CompensationError,
-        match=r"contour at edge 2, 35\.0 mm from its start, but the cutter does not reach",
+        match=r"contour at edge 2, 35\.0 mm from the start of this edge in the direction "
+        r"of milling, but the cutter does not reach",
     ):
         radius_toolpath(slotted)

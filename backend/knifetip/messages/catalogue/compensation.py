@@ -47,7 +47,7 @@ MESSAGES: Final[Entries] = {
         "The cut at edge {edge} is {length:.2f} mm long and ends inside a panel or at a "
         "bridge. The slanted blade of the knife needs a cut of at least {lead:.2f} mm.",
         "Set the line type of the cut to ignored, join the cut to another cut, or choose a "
-        "knife with a steeper blade.",
+        "knife with a less slanted blade.",
         edge="count",
         length="number",
         lead="number",
@@ -61,8 +61,8 @@ MESSAGES: Final[Entries] = {
         others="count",
     ),
     "cutter.misses-bridge": entry(
-        "A bridge is needed on the contour at edge {edge}, {distance:.1f} mm from its start, "
-        "but the cutter does not reach the contour there.",
+        "A bridge is needed on the contour at edge {edge}, {distance:.1f} mm from the start of "
+        "this edge in the direction of milling, but the cutter does not reach the contour there.",
         "Choose a thinner cutter, a board with another spacing of bridges, or a board without "
         "bridges.",
         edge="count",

@@ -112,9 +112,9 @@ MESSAGES: Final[Entries] = {
         "Give +1 or -1 as the side.",
     ),
     "offset.dead-end": entry(
-        "The offset curve at a distance of {radius:g} mm from path {path} is not closed, "
-        "because a piece of the curve, {depth:.4g} mm long and beside segment {segment}, does "
-        "not connect to the rest.",
+        "The offset curve at a distance of {radius:g} mm from path {path} is not closed. A "
+        "piece of the curve beside segment {segment} of the path is {depth:.4g} mm long and "
+        "does not connect to the rest of the curve.",
         "Draw the contour so that it does not overlap itself, or change the radius of the "
         "tool slightly.",
         path="count",
