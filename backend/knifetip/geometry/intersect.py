@@ -248,8 +248,8 @@ def _add_common_ends(one: F64_2, i: int, two: F64_2, j: int, touch: float, point
 
     The segments are row i of ``one`` and row j of ``two``; a row is (x0, y0, x1, y1, bulge).  They
     must be on one line or on one circle.  A row of ``points`` gets x, y, and the parameters on the
-    first and on the second segment (0 … 1).  ``touch`` is the largest distance (mm) of an end from
-    the other segment at which the end still counts as on it.
+    first and on the second segment (0 … 1).  ``touch`` is the largest distance (mm) from the
+    other segment at which an end still counts as on this segment.
     """
     count = _add_point(one, i, two, j, one[i, 0], one[i, 1], touch, points, 0)
     count = _add_point(one, i, two, j, one[i, 2], one[i, 3], touch, points, count)

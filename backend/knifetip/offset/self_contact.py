@@ -285,7 +285,7 @@ def find_self_contact(
     Returns
     -------
     one, two
-        Indices of the two segments; ``one`` is -1 if there are none.
+        Indices of the two segments; ``one`` is -1 if there is no such pair.
     x, y : mm
         The common point.
     """

@@ -74,7 +74,7 @@ def check_choices(corners: Corners) -> None:
 def distances_to_corners(corners: Corners, contours: list[Bends]) -> F64:
     """Return the distance (mm) from each position that the user chose to the nearest corner, (m,).
 
-    The m positions are those in ``corners.at``.  Only corners that are convex for the tool count.
+    The m positions are those in ``corners.at``.  Corners concave for the tool are left out.
 
     Parameters
     ----------

@@ -14,7 +14,7 @@ def placement(dieline: Dieline, machine: Machine) -> tuple[float, float]:
     """Return the shift (x, y) in mm that moves the drawing to its position on the machine's table.
 
     The lower left corner of the drawing is moved to the machine's origin.  Ignored and unclassified
-    edges do not count.
+    edges have no influence.
 
     Raises
     ------
