@@ -194,7 +194,7 @@ class TravelExceeded(PlanError):
 
 
 class CompensationError(KnifetipError):
-    """Raised when tool compensation fails for an edge, or for a correction of a tool.
+    """Raised when tool compensation, or the calibration of a tool, is not possible.
 
     Tool compensation computes the head's path from the path of the tool's tip.
     """

@@ -34,7 +34,7 @@ _GROOVE_WORDS: Final = ("groove", "grooves", "nut", "nuten")
 class NameMeaning:
     """The line type, such as cut or crease, that the name of a layer or dash pattern suggests.
 
-    The line type is None if the name suggests none.  The record also contains the word of the name
+    The line type is None if the name suggests none.  The record also contains the part of the name
     that suggests the line type, and whether the name contains a negating word.
     """
 

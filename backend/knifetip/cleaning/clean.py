@@ -102,10 +102,10 @@ class _State:
     def remove_overlaps(self, drawn: Dieline) -> bool:
         """Divide current edges where they overlap, and remove parts that another edge replaces.
 
-        A drawn edge consists of stretches, each of which belongs to one current edge.  They are
-        divided at the same points and then belong to the edges that remain.  ``drawn`` contains the
-        drawn edges.  Returns whether any current edge was divided because only a part of it
-        overlaps another edge.
+        A drawn edge consists of stretches, each of which belongs to one current edge.  The
+        stretches are divided at the same points and then belong to the edges that remain.
+        ``drawn`` contains the drawn edges.  Returns whether any current edge was divided because
+        only a part of it overlaps another edge.
         """
         pieces = remove_overlaps(self.ends, self.bulge, self.kind)
         if not pieces.is_foreign.any():

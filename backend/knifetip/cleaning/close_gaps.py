@@ -11,7 +11,8 @@ apart, and at least one of them is single: no other edge of this line type ends 
 If only one of the two ends is single, it is moved to the point of the other end.  If both are
 single, and edges of other line types end at only one of the two points, that point is kept and the
 other end is moved to it.  In all other cases both ends are moved to one point: to the intersection
-of two lines if it is within ``GAP`` of both ends, otherwise to the point halfway between the ends.
+of the edges if both are straight and it is within ``GAP`` of both ends, otherwise to the point
+halfway between the ends.
 
 T-junctions, where an end touches the inside of another edge, and edges that end side by side are
 not changed.  An arc keeps its bulge.  No end moves by more than ``GAP``.

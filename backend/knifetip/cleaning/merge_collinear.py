@@ -123,8 +123,8 @@ def _continuations(
 
     The entry is -1 unless exactly two edges meet at the end, both edges have the same line type,
     and no end of a third edge is near.  A third end that is near does not matter if an edge shorter
-    than ``FINE`` ends at its point or at the point where the two edges meet, because the points
-    along a flattened curve are always near each other.
+    than ``FINE`` (0.05 mm) ends at the point of the third end, or at the point where the two edges
+    meet, because the points along a flattened curve are always near each other.
 
     Parameters
     ----------

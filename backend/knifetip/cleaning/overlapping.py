@@ -1,9 +1,8 @@
 """overlapping: find pairs of edges that overlap along some length.
 
 Two lines overlap if both ends of the shorter line are within ``SAME``, which is 0.01 mm, of the
-longer line; two arcs
-overlap if the ends and the midpoint of the shorter arc are within ``SAME`` of the circle of the
-longer arc.  The common length must be greater than ``SAME``.
+longer line; two arcs overlap if the ends and the midpoint of the shorter arc are within ``SAME`` of
+the circle of the longer arc.  The common length must be greater than ``SAME``.
 
 Bounding boxes are searched for pairs of edges that may overlap.  The bounding box of a line is
 computed in a frame that is rotated nearly to the direction of the line, so that the box is thin.

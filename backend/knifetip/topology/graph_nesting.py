@@ -31,8 +31,9 @@ from knifetip.topology.segment import BULGE
 class LeftNeighbours(NamedTuple):
     """For each of c components of a planar graph, its left neighbour.
 
-    The left neighbour is the first piece of another component that a ray meets which runs to the
-    left from the component.  A piece is the part of an edge between two neighbouring vertices.
+    A ray runs to the left from the leftmost vertex of the component; the first piece of another
+    component that it meets is the left neighbour.  A piece is the part of an edge between two
+    neighbouring vertices.
     """
 
     piece: I32  #: (c,) first piece to the left of each component, -1 for none
@@ -44,8 +45,9 @@ def find_left_neighbours(
 ) -> LeftNeighbours:
     """Return the left neighbour of each connected component of a planar graph, if it has one.
 
-    The left neighbour is the first piece of another component that a ray meets which runs to the
-    left from the component.  A piece is the part of an edge between two neighbouring vertices.
+    A ray runs to the left from the leftmost vertex of the component; the first piece of another
+    component that it meets is the left neighbour.  A piece is the part of an edge between two
+    neighbouring vertices.
 
     Parameters
     ----------

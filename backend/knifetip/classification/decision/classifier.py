@@ -360,9 +360,9 @@ class Classifier:
     def _meaning(self, style: int) -> tuple[NameMeaning, bool]:
         """Return the meaning of a style's name, and whether that name is the layer name.
 
-        The name is the layer name or, if the layer name suggests no line type, the name of the dash
-        pattern.  If neither name suggests a line type, the line type of the meaning is None.
-        ``style`` is the index of the style.
+        The name is the layer name or, if the layer name suggests no line type and contains no
+        negating word, the name of the dash pattern.  If neither name suggests a line type, the line
+        type of the meaning is None.  ``style`` is the index of the style.
         """
         meaning = name_meaning(self.styles.layer[style])
         if meaning.kind is None and not meaning.denied:

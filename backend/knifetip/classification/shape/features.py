@@ -324,7 +324,7 @@ def _fill_short_edges(
     """Give each edge that is too short for the planar graph the role and component of a neighbour.
 
     An edge shorter than ``tolerance`` is not in the graph.  The neighbour is an edge in the graph
-    that ends at the start of the short edge: the preceding edge in the file, or else the longest
+    that touches the start of the short edge: the preceding edge in the file, or else the longest
     one.  If there is no neighbour, the features of the short edge do not change.
 
     Parameters

@@ -1,9 +1,9 @@
 """required_folds: find the edges that must be folds because a panel is attached by them alone.
 
 A blank is cut out in one piece.  If one straight line alone connects a panel to the rest of the
-blank, the line cannot be a cut, since the panel would fall off.  If panels are connected in a ring,
-as at the corner of a tray, one of the lines between them may be a slit.  A slit starts at the
-outline, so a straight line between two corners inside the blank is no slit.
+blank, the line cannot be a cut, since the panel would fall off.  If panels are connected in a ring
+round a corner, one of the lines between them is a slit.  A slit starts at the outline, so a
+straight line between two corners inside the blank is no slit.
 
 No edge is found in a component that consists of several equal blanks without space between them.
 A tab, a slot or a window inside a blank is not a panel.  It is recognised by a bend in its
@@ -295,7 +295,7 @@ def _find_single_cartons(
 
 
 def _measure_faces(graph: PlanarGraph, faces: Faces, length: F64, at_rim: Bool) -> _Panels:
-    """Return the area, centre and bounding box of each face, and whether it is at an outline.
+    """Return the area, centre and bounding box of each of f faces, and whether it is at an outline.
 
     Parameters
     ----------
@@ -369,8 +369,8 @@ def _find_bridges(pair: I64, faces: int) -> Bool:
     """Return the mask of the k pairs of neighbouring faces that are bridges, (k,).
 
     The faces are the nodes of a graph, and each pair of neighbouring faces is an edge of that
-    graph.  A pair is a bridge if the graph would fall into two parts without it.  ``pair`` (k, 2)
-    are the two faces of each pair, and ``faces`` is the number of faces.
+    graph.  A pair is a bridge if its two faces would not be connected in the graph without it.
+    ``pair`` (k, 2) are the two faces of each pair, and ``faces`` is the number of faces.
     """
     ends = np.concatenate([pair[:, 0], pair[:, 1]])
     order = np.argsort(ends, kind="stable")
@@ -384,8 +384,8 @@ def _mark_bridges(pair: I64_2, first: I64_1, incident: I64_1, faces: int) -> Any
     """Return the mask of the k pairs of neighbouring faces that are bridges, (k,).
 
     The faces are the nodes of a graph, and each pair of neighbouring faces is an edge of that
-    graph.  A pair is a bridge if the graph would fall into two parts without it.  The bridges are
-    found by depth-first search (Tarjan 1974).
+    graph.  A pair is a bridge if its two faces would not be connected in the graph without it.  The
+    bridges are found by depth-first search (Tarjan 1974).
 
     Parameters
     ----------
