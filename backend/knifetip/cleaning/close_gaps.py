@@ -170,10 +170,10 @@ def _find_debris(
 
 @kernel
 def _connecting(points: F64_2, length: F64_1, place: I64_1, near_pairs: I64_2, gap: float) -> Any:
-    """Return the mask of the edges shorter than ``gap`` that connect other edges, shape (k,).
+    """Return the mask of short edges that connect other edges, shape (k,).
 
-    At or near each end of such an edge another edge ends, and these two other ends are more than
-    ``gap`` mm apart.
+    An edge is in the mask if it is shorter than ``gap``, if another edge ends at or near each of
+    its two ends, and if these ends of other edges are more than ``gap`` mm apart.
 
     Parameters
     ----------
@@ -185,6 +185,8 @@ def _connecting(points: F64_2, length: F64_1, place: I64_1, near_pairs: I64_2, g
         Index of the point of each end; ends that meet have the same point.
     near_pairs : (q, 2)
         Pairs of ends that are near each other.
+    gap
+        Length (mm) that separates short edges from other edges.
     """
     count = len(length)
     linked = np.zeros(count, np.bool_)

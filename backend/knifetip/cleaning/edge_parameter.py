@@ -73,11 +73,11 @@ def place_of(rows: F64_2, i: int, x: float, y: float) -> float:
 
 @kernel
 def range_of(rows: F64_2, i: int, piece: F64_1) -> tuple[float, float]:
-    """Return the parameters of edge ``i`` between which ``piece`` covers the edge, lower first.
+    """Return the lower and the upper limit of the part of edge ``i`` that another edge covers.
 
-    ``piece`` (5,) is another edge that is coincident with edge ``i``.  The parameter is 0 at the
-    start and 1 at the end of edge ``i``; it is outside 0 … 1 if ``piece`` reaches farther.
-    ``rows`` (k, 5) are edges: x0, y0, x1, y1, bulge.
+    The limits are parameters: 0 is the start and 1 the end of edge ``i``, and a limit is outside
+    0 … 1 if the other edge reaches farther than edge ``i``.  The other edge, ``piece`` (5,), is
+    coincident with edge ``i``.  ``rows`` (k, 5) and ``piece`` are edges: x0, y0, x1, y1, bulge.
     """
     if abs(rows[i, 4]) < BULGE:
         a = place_of(rows, i, piece[0], piece[1])

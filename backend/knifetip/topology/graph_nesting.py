@@ -177,13 +177,14 @@ def _find_left(
 def _containing_faces(hit: I32_1, outside: I32_1, owner: I32_1) -> Any:
     """Return the bounded face that contains each of c components, (c,), -1 if there is none.
 
-    A ray runs to the left from each component.
+    A ray runs to the left from each component, until it meets an edge of another component.
 
     Parameters
     ----------
     hit : (c,)
-        Face that the ray meets first, -1 for none.  If it is the outer face of another component,
-        the face that contains that component is returned.
+        Face between each component and the edge that its ray meets, -1 if the ray meets no edge.
+        If this face is the outer face of the other component, both components are in one face,
+        and the face that contains the other component is returned.
     outside : (c,)
         Outer face of each component.
     owner : (f,)

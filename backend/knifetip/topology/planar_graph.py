@@ -140,7 +140,8 @@ def _find_crossings(
     reach
         Largest distance from an edge at which the grid will be searched.
     limit
-        Number of crossings soon after which the search ends; further crossings are then missing.
+        Number of crossings to search for.  The search ends soon after it has found this number, and
+        further crossings are missing.
     """
     grid = build_grid(ends, bulge, tolerance, reach)
     return None if grid is None else (grid, find_crossings(ends, bulge, tolerance, grid, limit))

@@ -199,7 +199,7 @@ def _header_message(stated: str, unit: str, fraction: float) -> Message:
 
 
 def _hint_evidence(drawing: Drawing) -> list[UnitEvidence]:
-    """Return the evidence for units from settings in the file other than the stated unit.
+    """Return the evidence for candidate units from settings in the file that do not state the unit.
 
     An example of such a setting is the choice between metric and imperial measures in a DXF header.
     """
