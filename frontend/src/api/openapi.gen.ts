@@ -71,7 +71,7 @@ export interface paths {
         };
         /**
          * Get Edges
-         * @description List the edges of a drawing, as JSON or as binary columns (``format=columns``).
+         * @description List the edges of a drawing, as JSON or as binary arrays (``format=columns``).
          */
         get: operations["get_edges"];
         put?: never;
@@ -81,7 +81,9 @@ export interface paths {
         head?: never;
         /**
          * Override Edges
-         * @description Set line types of edges; an override replaces earlier overrides of the same edges.
+         * @description Set line types of edges, which replace the line types found by classification.
+         *
+         *     A line type that an earlier request set for one of the edges is also replaced.
          */
         patch: operations["override_edges"];
         trace?: never;
@@ -245,7 +247,7 @@ export interface paths {
         };
         /**
          * Get Verdict
-         * @description Get the verdict on a job's program, with measurements per edge, as JSON or binary columns.
+         * @description Get the verdict on a job's program, with measurements per edge, as JSON or binary arrays.
          */
         get: operations["get_verdict"];
         put?: never;
@@ -265,9 +267,9 @@ export interface paths {
         };
         /**
          * Get Toolpath
-         * @description Get the tool path of a job as binary columns; each of its n moves of the head is one row.
+         * @description Get the tool path of a job as binary arrays; each of its n moves of the head is one row.
          *
-         *     The columns are ``pose`` (n + 1 positions, at the start and after each move: X and Y of the
+         *     The arrays are ``pose`` (n + 1 positions, at the start and after each move: X and Y of the
          *     head's axis and Z of the tool's tip in mm, C in degrees), ``bulge`` (tan(sweep / 4) of an arc, 0
          *     for a line), ``motion`` (number of the kind of the move, such as 0 for a rapid move), ``feed``
          *     (mm/min), ``source`` (row of the processed edge in the drawing; -1 between edges), ``tool``
@@ -315,9 +317,10 @@ export interface paths {
          * Confirm Job
          * @description Confirm that table, board and tools are ready; then the machine starts.
          *
-         *     If the job waits between two copies, the request confirms that the next sheet is on the table.
-         *     If a gateway claims the job again, a new confirmation is necessary.  The status is 409 if the
-         *     job does not wait for a confirmation, or if the request names another board than the job.
+         *     A job can make several copies, each on a new sheet.  Between two copies, the request confirms
+         *     that the next sheet is on the table.  If a gateway claims the job again, a new confirmation is
+         *     necessary.  The status is 409 if the job does not wait for a confirmation, or if the request
+         *     names another board than the job.
          */
         post: operations["confirm_job"];
         delete?: never;
@@ -359,8 +362,8 @@ export interface paths {
          * Resume Job
          * @description Request to resume a held job.
          *
-         *     If the job is held between two copies, the request also confirms that the next sheet is on the
-         *     table.
+         *     A job can make several copies, each on a new sheet.  If the job is held between two copies,
+         *     the call also confirms that the sheet of the next copy is on the table.
          */
         post: operations["resume_job"];
         delete?: never;
@@ -461,7 +464,7 @@ export interface paths {
          * @description Stream changes of jobs and drawings as server-sent events.
          *
          *     ``Last-Event-ID`` or ``after`` is the id of the last event that the client received; the changes
-         *     since then are sent first.  Without both, only new changes are sent.
+         *     since then are sent first.  If neither is given, only new changes are sent.
          */
         get: operations["get_events"];
         put?: never;
@@ -782,6 +785,8 @@ export interface paths {
         /**
          * Heartbeat
          * @description Report the progress of a job, renew its lease and get the next command for the machine.
+         *
+         *     The lease is the time for which a gateway owns the job without a new heartbeat.
          */
         post: operations["heartbeat"];
         delete?: never;
@@ -803,9 +808,9 @@ export interface paths {
          * Finish
          * @description Report that a job has ended, with its outcome.
          *
-         *     A job is interrupted by the server if its gateway sends no heartbeats.  This gateway may still
-         *     report later: the outcome ``done`` ends the job, and any other outcome corrects the last
-         *     executed line and the message of the interrupted job.
+         *     The server interrupts a job if it receives no heartbeats from the gateway.  The gateway may
+         *     still report the end of the interrupted job: the outcome ``done`` ends the job, and any other
+         *     outcome corrects the last executed line and the message of the job.
          */
         post: operations["finish"];
         delete?: never;
@@ -865,7 +870,8 @@ export interface paths {
          * Status
          * @description Get the version of the server, and its progress in compiling functions to machine code.
          *
-         *     They are compiled once after an installation; uploads and jobs wait until this is complete.
+         *     The functions are compiled once after an installation; uploads and jobs wait until all of them
+         *     are compiled.
          */
         get: operations["status"];
         put?: never;
@@ -1668,7 +1674,7 @@ export interface components {
         };
         /**
          * EdgesOut
-         * @description All edges of a drawing; ``format=columns`` returns the same data as binary columns.
+         * @description All edges of a drawing; ``format=columns`` returns the same data as binary arrays.
          */
         EdgesOut: {
             /**
@@ -1780,7 +1786,7 @@ export interface components {
          * FootprintOut
          * @description Data to draw a tool on the board: the shape of its mark, and the position of its tip.
          *
-         *     The direction C is the direction in which the tool points.
+         *     Some fields refer to C, which is the direction in which the tool points.
          */
         FootprintOut: {
             /**
@@ -2020,7 +2026,7 @@ export interface components {
         };
         /**
          * JobEvent
-         * @description One state change of a job: its time, author and reason.
+         * @description One state change of a job: its time, its cause (such as the operator) and its description.
          */
         JobEvent: {
             /**
@@ -2976,7 +2982,7 @@ export interface components {
          * ServiceOut
          * @description Version of the server, and its progress in compiling functions to machine code.
          *
-         *     They are compiled once after an installation.
+         *     The functions are compiled once after an installation.
          */
         ServiceOut: {
             /**
@@ -3196,7 +3202,7 @@ export interface components {
          * VerdictOut
          * @description A verdict with columns of measurements; value i of a column belongs to edge i of the drawing.
          *
-         *     ``format=columns`` also contains the deviation of the tip from an edge at m samples:
+         *     ``format=columns`` also contains the deviation of the tool's tip from an edge at m samples:
          *     ``sample_edge`` (row of the edge), ``sample_place`` (position along the edge, 0 … 1) and
          *     ``sample_deviation`` (mm, positive to the left of the edge).  The outlines of the areas that no
          *     cutter reaches consist of lines and arcs, one per row of ``area_ends`` (start and end points,
