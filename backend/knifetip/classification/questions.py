@@ -17,7 +17,8 @@ from knifetip.model.question import Question
 
 
 def list_questions(drawing: Drawing, dieline: Dieline) -> list[Question]:
-    """Return one question for each combination of style and reason of unclassified edges.
+    """Return one question for all edges that have the same style and are unclassified for the
+    same reason.
 
     Parameters
     ----------

@@ -147,7 +147,10 @@ def _write_moves(
     plunge: float,
     swivel: float,
 ) -> Any:
-    """Return the columns of the moves of n strokes; a stroke has up to six moves.
+    """Return the moves of n strokes as columns of a ``Toolpath``.
+
+    A stroke is the feed along one segment of a track.  With its travel, plunge, turn and lift it
+    has up to six moves.
 
     Parameters
     ----------

@@ -70,14 +70,15 @@ def _in_transition(
     """Return whether a point is between a corner and the transition round this corner.
 
     A transition is the path of the tool's centre round a corner.  It consists of two or three lines
-    (type C), or of a line, an arc and a line (type D).
+    (corner type C), or of a line, an arc and a line (corner type D).
 
     Parameters
     ----------
     kind, k
-        Type of the transition, and the parameter k of type D, 0 … 1.
+        Corner type, and the parameter k of type D: from 0 (one arc) to 1 (lines only).
     table, row_before, row_after
-        Table of the moved segments, and its rows for the segments before and after the corner.
+        Table of the segments that were moved by the tool radius, and its rows for the segments
+        before and after the corner.
     vx, vy : mm
         Position of the point relative to the corner's vertex.
     signed : mm

@@ -2,8 +2,8 @@
 
 A track is a path that a tool follows without lifting.  In an air move the head travels straight
 while C turns by the smaller angle.  The poses at both ends of the move are lifted along the tool's
-axis, just far enough for the tool to clear the board.  If the tool is outside the board during the
-whole move, these poses are lifted only if the tool is in the mat under the board.
+axis, just far enough for the tool to clear the board.  If the whole move is beside the board,
+beyond its outline, these poses are lifted only if the tip is in the mat on which the board lies.
 
 Source: "A new method of turning processing in multi axis linkage NC machining", sections 1 to 3.
 The limits of C, tilted blades and the test whether a turn stays outside the board are not from

@@ -116,7 +116,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.convention": {
-    "text": "the colours match the colour convention \"{name}\": with this convention the outline closes, and {folds} of {lines:# dividing line is a fold|# dividing lines are folds}",
+    "text": "the colours fit the colour convention \"{name}\": with this convention the cut lines form a closed outline, and {folds} of {lines:# line|# lines} inside the outline are folds",
     "hint": ""
   },
   "classification.cuts-panel-off": {
@@ -1501,7 +1501,7 @@ export const TEXTS = {
   },
   "hpgl.travel": {
     "text": "{path} extends from {low:g} to {high:g} mm, but the working area in the HPGL settings extends from {least:g} to {greatest:g} mm",
-    "hint": "Reduce the travel of the axis, or choose a larger machine."
+    "hint": "Reduce the travel of the axis, or correct the working area in the HPGL settings."
   },
   "hpgl.turn-in-board": {
     "text": "The tool turns by {degrees:.2f}° while it is in the board, but at most {most:.2f}° is allowed.",
@@ -1592,11 +1592,11 @@ export const TEXTS = {
     "hint": "Add the definition of the block in the CAD program, and export the drawing again."
   },
   "import.bridge": {
-    "text": "the steel rule of the cutting die has 1 bridge (gap), which is {width:g} file units wide",
+    "text": "the steel rule of the cutting die has 1 bridge (gap), {width:g} file units wide; the edge is cut without the gap",
     "hint": ""
   },
   "import.bridges": {
-    "text": "the steel rule of the cutting die has {bridges:g} bridges (gaps), each {width:g} file units wide",
+    "text": "the steel rule of the cutting die has {bridges:g} bridges (gaps), each {width:g} file units wide; the edge is cut without the gaps",
     "hint": ""
   },
   "import.clip-path": {
@@ -1660,15 +1660,15 @@ export const TEXTS = {
     "hint": ""
   },
   "import.filled-area": {
-    "text": "the object is a filled area without a line, which is not cut",
+    "text": "the object is a filled area without an outline, so it is not cut",
     "hint": ""
   },
   "import.filled-area-beside-strokes": {
-    "text": "the object is a filled area without a line, which is not cut because the drawing has lines",
+    "text": "the object is a filled area without an outline; the outlines of filled areas are cut only in drawings that have no lines",
     "hint": ""
   },
   "import.filled-area-on-page": {
-    "text": "the object is a filled area without a line, which is not cut because the page has lines",
+    "text": "the object is a filled area without an outline; the outlines of filled areas are cut only on pages that have no lines",
     "hint": ""
   },
   "import.fit-points": {
@@ -2152,8 +2152,8 @@ export const TEXTS = {
     "hint": "Check the table, then confirm the job or cancel it."
   },
   "job.not-running": {
-    "text": "Job {job} is {state}, so no machine executes it.",
-    "hint": "Let the gateway claim the job before it reports on the job."
+    "text": "The report was not accepted, because job {job} is {state} and not running on a machine.",
+    "hint": "Claim the job with the gateway first, and report on it only while it is running."
   },
   "job.not-taken": {
     "text": "Job {job} is queued, and the gateway of its machine {machine} has not claimed it yet.",
@@ -2232,7 +2232,7 @@ export const TEXTS = {
     "hint": "{advice}"
   },
   "language.bad-entry-point": {
-    "text": "The entry point {name!r} in the entry point group {group} does not provide a controller language with this name.",
+    "text": "The Python entry point {name!r} of the group {group} must provide a controller language that is named {name!r}, but does not provide one.",
     "hint": "Correct or remove the Python package that declares the entry point."
   },
   "language.no-driver": {

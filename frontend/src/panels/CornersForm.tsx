@@ -75,7 +75,7 @@ export function CornersForm() {
           aria-labelledby={fit}
           data={[
             { value: "trim", label: "Leave this part uncut" },
-            { value: "refuse", label: "Write no program" },
+            { value: "refuse", label: "Refuse the program" },
           ]}
           value={corners.interference}
           onChange={(choice) =>

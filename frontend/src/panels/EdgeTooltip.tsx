@@ -82,7 +82,7 @@ function Edge({ row, edges }: { row: number; edges: Edges }) {
             <dd>{formatHundredths(verdict.edge_overcut[row] ?? Number.NaN)}</dd>
             <dt>Uncut length</dt>
             <dd>{formatHundredths(verdict.edge_uncut[row] ?? Number.NaN)}</dd>
-            <dt>Distance kept from ends</dt>
+            <dt>Gap at each end of the edge</dt>
             <dd>{formatHundredths(verdict.edge_setback[row] ?? Number.NaN)}</dd>
             {optionalFigures(verdict, row).map(({ title, value }) => (
               <Fragment key={title}>
@@ -111,7 +111,7 @@ function optionalFigures(verdict: Verdict, row: number): Figure[] {
     listed.push(
       { title: "Groove width", value: `${formatHundredths(width)} at the top face` },
       { title: "Board thickness under groove", value: formatHundredths(figure(verdict.edge_web)) },
-      { title: "Deviation of groove sides", value: formatDeviation(figure(verdict.edge_flank)) },
+      { title: "Position error of groove sides", value: formatDeviation(figure(verdict.edge_flank)) },
     );
   }
   const top = figure(verdict.edge_top_overcut);

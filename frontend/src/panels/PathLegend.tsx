@@ -54,7 +54,7 @@ function Tools() {
     return z === undefined || sweep === null ? [] : [{ number, name, sweep, depth: caliper - z }];
   });
   if (swept.length === 0)
-    return <span>No tool of this program cuts wider than the drawn line.</span>;
+    return <span>No cut widths to show: every tool of this program cuts on the line itself.</span>;
   return swept.map(({ number, name, sweep, depth }) => (
     <span key={number}>
       <span className={overlayCss.band} style={{ background: COLOURS[sweep.kind], opacity: 0.6 }} />

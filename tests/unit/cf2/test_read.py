@@ -80,9 +80,9 @@ def test_bridges_are_notes_and_not_gaps() -> None:
     assert drawing.lengths.tolist() == [100.0, 9.0]
     assert report_reasons(drawing) == (
         "the object was imported; note: the steel rule of the cutting die "
-        "has 3 bridges (gaps), each 6 file units wide",
+        "has 3 bridges (gaps), each 6 file units wide; the edge is cut without the gaps",
         "the object was imported; note: the steel rule of the cutting die "
-        "has 1 bridge (gap), which is 4.5 file units wide",
+        "has 1 bridge (gap), 4.5 file units wide; the edge is cut without the gap",
     )
 
 

@@ -39,7 +39,7 @@ def test_with_meaningless_layers_shape_decides_the_outline_and_asks_the_rest() -
 def test_the_convention_that_fits_the_shape_decides(cut: int, crease: int) -> None:
     dieline = classified(drawing_of((BLANK, style(colour=cut)), (FOLDS, style(colour=crease))))
     assert words(dieline) == ["cut"] * 4 + ["crease"] * 2
-    assert "the outline closes, and 2 of 2 dividing lines are folds" in why(dieline, 4)
+    assert "closed outline, and 2 of 2 lines inside the outline are folds" in why(dieline, 4)
     assert dieline.confidence[4] < dieline.confidence[0]
 
 

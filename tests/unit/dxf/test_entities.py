@@ -368,7 +368,7 @@ def test_coordinates_beyond_ten_kilometres_are_dropped_with_the_measure() -> Non
         ("TEXT", "the object is a text, which is not cut"),
         ("POINT", "the object is a point, which has no length"),
         ("3DFACE", "the object is a solid or a face, not a line in a plane"),
-        ("SOLID", "the object is a filled area without a line, which is not cut"),
+        ("SOLID", "the object is a filled area without an outline, so it is not cut"),
         ("XLINE", "the object is a construction line of infinite length"),
         ("DIMENSION", "the object is a dimension or a note, which is not cut"),
         ("NONSENSE", "the object is of the type NONSENSE, which cannot be read"),

@@ -113,7 +113,7 @@ def test_a_language_of_another_package_is_found_by_its_entry_point(package: Inst
 
 def test_an_entry_point_with_the_name_of_another_language_is_refused(package: Install) -> None:
     package("elsewhere", "nowhere")
-    with pytest.raises(LibraryError, match="does not provide a controller language with this name"):
+    with pytest.raises(LibraryError, match="but does not provide one"):
         find_language("elsewhere")
 
 

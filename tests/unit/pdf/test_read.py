@@ -531,8 +531,8 @@ def test_every_object_has_a_row_and_dropped_ones_a_reason() -> None:
         ("path", "the object was imported unchanged"),
         (
             "path",
-            "the object is a filled area without a line, "
-            + "which is not cut because the page has lines",
+            "the object is a filled area without an outline; "
+            + "the outlines of filled areas are cut only on pages that have no lines",
         ),
         ("path", "the object only limits the visible area of other objects (clipping path)"),
         ("path", "the object has neither a stroke nor a fill, so it is not visible"),

@@ -395,8 +395,8 @@ def test_fills_are_lines_only_in_drawings_without_strokes() -> None:
     assert len(beside) == 1
     assert (
         reasons(beside)["area"]
-        == "the object is a filled area without a line, which is not cut because the drawing has "
-        "lines"
+        == "the object is a filled area without an outline; the outlines of filled areas are cut "
+        "only in drawings that have no lines"
     )
 
 

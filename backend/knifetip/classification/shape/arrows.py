@@ -305,7 +305,7 @@ def _other_end(start: I32_1, end: I32_1, first_piece: I32_1, i: int, vertex: int
 
 @kernel(allocates=False)
 def _connected(graph: _Graph, incidence: _Incidence, first_vertex: int, second_vertex: int) -> bool:
-    """Return whether a single edge of the graph connects ``first_vertex`` and ``second_vertex``.
+    """Return whether ``first_vertex`` and ``second_vertex`` are the two ends of one edge.
 
     ``incidence`` lists the pieces of edges that end at each vertex.
     """

@@ -218,7 +218,7 @@ def _transform_exactly(placed: Placed) -> tuple[F64, F64] | None:
 
 
 def _approximate(placed: Placed, tolerance: float) -> tuple[F64, F64]:
-    """Return n lines and arcs that approximate a shape in all of its placements together.
+    """Return n lines and arcs that approximate all placed copies of a shape.
 
     ``tolerance`` is the largest permitted distance of a line or arc from the placed shape (file
     units).

@@ -90,9 +90,10 @@ class ReceiveBuffer:
         self._longest = max(self._longest, line.size)
 
     def release_reserve(self) -> None:
-        """Set the number of bytes that are always kept free to 0.
+        """Stop keeping bytes free in the buffer.
 
-        Called when all answers have been matched to lines: no line was answered twice.
+        Called when all answers have been matched to lines, so that none was answered twice and
+        the count of occupied bytes is right.
         """
         self._longest = 0
 

@@ -29,8 +29,8 @@ MESSAGES: Final[Entries] = {
         reason="message",
     ),
     "classification.convention": entry(
-        'the colours match the colour convention "{name}": with this convention the outline '
-        "closes, and {folds} of {lines:# dividing line is a fold|# dividing lines are folds}",
+        'the colours fit the colour convention "{name}": with this convention the cut lines form '
+        "a closed outline, and {folds} of {lines:# line|# lines} inside the outline are folds",
         name="text",
         folds="count",
         lines="count",

@@ -235,7 +235,7 @@ MESSAGES: Final[Entries] = {
     "hpgl.travel": entry(
         "{path} extends from {low:g} to {high:g} mm, but the working area in the HPGL "
         "settings extends from {least:g} to {greatest:g} mm",
-        "Reduce the travel of the axis, or choose a larger machine.",
+        "Reduce the travel of the axis, or correct the working area in the HPGL settings.",
         path="text",
         low="number",
         high="number",

@@ -82,12 +82,13 @@ MESSAGES: Final[Entries] = {
         block="text",
     ),
     "import.bridge": entry(
-        "the steel rule of the cutting die has 1 bridge (gap), which is {width:g} file units wide",
+        "the steel rule of the cutting die has 1 bridge (gap), {width:g} file units wide; the edge "
+        "is cut without the gap",
         width="number",
     ),
     "import.bridges": entry(
         "the steel rule of the cutting die has {bridges:g} bridges (gaps), each {width:g} file "
-        "units wide",
+        "units wide; the edge is cut without the gaps",
         bridges="number",
         width="number",
     ),
@@ -139,14 +140,15 @@ MESSAGES: Final[Entries] = {
         vertices="count",
     ),
     "import.filled-area": entry(
-        "the object is a filled area without a line, which is not cut",
+        "the object is a filled area without an outline, so it is not cut",
     ),
     "import.filled-area-beside-strokes": entry(
-        "the object is a filled area without a line, which is not cut because the drawing has "
-        "lines",
+        "the object is a filled area without an outline; the outlines of filled areas are cut only "
+        "in drawings that have no lines",
     ),
     "import.filled-area-on-page": entry(
-        "the object is a filled area without a line, which is not cut because the page has lines",
+        "the object is a filled area without an outline; the outlines of filled areas are cut only "
+        "on pages that have no lines",
     ),
     "import.fit-points": entry(
         "the file states only the fit points of the curve, so the curve was drawn through these "

@@ -177,8 +177,8 @@ MESSAGES: Final[Entries] = {
         job="text",
     ),
     "job.not-running": entry(
-        "Job {job} is {state}, so no machine executes it.",
-        "Let the gateway claim the job before it reports on the job.",
+        "The report was not accepted, because job {job} is {state} and not running on a machine.",
+        "Claim the job with the gateway first, and report on it only while it is running.",
         job="text",
         state="text",
     ),

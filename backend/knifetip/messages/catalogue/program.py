@@ -203,8 +203,8 @@ MESSAGES: Final[Entries] = {
         place="message?",
     ),
     "language.bad-entry-point": entry(
-        "The entry point {name!r} in the entry point group {group} does not provide a "
-        "controller language with this name.",
+        "The Python entry point {name!r} of the group {group} must provide a controller language "
+        "that is named {name!r}, but does not provide one.",
         "Correct or remove the Python package that declares the entry point.",
         name="text",
         group="text",
