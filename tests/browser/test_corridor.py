@@ -412,7 +412,7 @@ def test_corner_types_of_a_cutter_are_selected_and_unreached_areas_shown(
     expect(page.get_by_test_id("scale-bar")).to_contain_text(re.compile(r"^[12] mm"))
     page.screenshot(path=screenshots / "router-3-chosen.png")
 
-    page.get_by_test_id("interference").get_by_text("Refuse the program").click()
+    page.get_by_test_id("interference").get_by_text("Do not create a program").click()
     page.get_by_test_id("compile").click()
     expect(page.get_by_test_id("job-state")).to_have_text("Refused", timeout=60_000)
     expect(page.get_by_test_id("reason")).to_contain_text("mm")

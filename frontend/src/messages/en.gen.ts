@@ -432,7 +432,7 @@ export const TEXTS = {
     "hint": ""
   },
   "controller.answer-lost": {
-    "text": "{name} has reported the state {state} for {seconds:g} s{due}. A response of the controller was lost.",
+    "text": "{name} has been in the state {state} for {seconds:g} s{due}. This means that a response of the controller was lost.",
     "hint": "Check the cable to the controller, then check the board on the table."
   },
   "controller.bad-address": {
@@ -1940,7 +1940,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.text-unknown-letters": {
-    "text": "the object is a text, which is not cut and whose characters cannot be read",
+    "text": "the object is a text, which is not cut; its wording cannot be shown, because its font does not state which characters it has",
     "hint": ""
   },
   "import.tilted": {
@@ -2613,7 +2613,7 @@ export const TEXTS = {
   },
   "question.unit-unreadable": {
     "text": "The unit of the drawing is not known: {evidence}.",
-    "hint": ""
+    "hint": "Choose the unit of the drawing."
   },
   "reading.crashed": {
     "text": "The file {name} cannot be read, probably because it is damaged ({reason}).",

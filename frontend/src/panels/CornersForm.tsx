@@ -75,7 +75,7 @@ export function CornersForm() {
           aria-labelledby={fit}
           data={[
             { value: "trim", label: "Leave this part uncut" },
-            { value: "refuse", label: "Refuse the program" },
+            { value: "refuse", label: "Do not create a program" },
           ]}
           value={corners.interference}
           onChange={(choice) =>

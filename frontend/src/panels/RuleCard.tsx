@@ -121,7 +121,7 @@ export function RuleCard(props: Props) {
         {matchesAll(rule) && <span>This rule has no condition: it matches every edge.</span>}
         {shown.length < CONDITIONS.length && (
           <button type="button" className={css.more} onClick={() => setAll(true)}>
-            Show the other conditions of a rule
+            Show more conditions for this rule
           </button>
         )}
       </div>

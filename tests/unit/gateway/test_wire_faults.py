@@ -205,7 +205,7 @@ ANSWERS: dict[str, tuple[Callable[[Bench], SpoilAnswer], type[KnifetipError], st
     "lost": (
         lambda bench: lambda line: [],
         ControllerSilent,
-        "A response of the controller was lost",
+        "a response of the controller was lost",
     ),
     "garbled": (lambda bench: lambda line: ["\xfe\x81" + line], ControllerSilent, "was lost"),
     "glued": (lambda bench: lambda line: [line + line], ControllerSilent, "was lost"),

@@ -622,7 +622,8 @@ def test_texts_are_decoded_by_the_table_of_their_font() -> None:
     assert_allclose(np.array([words.x, words.y, words.height]) * MM, [30, 40, 20])
     assert outcomes(drawing)[1] == (
         "text",
-        "the object is a text, which is not cut and whose characters cannot be read",
+        "the object is a text, which is not cut; its wording cannot be shown, because its font "
+        "does not state which characters it has",
     )
 
 

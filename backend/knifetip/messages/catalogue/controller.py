@@ -26,8 +26,8 @@ MESSAGES: Final[Entries] = {
         "an unknown alarm",
     ),
     "controller.answer-lost": entry(
-        "{name} has reported the state {state} for {seconds:g} s{due}. A response of the "
-        "controller was lost.",
+        "{name} has been in the state {state} for {seconds:g} s{due}. This means that a response "
+        "of the controller was lost.",
         "Check the cable to the controller, then check the board on the table.",
         name="text",
         state="text",

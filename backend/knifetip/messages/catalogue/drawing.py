@@ -143,6 +143,7 @@ MESSAGES: Final[Entries] = {
     ),
     "question.unit-unreadable": entry(
         "The unit of the drawing is not known: {evidence}.",
+        "Choose the unit of the drawing.",
         evidence="message",
     ),
     "override.ambiguous": entry(

@@ -387,7 +387,8 @@ MESSAGES: Final[Entries] = {
         "the object is a text, which is not cut",
     ),
     "import.text-unknown-letters": entry(
-        "the object is a text, which is not cut and whose characters cannot be read",
+        "the object is a text, which is not cut; its wording cannot be shown, because its font "
+        "does not state which characters it has",
     ),
     "import.tilted": entry(
         "the object is not parallel to the XY plane: its plane is tilted by {degrees:g}°",
