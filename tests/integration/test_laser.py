@@ -131,7 +131,10 @@ FAULTS: dict[str, tuple[Callable[[str], str], str]] = {
     ),
     "no power": (lambda text: text.replace("M3 S800", "M3", 1), "differs from the speed"),
     "less power": (lambda text: text.replace("M3 S800", "M3 S700", 1), "differs from the speed"),
-    "no pierce": (lambda text: text.replace("M3 S800\nG4 P0.2\n", "M3 S800\n", 1), "reached its"),
+    "no pierce": (
+        lambda text: text.replace("M3 S800\nG4 P0.2\n", "M3 S800\n", 1),
+        "moves the head too soon",
+    ),
     "short pierce": (lambda text: text.replace("G4 P0.2\n", "G4 P0.1\n", 1), "is shorter than"),
     "never on": (lambda text: text.replace("M3 S800\nG4 P0.2\n", ""), "not cut"),
     "once off": (lambda text: text.replace("M3 S800\nG4 P0.2\n", "", 1), "not cut"),
