@@ -111,7 +111,10 @@ function optionalFigures(verdict: Verdict, row: number): Figure[] {
     listed.push(
       { title: "Groove width", value: `${formatHundredths(width)} at the top face` },
       { title: "Board thickness under groove", value: formatHundredths(figure(verdict.edge_web)) },
-      { title: "Position error of groove sides", value: formatDeviation(figure(verdict.edge_flank)) },
+      {
+        title: "Position error of groove sides",
+        value: formatDeviation(figure(verdict.edge_flank)),
+      },
     );
   }
   const top = figure(verdict.edge_top_overcut);
