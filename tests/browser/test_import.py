@@ -162,7 +162,7 @@ def test_an_edge_shows_the_reason_for_its_line_type_and_alternatives(page: Page)
 def test_corrections_become_a_profile_that_classifies_the_next_drawing(
     page: Page, screenshots: Path
 ) -> None:
-    upload_files(page, ("silent.dxf", AMBIGUOUS))
+    upload_files(page, ("first-of-acme.dxf", AMBIGUOUS))
     page.get_by_test_id("unit-in").click()
     questions(page).first.get_by_test_id("answer-crease").click()
     expect(questions(page)).to_have_count(1)
@@ -200,7 +200,7 @@ def test_corrections_become_a_profile_that_classifies_the_next_drawing(
 
     # In the first drawing the undo steps are gone; the saved profile remains.
     page.get_by_test_id("close-drawing").click()
-    page.get_by_test_id("drawing-row").filter(has_text="silent.dxf").first.click()
+    page.get_by_test_id("drawing-row").filter(has_text="first-of-acme.dxf").first.click()
     expect(page.get_by_test_id("profile-select")).to_have_value("Acme & Söhne")
     expect(page.get_by_test_id("undo")).to_be_disabled()
 
