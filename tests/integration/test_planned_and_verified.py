@@ -199,3 +199,30 @@ def test_a_crease_that_a_cut_goes_through_at_a_vertex(monkeypatch: pytest.Monkey
         crease_operations, "split_at_cuts", lambda paths, *_: right(paths, cut[:0], cut[:0, 0, 0])
     )
     assert not verdict_of(line).accepted
+
+
+#: An S of two arcs and a half circle: the depth changes along them.
+CURVED = (
+    CREASE,
+    edges(((150, 150), (210, 190)), ((210, 190), (270, 230)), ((300, 200), (300, 250))),
+)
+BOARD_DEPTHS = ("caliper", "crease_along", "crease_across")
+
+
+@pytest.mark.parametrize("board", ["fbb-0.4", "greyboard-2.0", "greyboard-3.0", "b-flute"])
+def test_a_crease_on_a_curve_is_as_deep_as_its_tangent_requires(board: str) -> None:
+    line = dieline(OUTLINE, CURVED, bulge={4: 0.4, 5: -0.4, 6: 1.0})
+    values = load.board(board)
+    verdict = verdict_of(line, **{name: getattr(values, name) for name in BOARD_DEPTHS})
+    assert verdict.accepted, verdict.findings[:2]
+
+
+@pytest.mark.parametrize("degrees", [60.0, 180.0])
+def test_a_crease_of_one_depth_along_a_curve_is_refused(
+    monkeypatch: pytest.MonkeyPatch, degrees: float
+) -> None:
+    bulge = float(np.tan(np.radians(degrees) / 4.0))
+    line = dieline(OUTLINE, (CREASE, edges(((150, 150), (250, 150)))), bulge={4: bulge})
+    assert verdict_of(line).accepted
+    monkeypatch.setattr(crease_operations, "_DEPTH_ERROR", 1.0)
+    assert {finding.kind for finding in verdict_of(line).findings} == {"depth"}

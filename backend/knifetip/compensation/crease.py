@@ -23,7 +23,9 @@ from knifetip.model.toolpath import Toolpath
 
 
 def half_contact_length(depth: F64, wheel: CreaseWheel) -> F64:
-    """Return s, half the contact length of a wheel with the board, (n,) mm, for depths δ (n,) mm.
+    """Return s, half the contact length of a wheel with the board, for depths δ (mm).
+
+    The result has the shape of ``depth``.
 
     s = √(δ(2R − δ)) with R the radius of the wheel: 3.4409 mm for R 15 mm and δ 0.4 mm.
     """
@@ -61,9 +63,9 @@ def crease_toolpath(operation: Operation) -> Toolpath:
     length = paths.lengths
     clear = operation.end_clearance
     free_start, free_end = operation.start == End.FREE, operation.finish == End.FREE
-    first, last = paths.first[:-1], paths.first[1:] - 1
-    at_start = np.where(free_start, half_contact_length(depth[first], wheel) + clear, 0.0)
-    at_end = np.where(free_end, half_contact_length(depth[last], wheel) + clear, 0.0)
+    contact = half_contact_length(operation.end_depth, wheel)
+    at_start = np.where(free_start, contact[:, 0] + clear, 0.0)
+    at_end = np.where(free_end, contact[:, 1] + clear, 0.0)
     fits = length - at_start - at_end > 10.0 * POINT
     rolled = np.flatnonzero(fits).astype(np.int32)
     short_paths = np.flatnonzero(~fits).astype(np.int32)

@@ -53,6 +53,9 @@ class Operation:
     source: I32  #: (n,) row of the edge in the dieline
     #: (p, 2) length beyond start and end, past the edge of the board (mm); default 0
     run_out: F64 = field(default_factory=lambda: np.zeros((0, 2)))
+    #: (p, 2) depth of a crease exactly at the start and the end of each path (mm); (0, 2) for
+    #: other line types
+    end_depth: F64 = field(default_factory=lambda: np.zeros((0, 2)))
     side: int = 0  #: side of the tool: +1 left of travel, -1 right, 0 on the line
     corner: str = "B"  #: type of convex corners: B, C, D or auto
     k: float = 0.5  #: parameter of type D
@@ -73,6 +76,7 @@ class Operation:
         corner_types = self.corner_at if len(self.corner_at) else np.full(count, AS_OTHERS)
         run_out = self.run_out if len(self.run_out) else np.zeros((len(self.paths), 2))
         put(self, "depth", freeze(self.depth, np.float64, count, -1))
+        put(self, "end_depth", freeze(self.end_depth, np.float64, -1, 2))
         put(self, "start", freeze(self.start, np.uint8, len(self.paths)))
         put(self, "finish", freeze(self.finish, np.uint8, len(self.paths)))
         put(self, "k_at", freeze(corner_parameters, np.float64, count))

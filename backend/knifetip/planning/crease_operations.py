@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from typing import Final
+
 import numpy as np
 
+from knifetip.geometry import arc
 from knifetip.geometry.azimuth import azimuth
 from knifetip.geometry.chain import chain, continues_straight
-from knifetip.geometry.columns import I32, U8
+from knifetip.geometry.columns import F64, I32, U8
 from knifetip.geometry.path import Paths
 from knifetip.geometry.tolerance import ANGLE
+from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.operation import End, Operation
 from knifetip.planning.creases import double_creases, split_at_cuts
@@ -16,12 +21,17 @@ from knifetip.planning.dashes import merge_dashes
 from knifetip.planning.path_ends import end_directions, end_kinds, end_points
 from knifetip.planning.setup import Setup
 
+#: Greatest difference between the depth of a curved crease and the depth of the board's rule (mm).
+_DEPTH_ERROR: Final = 0.004
+
 
 def plan_creases(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
     """Return the operation that rolls the creases of a dieline.
 
-    The depth depends on the angle φ between a segment's chord and the grain of the board:
-    d = d∥ + (d⊥ - d∥) sin² φ, with the board's depths d∥ along and d⊥ across the grain.
+    The depth depends on the angle φ between the direction of a crease and the grain of the board:
+    d = d∥ + (d⊥ - d∥) sin² φ, with the board's depths d∥ along and d⊥ across the grain.  The
+    direction of an arc is its tangent, so the depth changes along it.  An arc is therefore split
+    into pieces of constant depth, which differs from d by at most ``_DEPTH_ERROR``.
 
     Parameters
     ----------
@@ -35,11 +45,63 @@ def plan_creases(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
     if board.double_crease > 0.0:
         paths, path, segment = double_creases(paths, board.double_crease, source)
         source, ends = source[segment], (ends[0][path], ends[1][path])
-    chord = azimuth(paths.end - paths.start) - board.grain
-    depth = board.crease_along + (board.crease_across - board.crease_along) * (
-        np.sin(np.radians(chord)) ** 2
+    ahead, last = arc.tangents(paths.start, paths.end, paths.bulge)
+    tangents = np.stack([ahead[paths.first[:-1]], last[paths.first[1:] - 1]], axis=1)
+    end_depth = _depth_along(tangents.reshape(-1, 2), board).reshape(-1, 2)
+    paths, segment = _split_by_depth(paths, board)
+    # The tangent in the middle of an arc is parallel to its chord.
+    depth = _depth_along(paths.end - paths.start, board)
+    operation = setup.operation(LineType.CREASE, paths, source[segment], depth[:, None], ends)
+    return replace(operation, end_depth=end_depth)
+
+
+def _depth_along(direction: F64, board: Board) -> F64:
+    """Return the depths of creases with given directions, (n,) mm.
+
+    ``direction`` are n vectors of any length along the creases, (n, 2).
+    """
+    sine = np.sin(np.radians(azimuth(direction) - board.grain))
+    result: F64 = board.crease_along + (board.crease_across - board.crease_along) * sine**2
+    return result
+
+
+def _split_by_depth(paths: Paths, board: Board) -> tuple[Paths, I32]:
+    """Split the arcs of creases into equal pieces along which the depth hardly changes.
+
+    From sin² a - sin² b = sin(a + b) sin(a - b) it follows that along a piece with sweep θ the
+    depth differs from the depth in its middle by at most |d⊥ - d∥| sin(θ/2).  θ is chosen so that
+    this is at most ``_DEPTH_ERROR``.
+
+    Returns
+    -------
+    The paths, and the segment of the given paths from which each new segment comes, (m,).
+    """
+    change = abs(board.crease_across - board.crease_along)
+    if change <= _DEPTH_ERROR:
+        return paths, np.arange(len(paths.bulge), dtype=np.int32)
+    sweep = 2.0 * np.arcsin(_DEPTH_ERROR / change)
+    # An arc of exactly one greatest sweep is one piece, whatever its last digit.
+    pieces = np.ceil(np.abs(arc.sweep(paths.bulge)) / sweep - 1e-9).astype(np.int64).clip(1)
+    row = np.repeat(np.arange(len(pieces), dtype=np.int32), pieces)
+    place = np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
+    begins, finishes = place == 0, place + 1 == pieces[row]
+    whole = begins & finishes
+    start, end, bulge = arc.sub_arc(
+        paths.start[row],
+        paths.end[row],
+        paths.bulge[row],
+        place / pieces[row],
+        (place + 1) / pieces[row],
     )
-    return setup.operation(LineType.CREASE, paths, source, depth[:, None], ends)
+    return (
+        Paths(
+            np.where(begins[:, None], paths.start[row], start),
+            np.where(finishes[:, None], paths.end[row], end),
+            np.where(whole, paths.bulge[row], bulge),
+            np.append(0, np.cumsum(pieces))[paths.first],
+        ),
+        row,
+    )
 
 
 def _crease_paths(dieline: Dieline, rows: I32) -> tuple[Paths, I32, tuple[U8, U8]]:

@@ -9,6 +9,7 @@ import pytest
 
 from knifetip.compensation.crease import crease_toolpath, depth_at_contact, half_contact_length
 from knifetip.errors import EdgeTooShort
+from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
 from knifetip.model.board import Board
 from knifetip.model.dieline import LineType
@@ -77,8 +78,11 @@ def test_the_wheel_turns_with_an_arc() -> None:
     # A quarter turn to the left of radius 100, from due east to due north.
     operation = planned(edges(((0, 0), (100, 100))), bulge={0: np.tan(np.pi / 8)})
     path = crease_toolpath(operation)
-    back = np.degrees((np.sqrt(0.5 * 29.5) + 0.2) / 100)
-    np.testing.assert_allclose(path.pose[1:3, 3], [back, 90 - back])
+    # The crease is 0.6 deep where it begins across the grain, and 0.4 where it ends along it.
+    begin, finish = np.degrees((np.sqrt([0.6 * 29.4, 0.4 * 29.6]) + 0.2) / 100)
+    np.testing.assert_allclose(path.pose[[1, -2], 3], [begin, 90 - finish])
+    turn = np.degrees(arc.sweep(path.bulge))
+    np.testing.assert_allclose(np.diff(path.pose[:, 3]), turn, atol=1e-9)
 
 
 def test_long_and_short_creases_keep_their_drawing_order() -> None:

@@ -40,16 +40,20 @@ def expected_of(*edges: tuple[float, float, float, float]) -> ExpectedCreases:
     return expected_creases(place_edges(drawn, (0.0, 0.0)), BOARD, WHEEL)
 
 
-def test_a_crease_along_the_grain_is_shallower_than_one_across_it() -> None:
-    # 0.6 along, 0.8 across, and at 45° half way between: sin² 45° = 1/2.
-    found = expected_of((0, 0, 0, 50), (10, 0, 60, 0), (100, 0, 130, 30))
-    np.testing.assert_allclose(found.depth, [0.6, 0.8, 0.7])
-
-
 def test_a_free_crease_is_set_back_by_its_contact_and_the_clearance() -> None:
     found = expected_of((0, 0, 0, 50))
     # √(0.6 (30 - 0.6)) + 0.2 = 4.4
     np.testing.assert_allclose([found.low[0], found.high[0]], [4.4, 45.6])
+    assert np.isnan(found.press_depth[0])
+
+
+def test_the_setback_of_a_curved_crease_follows_from_the_tangent_at_its_end() -> None:
+    # A quarter of a circle from the direction along the grain to the one across it.
+    drawn = dieline((CREASE, 0, 0, 50, 50, 1.0 - math.sqrt(2.0)))
+    found = expected_creases(place_edges(drawn, (0.0, 0.0)), BOARD, WHEEL)
+    length = 25.0 * math.pi
+    finish = math.sqrt(0.8 * (30.0 - 0.8)) + 0.2
+    np.testing.assert_allclose([found.low[0], found.high[0]], [4.4, length - finish])
 
 
 def test_a_crease_that_another_continues_is_not_set_back_there() -> None:
@@ -75,7 +79,7 @@ def test_a_short_crease_is_pressed_in_its_middle_at_the_depth_that_fits() -> Non
     found = expected_of((0, 0, 0, 6.4))
     assert found.pressed[0]
     assert not found.refused[0]
-    np.testing.assert_allclose(found.depth, [15.0 - math.sqrt(216.0)])
+    np.testing.assert_allclose(found.press_depth, [15.0 - math.sqrt(216.0)])
     np.testing.assert_allclose([found.low[0], found.high[0]], [3.2, 3.2])
 
 

@@ -196,7 +196,9 @@ class StationCheck(ABC):
         if "Z" not in self.context.programmed:
             return
         deep = self.context.board.caliper - self.z[work]
-        wrong = np.abs(deep - self.depth[edge])
+        lowest, highest = self.planned_depths(edge, overlaps.place[best])
+        planned = np.where(np.abs(deep - lowest) > np.abs(deep - highest), lowest, highest)
+        wrong = np.abs(deep - planned)
         if final is not None:
             wrong[~final[best]] = 0.0
         for row in np.flatnonzero(wrong > DEPTH_TOLERANCE)[:MAX_FINDINGS]:
@@ -207,11 +209,24 @@ class StationCheck(ABC):
                     "verify.wrong-depth",
                     tool=self.operation.tool,
                     depth=deep[row],
-                    planned=self.depth[edge[row]],
+                    planned=planned[row],
                 ),
                 wrong[row],
                 work[row],
             )
+
+    def planned_depths(self, edge: I32, place: F64) -> tuple[F64, F64]:  # noqa: ARG002  # for subclasses
+        """Return the least and the greatest planned depth of the tip along k stretches, (k,) mm
+        each.
+
+        Parameters
+        ----------
+        edge : (k,)
+            Index of the edge of each stretch.
+        place : (k, 2) mm
+            Positions on the edge at which each stretch starts and ends.
+        """
+        return self.depth[edge], self.depth[edge]
 
     def check_heading(
         self, overlaps: Overlaps, reach: F64, turn: float, chorded: Bool | None = None

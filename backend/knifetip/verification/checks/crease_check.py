@@ -13,6 +13,8 @@ from knifetip.model.dieline import LineType
 from knifetip.model.tool import CreaseWheel
 from knifetip.verification.checks.check_base import StationCheck
 from knifetip.verification.checks.stray_work import check_stray_work
+from knifetip.verification.columns import F64, I32
+from knifetip.verification.expectation.crease_depth import depth_range
 from knifetip.verification.expectation.crease_lines import (
     concatenate_edges,
     creased_gaps,
@@ -57,7 +59,7 @@ class CreaseCheck(StationCheck):
             )
         self.set_edges(single)
         expected = expected_creases(self.edges, self.context.board, wheel, all_creases, parts)
-        self.low, self.high, self.depth = expected.low, expected.high, expected.depth
+        self.low, self.high, self.depth = expected.low, expected.high, expected.press_depth
         for edge in np.flatnonzero(expected.refused)[:MAX_FINDINGS]:
             self.add_finding("uncut", edge, Message("verify.crease-too-short"), self.size[edge])
         overlaps = self.match_edges()
@@ -69,3 +71,15 @@ class CreaseCheck(StationCheck):
         depth = np.maximum(self.context.board.caliper - self.z, 0.0)
         contact = np.sqrt(np.maximum(depth * (2.0 * wheel.radius - depth), 0.0))
         self.check_heading(overlaps, contact, 180.0)
+
+    def planned_depths(self, edge: I32, place: F64) -> tuple[F64, F64]:
+        """Return the least and the greatest planned depth of the wheel along k stretches, (k,) mm
+        each.
+
+        The depth changes with the direction of the tangent.  A crease that is pressed at one point
+        has one depth; ``edge`` and ``place`` are as in the base class.
+        """
+        lowest, highest = depth_range(self.edges.curve[edge], place, self.context.board)
+        press = self.depth[edge]
+        is_pressed = np.isfinite(press)
+        return np.where(is_pressed, press, lowest), np.where(is_pressed, press, highest)

@@ -24,6 +24,7 @@ from knifetip.model.tool import CreaseWheel
 from knifetip.verification.columns import F64, Bool
 from knifetip.verification.curves.curve import azimuth_at, line_curves, point_at
 from knifetip.verification.curves.overlap import find_overlaps
+from knifetip.verification.expectation.crease_depth import depth_towards
 from knifetip.verification.expectation.edge_paths import EdgePaths, edge_paths, link_ends
 from knifetip.verification.expectation.edges import (
     JOIN_DISTANCE,
@@ -55,10 +56,12 @@ WORKED_TYPES: Final[dict[OperationKind, tuple[LineType, ...]]] = {
 
 @dataclass(frozen=True, eq=False, slots=True)
 class ExpectedCreases:
-    """Expected depths of n creases, and the positions between which the wheel must make them."""
+    """The positions between which the wheel must make n creases, and the depths of presses."""
 
     edges: Edges
-    depth: F64  #: (n,) mm, depth of the tip below the top face
+    #: (n,) mm, depth below the top face of a crease that is pressed at one point; NaN for a crease
+    #: that is rolled, whose depth follows from its direction (see ``crease_depth``)
+    press_depth: F64
     low: F64  #: (n,) mm along the edge at which the tip may begin
     high: F64  #: (n,) mm at which the tip must stop; less than ``low`` if there is no work
     pressed: Bool  #: (n,) the wheel presses the crease at one point
@@ -72,8 +75,7 @@ def expected_creases(
     all_creases: Edges | None = None,
     split_ends: Bool | None = None,
 ) -> ExpectedCreases:
-    """Return the expected depth of each of n creases, and where the wheel must start and stop on
-    it.
+    """Return where the wheel must start and stop on each of n creases, and the depths of presses.
 
     The depth is measured from the board's top face to the wheel's lowest point.  An end of a crease
     is free if no other crease continues there; the wheel stops before a free end.
@@ -90,8 +92,7 @@ def expected_creases(
     split_ends : (2n,)
         Mask of the ends at which a cut splits a crease, which are always free; None for no end.
     """
-    across = np.radians(edges.chord - board.grain)
-    depth = board.crease_along + (board.crease_across - board.crease_along) * np.sin(across) ** 2
+    depth = depth_towards(edges.outward, board)
     contact = np.sqrt(np.maximum(depth * (2.0 * wheel.radius - depth), 0.0))
     link, goes_on = link_ends(edges, STRAIGHT_ANGLE)
     goes_on |= _continued_ends(edges, edges if all_creases is None else all_creases)
@@ -103,7 +104,7 @@ def expected_creases(
     open_ = paths.first >= 0
     free = [open_ & ~goes_on[np.maximum(end, 0)] for end in (paths.first, paths.last)]
     back = [
-        np.where(at_end, contact[np.maximum(end, 0) // 2] + board.end_clearance, 0.0)
+        np.where(at_end, contact[np.maximum(end, 0)] + board.end_clearance, 0.0)
         for at_end, end in zip(free, (paths.first, paths.last), strict=True)
     ]
     begin, finish = back[0], paths.length - back[1]
@@ -111,6 +112,7 @@ def expected_creases(
     low, high = paths.intervals(begin, finish, edges.curve)
     low[short[paths.path]], high[short[paths.path]] = 0.0, -1.0
 
+    press_depth = np.full(len(edges), np.nan)
     pressed = np.zeros(len(edges), np.bool_)
     refused = np.zeros(len(edges), np.bool_)
     short_rows = np.flatnonzero(short)
@@ -122,11 +124,12 @@ def expected_creases(
         row, place = paths.locate(short_rows, position, edges.curve)
         reach = np.clip(half, 0.0, wheel.radius)
         fits = wheel.radius - np.sqrt(wheel.radius**2 - reach**2)
-        depth[row] = np.minimum(depth[row], fits)
+        rolled = depth_towards(azimuth_at(edges.curve[row], place), board)
+        press_depth[row] = np.minimum(rolled, fits)
         low[row] = high[row] = place
         pressed[row] = True
         refused[row] = (board.short_crease != "press") | (half <= 0.0)
-    return ExpectedCreases(edges, depth, low, high, pressed, refused)
+    return ExpectedCreases(edges, press_depth, low, high, pressed, refused)
 
 
 def _continued_ends(edges: Edges, all_creases: Edges) -> Bool:
