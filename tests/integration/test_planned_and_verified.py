@@ -15,7 +15,7 @@ from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
 from knifetip.model.verdict import Verdict
-from knifetip.planning import crease_operations, groove_operations
+from knifetip.planning import blade_operations, crease_operations, groove_operations
 from knifetip.verification.verify import verify
 from tests.support.modules import original
 from tests.support.shapes import closed, dieline, edges, with_dimensions
@@ -226,3 +226,41 @@ def test_a_crease_of_one_depth_along_a_curve_is_refused(
     assert verdict_of(line).accepted
     monkeypatch.setattr(crease_operations, "_DEPTH_ERROR", 1.0)
     assert {finding.kind for finding in verdict_of(line).findings} == {"depth"}
+
+
+#: A slit inside the outline, on which other cuts end.
+SLIT = (CUT, edges(((150, 200), (350, 200))))
+
+
+@pytest.mark.parametrize(
+    ("outline", "cuts", "past"),
+    [
+        (OUTLINE, [((250, 150), (250, 200))], 0.0),
+        (OUTLINE, [((250, 200), (250, 150)), ((250, 200), (250, 260))], 0.0),
+        (OUTLINE, [((250, 200), (300, 280)), ((180, 220), (150, 200))], 0.0),
+        (OUTLINE, [((250, 200), (250, 300))], 0.3527),
+        (OUTLINE, [((250, 80), (250, 100)), ((250, 400), (250, 300))], 0.0),  # from the waste
+        (OUTLINE, [((370, 250), (400, 300))], 0.3527),  # to an outer corner
+        (NOTCHED, [((250, 220), (250, 260))], 0.3527),
+        (NOTCHED, [((200, 240), (250, 260))], 0.0),  # at the notch, towards the panel behind it
+        (OUTLINE, [((250, 150), (250, 250))], 0.0),  # a crossing
+    ],
+)
+def test_a_knife_does_not_cut_the_panel_behind_a_slit(
+    outline: tuple[LineType, F64], cuts: list[Any], past: float
+) -> None:
+    line = dieline(outline, SLIT, (CUT, edges(*cuts)))
+    verdict = verdict_of(line)
+    assert verdict.accepted, verdict.findings[:2]
+    ended = np.arange(len(line) - len(cuts), len(line))
+    assert verdict.overcut[ended].max() == pytest.approx(past, abs=1e-3)
+
+
+def test_the_judge_refuses_a_tip_that_passes_a_slit(monkeypatch: pytest.MonkeyPatch) -> None:
+    line = dieline(OUTLINE, SLIT, (CUT, edges(((250, 150), (250, 200)))))
+    monkeypatch.setattr(
+        blade_operations, "ends_at_waste", lambda points, *_: np.ones(len(points), np.bool_)
+    )
+    verdict = verdict_of(line)
+    assert [(finding.kind, finding.edge) for finding in verdict.findings] == [("overcut", 5)]
+    assert verdict.findings[0].measure == pytest.approx(0.3527, abs=1e-3)

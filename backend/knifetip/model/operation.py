@@ -23,9 +23,10 @@ class End(IntEnum):
 
     FREE = 0  #: no other path; the tool must not cut beyond the end
     CONTINUED = 1  #: another path of the same tool that continues in the same direction
-    MEETS = 2  #: another cut; the tool may cut beyond the end
+    MEETS = 2  #: another cut, with waste behind it; the tool may cut beyond the end
     CLOSED = 3  #: the other end of the same path
     BRIDGE = 4  #: a bridge that holds the part; the tool must not cut it
+    JUNCTION = 5  #: another cut, with a panel behind it; the tip must stop on that cut
 
 
 @dataclass(frozen=True, eq=False, slots=True)

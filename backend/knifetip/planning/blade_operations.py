@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Final
 
 import numpy as np
 
-from knifetip.geometry.columns import I8, I32, I64, Bool
+from knifetip.geometry.columns import I8, I32, I64, U8, Bool
 from knifetip.geometry.path import (
     Paths,
     insert_gaps,
@@ -20,12 +21,17 @@ from knifetip.geometry.tolerance import ANGLE, GAP
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.operation import End, Operation
 from knifetip.model.tool import Knife
+from knifetip.planning.boundary import BoardOutline, ends_at_waste
 from knifetip.planning.bridges import Spacing, ends_of_others, place_bridges
 from knifetip.planning.cut_sides import CutSides
 from knifetip.planning.layers import cut_layers
-from knifetip.planning.path_ends import chain_edges, end_kinds, end_points
+from knifetip.planning.path_ends import chain_edges, end_directions, end_kinds, end_points
 from knifetip.planning.reachable import all_reachable
 from knifetip.planning.setup import Setup
+
+#: For each ``End``: a path is cut towards the one of its ends that has the higher number.
+_FINISH_RANK: Final = np.zeros(len(End), np.uint8)
+_FINISH_RANK[[End.JUNCTION, End.MEETS]] = 1, 2
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -39,7 +45,9 @@ class _Cuts:
     group: I64 | None = None  #: (m,) cuts of different groups are not chained
 
 
-def plan_blade_cuts(sides: CutSides, dieline: Dieline, rows: I32, setup: Setup) -> list[Operation]:
+def plan_blade_cuts(
+    sides: CutSides, outline: BoardOutline, dieline: Dieline, rows: I32, setup: Setup
+) -> list[Operation]:
     """Return the operations that cut edges of a dieline with a knife, innermost layer first.
 
     A layer is a set of cuts that may be made in any order (see the module ``layers``).  Each layer
@@ -50,6 +58,8 @@ def plan_blade_cuts(sides: CutSides, dieline: Dieline, rows: I32, setup: Setup) 
     ----------
     sides
         For each of the m edges: the side of the waste, and the part or hole that the edge bounds.
+    outline
+        Outlines of the board and of its holes.
     rows : (m,)
         Indices of the edges in the dieline.
     setup
@@ -64,7 +74,7 @@ def plan_blade_cuts(sides: CutSides, dieline: Dieline, rows: I32, setup: Setup) 
         if len(subset):
             waste = side[subset] if bounds else None
             cuts = _Cuts(LineType.CUT, rows[subset], setup.through_depth, waste, layer[subset])
-            operations += _split_by_rank(_cut(dieline, cuts, setup), rows, rank)
+            operations += _split_by_rank(_cut(outline, dieline, cuts, setup), rows, rank)
     operations.sort(key=lambda rank_and_operation: rank_and_operation[0])
     return [operation for _, operation in operations]
 
@@ -104,26 +114,29 @@ def _split_by_rank(operation: Operation, rows: I32, rank: I64) -> list[tuple[int
     return parts
 
 
-def plan_half_cuts(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
+def plan_half_cuts(outline: BoardOutline, dieline: Dieline, rows: I32, setup: Setup) -> Operation:
     """Return the operation that cuts edges of a dieline to the board's half-cut depth with a knife.
 
     Parameters
     ----------
+    outline
+        Outlines of the board and of its holes.
     rows : (m,)
         Indices of the edges in the dieline.
     setup
         Machine, board and station of the knife.
     """
     cuts = _Cuts(LineType.HALF_CUT, rows, setup.board.half_cut_depth)
-    return _cut(dieline, cuts, setup)
+    return _cut(outline, dieline, cuts, setup)
 
 
-def _cut(dieline: Dieline, cuts: _Cuts, setup: Setup) -> Operation:
+def _cut(outline: BoardOutline, dieline: Dieline, cuts: _Cuts, setup: Setup) -> Operation:
     """Return one operation that makes ``cuts``, cuts of one line type and one depth, with a knife.
 
     The operation leaves bridges in the outlines of parts if the board requires bridges.  If it
     requires none, and the knife has a lead-in or a lead-out, the outlines of parts are cut with the
-    waste on the left.  ``setup`` contains the machine, the board and the station of the knife.
+    waste on the left.  ``outline`` contains the outlines of the board and of its holes; ``setup``
+    contains the machine, the board and the station of the knife.
     """
     board, tool = setup.board, setup.station.tool
     paths, source = chain_edges(dieline, cuts.rows, 180.0, cuts.group)
@@ -141,13 +154,15 @@ def _cut(dieline: Dieline, cuts: _Cuts, setup: Setup) -> Operation:
         side = 1
     paths, segment = start_in_middle(paths, paths.closed)
     source = source[segment]
-    start, finish = np.split(_ends_on_cuts(paths, source, dieline), 2)
-    # A blade enters exactly at its tip and runs out ahead of it: start at the end that is free.
-    paths, segment = reverse_paths(paths, start & ~finish & ~paths.closed & ~has_bridges)
+    start, finish = _kinds_of_ends(paths, source, dieline, outline)
+    # A blade enters exactly at its tip and runs out ahead of it: finish at the end where a cut
+    # beyond it harms least.
+    backwards = (_FINISH_RANK[start] > _FINISH_RANK[finish]) & ~has_bridges
+    paths, segment = reverse_paths(paths, backwards)
     source = source[segment]
-    ends = end_kinds(paths, _ends_on_cuts(paths, source, dieline), End.MEETS)
-    for kinds in ends:
-        kinds[has_bridges] = End.BRIDGE
+    ends = np.where(backwards, finish, start), np.where(backwards, start, finish)
+    for path_kinds in ends:
+        path_kinds[has_bridges] = End.BRIDGE
     depth = np.full((len(source), 1), cuts.depth)
     return replace(setup.operation(cuts.line_type, paths, source, depth, ends), side=side)
 
@@ -176,6 +191,28 @@ def _keep_waste_left(
     on_right = side[source[first]] == np.where(as_drawn, -1, 1)
     paths, segment = reverse_paths(paths, paths.closed & on_right)
     return paths, source[segment]
+
+
+def _kinds_of_ends(
+    paths: Paths, source: I32, dieline: Dieline, outline: BoardOutline
+) -> tuple[U8, U8]:
+    """Return the kinds of the starts and of the finishes of p paths, (p,) and (p,).
+
+    Parameters
+    ----------
+    source
+        Row in the dieline of each segment of the paths.
+    outline
+        Outlines of the board and of its holes.
+    """
+    on_cut = _ends_on_cuts(paths, source, dieline)
+    start, finish = end_kinds(paths, on_cut, End.JUNCTION)
+    waste = np.zeros(2 * len(paths), np.bool_)
+    rows = np.flatnonzero(on_cut)
+    waste[rows] = ends_at_waste(end_points(paths)[0][rows], -end_directions(paths)[rows], outline)
+    for kinds, at_waste in zip((start, finish), np.split(waste, 2), strict=True):
+        kinds[at_waste & (kinds == End.JUNCTION)] = End.MEETS
+    return start, finish
 
 
 def _ends_on_cuts(paths: Paths, source: I32, dieline: Dieline) -> Bool:

@@ -116,11 +116,7 @@ def run_out_lengths(
     needed = corner_run_outs(u, m, width, sagitta + short)
 
     count = len(points)
-    contact_count = np.bincount(contacts.end, minlength=count)
-    leaving_count = np.bincount(end, minlength=count)
-    # At an outer corner leaving over one edge suffices; in a notch the tool must leave over both.
-    corner = _corner_turns(contacts, count) < -1e-6
-    on_edge: Bool = (contact_count > 0) & (leaving_count >= np.where(corner, 1, contact_count))
+    on_edge, corner = _leaving_ends(contacts, sine, count)
     farthest, nearest = np.zeros((count, 2)), np.full((count, 2), np.inf)
     np.maximum.at(farthest, end, needed)
     np.minimum.at(nearest, end, needed)
@@ -128,6 +124,43 @@ def run_out_lengths(
     size = np.where(on_edge, np.maximum(longest, 0.0), 0.0)
     _check_run_outs(points, ahead, size, width, contacts, outline, source)
     return size, on_edge
+
+
+def ends_at_waste(points: F64, ahead: F64, outline: BoardOutline) -> Bool:
+    """Return the mask of the ends of cuts on the board's edge that have waste ahead of them, (n,).
+
+    A cut that makes an angle of less than 5° with the board's edge has no waste ahead of its end.
+
+    Parameters
+    ----------
+    points, ahead : (n, 2) mm and (n, 2)
+        Ends of cuts, and at each end the unit vector that points out of the cut.
+    outline
+        Outlines of the board and of its holes.
+    """
+    contacts = _find_contacts(points, outline)
+    sine = (ahead[contacts.end] * contacts.normal).sum(axis=1)
+    return _leaving_ends(contacts, sine, len(points))[0]
+
+
+def _leaving_ends(contacts: _Contacts, sine: F64, count: int) -> tuple[Bool, Bool]:
+    """Return the masks of the ends at which a line leaves the board, and of the ends at an outer
+    corner of the outline, (count,) each.
+
+    Parameters
+    ----------
+    contacts
+        Contacts of ``count`` ends of lines with the outline.
+    sine : (k,)
+        Sine of the angle between the line and the outline at each contact, positive towards the
+        waste.
+    """
+    contact_count = np.bincount(contacts.end, minlength=count)
+    leaving_count = np.bincount(contacts.end[sine > _ALONG], minlength=count)
+    # At an outer corner leaving over one edge suffices; in a notch the tool must leave over both.
+    corner = _corner_turns(contacts, count) < -1e-6
+    leaving: Bool = (contact_count > 0) & (leaving_count >= np.where(corner, 1, contact_count))
+    return leaving, corner
 
 
 def _check_run_outs(

@@ -19,6 +19,7 @@ class CutSides:
     """The side of the waste of each of n cuts, and the part or hole that each cut bounds."""
 
     waste: I8  #: (n,) side of the waste around a part: +1 left, -1 right, 0 if it bounds no part
+    removed: I8  #: (n,) side without board, around a part or in a hole: +1 left, -1 right, 0 none
     face: I64  #: (n,) part or hole that the cut bounds, -1 for none
     shared: Bool  #: (n,) two different parts lie on the two sides
 
@@ -40,6 +41,7 @@ def cut_sides(ends: F64, bulge: F64) -> CutSides:
     part = subdivision.depth[subdivision.component] % 2 == 0
     return CutSides(
         np.where(closing & part, np.where(outer[:, 0], 1, -1), 0).astype(np.int8),
+        np.where(closing, np.where(outer[:, 0] == part, 1, -1), 0).astype(np.int8),
         np.where(closing, np.where(outer[:, 0], face[:, 1], face[:, 0]), -1),
         ~outer.any(axis=1) & (face[:, 0] != face[:, 1]) & part,
     )

@@ -92,6 +92,7 @@ def plan(
     cuts = cuts[distinct_edges(dieline.ends[cuts], dieline.bulge[cuts])]
     sides = cut_sides(dieline.ends[cuts], dieline.bulge[cuts])
     outline = BoardOutline.from_cuts(dieline.ends[cuts], dieline.bulge[cuts], sides.waste)
+    borders = BoardOutline.from_cuts(dieline.ends[cuts], dieline.bulge[cuts], sides.removed)
 
     def rows_of(*types: LineType) -> I32:
         return np.flatnonzero(np.isin(line_type, types)).astype(np.int32)
@@ -106,9 +107,9 @@ def plan(
     planners: Mapping[Planner, Callable[..., Operation | list[Operation]]] = {
         Planner.CREASES: plan_creases,
         Planner.GROOVES: partial(plan_grooves, outline),
-        Planner.HALF_CUTS: plan_half_cuts,
+        Planner.HALF_CUTS: partial(plan_half_cuts, borders),
         Planner.PERFORATIONS: plan_perforations,
-        Planner.BLADE_CUTS: partial(plan_blade_cuts, sides),
+        Planner.BLADE_CUTS: partial(plan_blade_cuts, sides, borders),
         Planner.OFFSET_CUTS: partial(plan_milling, corners or Corners()),
     }
     operations: list[Operation] = []

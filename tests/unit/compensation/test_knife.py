@@ -40,6 +40,13 @@ def test_an_end_that_meets_another_cut_is_extended() -> None:
     np.testing.assert_allclose(path.pose[-2, :2], [52.0, 0.0])
 
 
+def test_the_tip_stops_on_a_slit_with_a_panel_behind_it() -> None:
+    operation = replace(planned(edges(((0, 0), (50, 0)))), finish=np.array([End.JUNCTION]))
+    path = knife_toolpath(operation)
+    np.testing.assert_allclose(path.pose[1, :2], [0.0, 0.0])
+    np.testing.assert_allclose(path.pose[-2, :2], [50.0, 0.0])
+
+
 def test_a_closed_contour_runs_past_its_start() -> None:
     path = knife_toolpath(planned(closed((0, 0), (100, 0), (100, 50), (0, 50))))
     np.testing.assert_allclose(path.pose[1, :2], [50, 0])

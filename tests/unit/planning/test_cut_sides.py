@@ -57,3 +57,9 @@ def test_a_slit_bounds_no_part() -> None:
 def test_a_line_between_two_parts_has_no_waste_side() -> None:
     cells = np.concatenate([OUTLINE, edges(((100, 50), (0, 100)))])
     assert (cut_sides(cells, np.zeros(6)).waste != 0).tolist() == [True] * 5 + [False]
+
+
+def test_no_board_lies_around_a_part_and_in_a_hole() -> None:
+    removed = cut_sides(SHEET, np.zeros(len(SHEET))).removed
+    # The outlines run counter-clockwise, the hole clockwise: the board is on the left of each.
+    assert removed.tolist() == [-1] * 5 + [0] + [-1] * 4 + [-1] * 4

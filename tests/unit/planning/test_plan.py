@@ -152,3 +152,56 @@ def test_a_machine_without_the_tool_refuses() -> None:
     assert not lacks_tool(knife_only, LineType.CUT)
     with pytest.raises(NoToolForLineType, match=r"no tool for .* of type crease"):
         plan(dieline((LineType.CREASE, edges(((0, 0), (50, 0))))), knife_only, BOARD)
+
+
+#: A slit inside the panel, on which other slits end.
+THROUGH = edges(((50, 50), (150, 50)))
+
+
+@pytest.mark.parametrize(
+    ("slit", "kinds"),
+    [
+        (((100, 80), (100, 50)), (End.FREE, End.JUNCTION)),
+        (((100, 50), (100, 80)), (End.FREE, End.JUNCTION)),
+        (((100, 50), (100, 100)), (End.JUNCTION, End.MEETS)),  # it runs out over the outline
+        (((100, 100), (100, 50)), (End.JUNCTION, End.MEETS)),
+        (((30, 60), (30, 40)), (End.FREE, End.MEETS)),  # it runs out into the hole
+        (((100, -30), (100, 0)), (End.FREE, End.JUNCTION)),  # a cut in the waste
+        (((170, 70), (200, 100)), (End.FREE, End.MEETS)),  # at an outer corner
+    ],
+)
+def test_the_kind_of_an_end_on_a_cut_depends_on_what_is_ahead(
+    slit: tuple[tuple[int, int], tuple[int, int]], kinds: tuple[End, End]
+) -> None:
+    line = dieline(
+        (LineType.CUT, OUTLINE), (LineType.CUT, HOLE), (LineType.CUT, THROUGH),
+        (LineType.CUT, edges(slit)),
+    )  # fmt: skip
+    row = len(line) - 1
+    found = []
+    for operation in plan(line, MACHINE, BOARD):
+        for path in range(len(operation.paths)):
+            segments = slice(operation.paths.first[path], operation.paths.first[path + 1])
+            if operation.source[segments].tolist() == [row]:
+                found.append((operation.start[path], operation.finish[path]))
+    assert found == [kinds]
+
+
+def test_a_half_cut_that_ends_on_a_slit_stops_there() -> None:
+    line = dieline(
+        (LineType.CUT, OUTLINE), (LineType.CUT, THROUGH),
+        (LineType.HALF_CUT, edges(((100, 50), (100, 80)), ((20, 60), (0, 60)))),
+    )  # fmt: skip
+    half = plan(line, MACHINE, BOARD)[0]
+    assert half.start.tolist() == [End.FREE, End.FREE]
+    assert half.finish.tolist() == [End.JUNCTION, End.MEETS]
+
+
+def test_slits_that_cross_are_cut_straight_through() -> None:
+    line = dieline(
+        (LineType.CUT, OUTLINE),
+        (LineType.CUT, THROUGH),
+        (LineType.CUT, edges(((100, 20), (100, 80)))),
+    )
+    crossing, _ = plan(line, MACHINE, BOARD)
+    assert set(crossing.start.tolist()) | set(crossing.finish.tolist()) == {End.FREE}

@@ -145,3 +145,42 @@ def test_too_many_edges_at_one_point_raise_an_error() -> None:
 def test_edges_without_length_are_left_out() -> None:
     edges = place_edges(dieline((CUT, 1, 1, 1, 1, 0.0), (CUT, 0, 0, 1, 0, 0.0)), (0.0, 0.0))
     assert edges.row.tolist() == [1]
+
+
+@pytest.mark.parametrize(
+    ("slit", "overrun"),
+    [
+        ((50, 20, 50, 40), 0.0),  # on a slit
+        ((30, 70, 30, 100), 0.3),  # on the outline
+        ((30, 130, 30, 100), 0.0),  # on the outline, from the waste
+        ((90, 20, 100, 0), 0.3),  # at an outer corner
+        ((70, 50, 70, 60), 0.3),  # on the edge of a hole
+        ((70, 72, 70, 80), 0.0),  # on the edge of a hole, from its inside
+        ((50, 50, 60, 60), 0.3),  # at a corner of a hole
+        ((60, 50, 60, 60), 0.0),  # along an edge of a hole
+    ],
+)
+def test_the_tip_passes_an_end_on_a_cut_only_if_waste_lies_ahead(
+    slit: tuple[float, float, float, float], overrun: float
+) -> None:
+    panel, hole = (0.0, 100.0), (60.0, 80.0)
+    drawn = dieline(
+        *(
+            (CUT, *ends, 0.0)
+            for low, high in (panel, hole)
+            for ends in (
+                (low, low, high, low),
+                (high, low, high, high),
+                (high, high, low, high),
+                (low, high, low, low),
+            )
+        ),
+        (CUT, 20, 40, 55, 40, 0.0),
+        (CUT, *slit, 0.0),
+    )
+    edges = place_edges(drawn, (0.0, 0.0))
+    ends = knife_ends(edges, edges, 0.4, 0.3)
+    assert ends.meets[-1]
+    assert ends.overrun[-1] == overrun
+    direction = np.subtract(slit[2:], slit[:2]) / math.dist(slit[2:], slit[:2])
+    np.testing.assert_allclose(ends.stop[-1], slit[2:] + overrun * direction, atol=1e-12)

@@ -59,8 +59,8 @@ class KnifeCheck(StationCheck):
             Depth of the tip below the top face.  The lead, the length by which the blade cuts the
             top face ahead of its tip, is this depth times tan(slant).
         overrun_depth : mm
-            Depth that determines the overrun: at an end that meets a cut, the tip should pass the
-            end by this depth times tan(slant).
+            Depth that determines the overrun: at an end that meets a cut and has waste ahead, the
+            tip should pass the end by this depth times tan(slant).
         """
         blade = self.tool(Knife)
         slant = math.tan(math.radians(blade.blade_angle)) if blade else 0.0

@@ -14,8 +14,10 @@ from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import azimuth_at, point_at
 from knifetip.verification.expectation.edges import (
     JOIN_DISTANCE,
+    STRAIGHT_ANGLE,
     TOUCH_DISTANCE,
     Edges,
+    angle_between,
     pairs_within,
 )
 from knifetip.verification.expectation.expected_work import KnifeEnds
@@ -72,7 +74,7 @@ def check_track_ends(
     lead : mm
         Length by which the blade cuts the top face ahead of its tip.
     overrun : mm
-        Planned overrun of the tip past an end that meets a cut.
+        Planned overrun of the tip past the start of a closed run.
     """
     count = len(dashed)
     over = np.zeros(count)
@@ -86,13 +88,14 @@ def check_track_ends(
 
     stop_rows = np.flatnonzero(~np.isnan(ends.stop[:, 0]))
     run_over = np.zeros(count, np.bool_)
-    run_over[
-        pairs_within(stop, ends.stop[stop_rows[ends.meets[stop_rows]]], check.tolerance)[0]
-    ] = True
+    run_over[pairs_within(stop, ends.stop[ends.overrun > 0.0], check.tolerance)[0]] = True
     new = np.ones(count, np.bool_)
     jump = np.hypot(*(start[1:] - stop[:-1]).T)
     # A new run may begin near the overrun of the previous one, but not at the same point.
     new[1:] = jump > np.where(run_over[:-1], PRINT_TURN, JOIN_DISTANCE)
+    new[1:] |= _stops_at_junctions(check, ends, stop[:-1]) & ~_starts_along_edges(
+        solid_edges, start[1:], azimuth_at(check.curve[first[1:]], np.zeros(count - 1))
+    )
     opens = np.flatnonzero(new)
     closes = np.concatenate([opens[1:], [count]]) - 1
     plain = ~dashed[opens]
@@ -121,8 +124,8 @@ def check_track_ends(
 
     # Without a near end ``planned`` is -1, which selects the appended False.
     ran = right & np.append(ends.meets, False)[planned]
-    over[closes[ran]] = overrun
-    check.record_overcut(solid_rows[planned[ran] // 2], np.full(int(ran.sum()), overrun))
+    over[closes[ran]] = ends.overrun[planned[ran]]
+    check.record_overcut(solid_rows[planned[ran] // 2], ends.overrun[planned[ran]])
     short = right & np.append(ends.free, False)[planned]
     # Coincident cuts end at the same points.
     free = stop_rows[ends.free[stop_rows]]
@@ -146,6 +149,30 @@ def check_track_ends(
             int(first[opens[k]]),
         )
     return over
+
+
+def _stops_at_junctions(check: StationCheck, ends: KnifeEnds, stop: F64) -> Bool:
+    """Return the mask of the stops of the knife, (t, 2) mm, that lie on ends without an overrun at
+    which a cut meets another, (t,).
+    """
+    result = np.zeros(len(stop), np.bool_)
+    junctions = ends.stop[ends.meets & (ends.overrun == 0.0)]
+    result[pairs_within(stop, junctions, check.tolerance)[0]] = True
+    return result
+
+
+def _starts_along_edges(edges: Edges, start: F64, heading: F64) -> Bool:
+    """Return the mask of the t tracks that begin at an end of an edge and run along this edge,
+    (t,).
+
+    ``start`` and ``heading`` are the point (mm) and the direction (degrees) at which each track
+    begins, (t, 2) and (t,).
+    """
+    track, end = pairs_within(start, edges.ends, TOUCH_DISTANCE)
+    along = angle_between(heading[track], edges.outward[end] + 180.0) <= STRAIGHT_ANGLE
+    result = np.zeros(len(start), np.bool_)
+    result[track[along]] = True
+    return result
 
 
 def _report_wrong_stops(

@@ -8,7 +8,8 @@ The rules are derived from the records of board and tools:
   a smaller depth, so that the wheel touches the board only within the crease.
 * A blade slanted by α cuts the top face ahead of its tip by h tan α at depth h.  A cut that ends
   inside a panel stops where the cut in the top face reaches the end.  A cut that ends on another
-  cut, or at its own start, runs past its end.
+  cut runs past its end if waste lies ahead.  If a panel lies ahead, the tip stops on the other cut.
+  A closed cut runs past its own start.
 """
 
 from __future__ import annotations
@@ -34,6 +35,7 @@ from knifetip.verification.expectation.edges import (
     angle_between,
     pairs_within,
 )
+from knifetip.verification.expectation.waste_ahead import waste_ahead
 from knifetip.verification.tools import OperationKind
 
 #: Distance past the end of a crease within which another may continue it (mm).
@@ -173,6 +175,7 @@ class KnifeEnds:
     stop: F64  #: (2n, 2) mm in sheet coordinates, NaN if the knife does not stop
     free: Bool  #: (2n,) the end lies inside a panel
     meets: Bool  #: (2n,) the end lies on another through cut
+    overrun: F64  #: (2n,) mm, planned overrun of the tip past the end
     paths: EdgePaths
 
 
@@ -191,7 +194,7 @@ def knife_ends(
         Length by which the blade cuts the top face ahead of its tip.  The tip stops before an end
         inside a panel by this length.
     overrun : mm
-        Length by which the tip passes an end that meets a cut.
+        Length by which the tip passes an end that meets a cut, if waste lies ahead of this end.
     ring : (n,)
         Mask of the edges of closed contours, which are cut without a stop; None for no edge.
     """
@@ -217,7 +220,14 @@ def knife_ends(
     meets[overlaps.curve[~own]] = True
     free = ~meets & (link < 0)
     ahead = np.radians(edges.outward)
-    stop = edges.ends + overrun * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
+    runs_over = np.zeros(2 * count, np.bool_)
+    if overrun > 0.0 and meets.any():
+        # A panel ahead of an end must not be cut.
+        runs_over = meets & waste_ahead(
+            edges.outward, overlaps.curve, overlaps.edge, overlaps.place[:, 0], cuts
+        )
+    past = np.where(runs_over, overrun, 0.0)
+    stop = edges.ends + past[:, None] * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
     stop[~meets & ~free] = np.nan
     # Go back by the lead from a free end along its path, over several edges if necessary.
     free_ends = np.flatnonzero(free)
@@ -228,7 +238,7 @@ def knife_ends(
         position = np.where(at_last, paths.length[path] - lead, lead)
         row, place = paths.locate(path, np.clip(position, 0.0, paths.length[path]), edges.curve)
         stop[free_ends] = point_at(edges.curve[row], place)
-    return KnifeEnds(stop, free, meets, paths)
+    return KnifeEnds(stop, free, meets, past, paths)
 
 
 def groove_continues(edges: Edges) -> Bool:
