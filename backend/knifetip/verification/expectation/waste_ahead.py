@@ -1,4 +1,4 @@
-"""Find the ends of cuts on outlines ahead of which waste lies, so that a blade may run past them."""
+"""Find the ends of cuts ahead of which waste lies, so that a blade may run past them."""
 
 from __future__ import annotations
 
