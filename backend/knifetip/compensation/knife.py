@@ -4,7 +4,7 @@ The leading edge of the blade slants by α, so the cut in the top face of the bo
 cut in the bottom face, where the tip is, by T tan α for a thickness T.  Therefore
 the tip runs past the start of a closed path by this length before it is lifted, and likewise past
 an end that meets another cut with waste behind it.  If a panel lies behind that cut, the tip stops
-on the cut, and both faces are cut up to there (see ``docs/knife-ends.md``).  At an end inside a
+on the cut, and both faces are cut up to there (see ``docs/contacts.md``).  At an end inside a
 panel or at a bridge it stops earlier by this length, so that the cut in the *top* face does not
 pass the end.  Around a blank the knife may come
 from the waste along a quarter circle, and return to the waste along another quarter circle.  At
