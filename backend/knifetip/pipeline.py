@@ -43,7 +43,7 @@ from knifetip.model.program import Program
 from knifetip.model.question import Question
 from knifetip.model.stage import Progress, Stage, no_progress
 from knifetip.model.toolpath import Toolpath
-from knifetip.model.verdict import Verdict
+from knifetip.model.verdict import Finding, Severity, Verdict
 from knifetip.planning.placement import placement
 from knifetip.planning.plan import plan
 from knifetip.planning.questions import tool_questions
@@ -215,6 +215,8 @@ def compile(
     program = process(toolpath, machine, tolerance=TOLERANCE, notes=head)
     progress(Stage.VERIFY, 0.7)
     verdict = _verdict(program.text, dieline, cleaned, offset, machine, board)
+    planned = (Finding("planned", note, 0.0, severity=Severity.NOTE) for note in toolpath.notes)
+    verdict = replace(verdict, findings=(*verdict.findings, *planned))
     progress(Stage.DONE, 1.0)
     full = duration(with_full_retracts(toolpath, machine), machine)
     return Compiled(toolpath, program, verdict, offset, duration(toolpath, machine), full)

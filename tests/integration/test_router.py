@@ -23,6 +23,7 @@ from knifetip.model.verdict import Verdict
 from knifetip.verification.verify import verify
 from tests.support.modules import original
 from tests.support.shapes import closed, dieline, edges
+from tests.support.verdicts import has_faults
 
 ROUTER = load.machine("router-table")
 BOARD = load.board("greyboard-3.0")
@@ -44,7 +45,7 @@ def verdict(board: Board = BOARD, dialect: str = "linuxcnc", corner: str = "auto
 @pytest.mark.parametrize("corner", ["B", "C", "D", "auto"])
 def test_programs_of_the_router_are_accepted(dialect: str, corner: str) -> None:
     result = verdict(dialect=dialect, corner=corner)
-    assert result.accepted, result.findings[:3]
+    assert not has_faults(result), result.findings[:3]
 
 
 @pytest.mark.parametrize("factor", [0.99, 1.01])
@@ -57,7 +58,7 @@ def test_a_radius_wrong_by_a_hundredth_is_refused(
         return right(paths, distance * factor, side, **more)
 
     monkeypatch.setattr(radius, "offset_paths", wrong)
-    assert not verdict().accepted
+    assert has_faults(verdict())
 
 
 def test_a_cutter_on_the_wrong_side_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -70,7 +71,7 @@ def test_a_cutter_on_the_wrong_side_is_refused(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(
         radius, "_add_leads", lambda _operation, _cutter, way, _held: _without_leads(way)
     )
-    assert not verdict().accepted
+    assert has_faults(verdict())
 
 
 def _without_leads(centre: CentrePaths) -> tuple[Paths, I32, U8]:
@@ -82,12 +83,12 @@ def test_a_deflection_of_the_board_is_accepted_and_its_opposite_is_refused(
 ) -> None:
     soft = replace(BOARD, deflection=(Deflection("Router", 0.08, 0.05),))
     result = verdict(soft)
-    assert result.accepted, result.findings[:3]
+    assert not has_faults(result), result.findings[:3]
     right = original(radius, "shift_centres")
     monkeypatch.setattr(
         radius, "shift_centres", lambda paths, side, x, y: right(paths, -side, x, y)
     )
-    assert not verdict(soft).accepted
+    assert has_faults(verdict(soft))
 
 
 def verdict_of(
@@ -123,7 +124,7 @@ def test_a_blank_held_by_bridges_is_accepted(
     machine = replace(ROUTER, stations=tuple(stations))
     slit = edges(((200, 150), (200, 250)))
     result = verdict_of(dieline(outline, (CUT, slit), bulge=bulge), HELD, dialect, machine)
-    assert result.accepted, result.findings[:3]
+    assert not has_faults(result), result.findings[:3]
 
 
 @pytest.mark.parametrize("wrong", [-0.05, 0.05])
@@ -150,7 +151,7 @@ def test_a_part_without_bridges_is_refused_if_the_board_requires_them(
         radius, "_add_bridge_gaps", lambda _operation, _cutter, way: (way, _none(way))
     )
     assert "0 bridges hold the part" in verdict_of(line, HELD).findings[0].text
-    assert verdict_of(line).accepted
+    assert not has_faults(verdict_of(line))
 
 
 def _none(way: CentrePaths) -> Bool:
@@ -162,5 +163,5 @@ def test_blanks_and_holes_that_touch_in_a_point_are_accepted() -> None:
         closed((150, 150), (200, 150), (200, 200), (150, 200)),
         closed((200, 200), (240, 200), (240, 240), (200, 240)),
     )
-    assert verdict_of(dieline((CUT, one), (CUT, other))).accepted
-    assert verdict_of(dieline(OUTLINE, (CUT, one), (CUT, other))).accepted
+    assert not has_faults(verdict_of(dieline((CUT, one), (CUT, other))))
+    assert not has_faults(verdict_of(dieline(OUTLINE, (CUT, one), (CUT, other))))

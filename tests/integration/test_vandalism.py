@@ -21,6 +21,7 @@ from knifetip.model.machine import Machine
 from knifetip.model.operation import End, Operation
 from tests.support.programs.engines import DEMO, ENGINES, Engine
 from tests.support.shapes import BY_HAND, dieline, edges, with_dimensions
+from tests.support.verdicts import has_faults
 
 V, PASSES, CREASE, DOUBLE = (
     ENGINES[name] for name in ("V-groove", "V-groove in passes", "crease", "double crease")
@@ -175,8 +176,8 @@ WRONG: list[tuple[str, Engine, Engine]] = [
     ("right", "wrong"), [row[1:] for row in WRONG], ids=[f"{row[1]}: {row[0]}" for row in WRONG]
 )
 def test_a_program_from_one_wrong_input_is_refused(right: Engine, wrong: Engine) -> None:
-    assert wrong.verdict_of(wrong.text).accepted, wrong.verdict_of(wrong.text).findings[:2]
-    assert not right.verdict_of(wrong.text).accepted
+    assert not has_faults(wrong.verdict_of(wrong.text)), wrong.verdict_of(wrong.text).findings[:2]
+    assert has_faults(right.verdict_of(wrong.text))
 
 
 # -- Errors in the rules of planning
@@ -236,13 +237,13 @@ def test_a_program_planned_by_a_wrong_rule_is_refused(
 ) -> None:
     text = engine.program_bytes(change)
     assert text != engine.text
-    assert not engine.verdict_of(text).accepted
+    assert has_faults(engine.verdict_of(text))
 
 
 def test_a_v_cutter_that_plunges_straight_down_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     right = vgroove.sideways_move
     monkeypatch.setattr(vgroove, "sideways_move", lambda *args: 0.0 * right(*args))
-    assert not V.verdict_of(V.program_bytes()).accepted
+    assert has_faults(V.verdict_of(V.program_bytes()))
 
 
 # -- Errors in all words of one letter
@@ -262,13 +263,13 @@ def with_changed_words(text: bytes, letter: str, change: Callable[[float], float
 
 def test_only_a_wheel_works_the_same_from_both_sides() -> None:
     for engine in (V, PASSES, KNIFE, DRAG):
-        assert not engine.verdict_of(
-            with_changed_words(engine.text, "C", lambda c: c + 180.0)
-        ).accepted
+        assert has_faults(
+            engine.verdict_of(with_changed_words(engine.text, "C", lambda c: c + 180.0))
+        )
     # The knife that cuts the outline in the crease's program is turned too.
     lone = replace(CREASE, line=dieline((LineType.CREASE, edges(((120, 100), (120, 180))))))
-    assert lone.verdict_of(with_changed_words(lone.text, "C", lambda c: c + 180.0)).accepted
-    assert not lone.verdict_of(with_changed_words(lone.text, "C", lambda c: c + 90.0)).accepted
+    assert not has_faults(lone.verdict_of(with_changed_words(lone.text, "C", lambda c: c + 180.0)))
+    assert has_faults(lone.verdict_of(with_changed_words(lone.text, "C", lambda c: c + 90.0)))
 
 
 @pytest.mark.parametrize("engine", [V, CREASE, KNIFE, DRAG, NICKS, B, AUTO], ids=str)
@@ -282,25 +283,25 @@ def test_a_program_in_other_units_or_mirrored_by_its_words_is_refused(engine: En
     ):
         mutant = with_changed_words(engine.text, letter, change)
         if mutant != engine.text and not (letter == "C" and engine in ROUTERS):
-            assert not engine.verdict_of(mutant).accepted, letter
-    assert not engine.verdict_of(engine.text.replace(b"G21", b"G20")).accepted
-    assert not engine.verdict_of(
-        engine.text.replace(b"G2 ", b"G5 ").replace(b"G1 ", b"G5 ")
-    ).accepted
+            assert has_faults(engine.verdict_of(mutant)), letter
+    assert has_faults(engine.verdict_of(engine.text.replace(b"G21", b"G20")))
+    assert has_faults(
+        engine.verdict_of(engine.text.replace(b"G2 ", b"G5 ").replace(b"G1 ", b"G5 "))
+    )
 
 
 def test_a_router_may_have_any_heading() -> None:
-    assert AUTO.verdict_of(with_changed_words(AUTO.text, "C", lambda c: c + 33.0)).accepted
+    assert not has_faults(AUTO.verdict_of(with_changed_words(AUTO.text, "C", lambda c: c + 33.0)))
 
 
 def test_a_hole_milled_beside_a_part_in_its_waste_is_harmless() -> None:
     # 5 mm of waste between its slot and the part; beyond 10.5 mm it would be stray work.
     hole = with_edges(C, LineType.CUT, ((92.0, 120.0), (92.0, 128.0)))
-    assert C.verdict_of(hole.text).accepted
+    assert not has_faults(C.verdict_of(hole.text))
 
 
 def test_the_placement_that_a_program_states_must_be_the_job_s() -> None:
     head = b"(placement X0.0000 Y0.0000)\n"
     first, rest = KNIFE.text.split(b"\n", 1)
-    assert KNIFE.verdict_of(first + b"\n" + head + rest).accepted
-    assert not KNIFE.verdict_of(first + b"\n" + head.replace(b"X0.0", b"X0.5") + rest).accepted
+    assert not has_faults(KNIFE.verdict_of(first + b"\n" + head + rest))
+    assert has_faults(KNIFE.verdict_of(first + b"\n" + head.replace(b"X0.0", b"X0.5") + rest))

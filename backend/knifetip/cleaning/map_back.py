@@ -19,8 +19,16 @@ from knifetip.model.cleaned import Cleaned
 from knifetip.model.dieline import Dieline
 from knifetip.model.verdict import Samples, Verdict
 
-_WORST: Final = ("deviation", "overcut", "width", "web", "flank", "top_overcut")
-_LENGTHS: Final = ("uncut", "setback", "unreached", "bottom_uncut")
+_WORST: Final = (
+    "deviation",
+    "overcut",
+    "width",
+    "web",
+    "flank",
+    "top_overcut",
+    "unreached_distance",
+)
+_LENGTHS: Final = ("uncut", "setback", "unreached", "bottom_uncut", "slit_length")
 
 
 def map_to_drawn(verdict: Verdict, cleaned: Cleaned, drawn: Dieline) -> Verdict:

@@ -182,6 +182,16 @@ def print_verdict(verdict: Verdict) -> None:
             f"  the cutter does not reach {verdict.areas.area.sum():.2f} mm² in "
             f"{len(verdict.areas)} places, which remain uncut"
         )
+    if verdict.unreached_distance.any():
+        print_stderr(
+            f"  the cutter does not reach {verdict.unreached.sum():.2f} mm of the edges; they are "
+            f"up to {verdict.unreached_distance.max():.2f} mm from the cut"
+        )
+    if verdict.slit_length.any():
+        print_stderr(
+            f"  {verdict.slit_length.sum():.2f} mm of {(verdict.slit_length > 0.0).sum()} slits "
+            "are milled as wide as the cutter"
+        )
     for finding in verdict.findings[:20]:
         print_stderr(f"  {finding.text}")
     if len(verdict.findings) > 20:

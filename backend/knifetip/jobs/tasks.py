@@ -251,7 +251,8 @@ def _result(compiled: Compiled, handles: Sequence[str], table: Machine) -> Compi
     text = compiled.program.text
     message = None
     if not verdict.accepted:
-        shown, more = verdict.findings[:_MAX_FINDINGS], len(findings) - _MAX_FINDINGS
+        reasons = [finding for finding in verdict.findings if finding.refuses]
+        shown, more = reasons[:_MAX_FINDINGS], len(reasons) - _MAX_FINDINGS
         message = Message(
             "job.program-refused",
             findings=[finding.located_message for finding in shown],
@@ -266,7 +267,9 @@ def _result(compiled: Compiled, handles: Sequence[str], table: Machine) -> Compi
         toolpath=pack_toolpath(compiled, table),
         verdict=pack_verdict(verdict, findings, summary),
         verdict_summary=summary,
-        source=sorted({str(finding["handle"]) for finding in findings if finding["handle"]})[:200],
+        source=sorted({str(one["handle"]) for one in findings if one["handle"] and one["refuses"]})[
+            :200
+        ],
         tools=used_stations(compiled, table),
     )
 

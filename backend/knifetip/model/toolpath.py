@@ -8,6 +8,7 @@ from enum import IntEnum
 import numpy as np
 
 from knifetip.geometry.columns import F64, I32, U8, freeze
+from knifetip.messages import Message
 
 
 class Motion(IntEnum):
@@ -39,6 +40,8 @@ class Toolpath:
     source: I32  #: (n,) row of the edge in the dieline, -1 between edges
     tool: U8  #: (n,) station number
     track: I32  #: (n,) number of the track, -1 between tracks
+    #: what the moves leave out or change as planned, such as the type of a corner
+    notes: tuple[Message, ...] = ()
 
     def __post_init__(self) -> None:
         put = object.__setattr__

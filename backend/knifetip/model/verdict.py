@@ -1,8 +1,9 @@
-"""Records of a verdict: the faults that the verifier found in a program, and edge measurements."""
+"""Records of a verdict: the findings of the verifier about a program, and edge measurements."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from enum import StrEnum
 
 import numpy as np
 
@@ -10,20 +11,39 @@ from knifetip.geometry.columns import F64, I32, freeze
 from knifetip.messages import Message, render
 
 
+class Severity(StrEnum):
+    """What a finding of the verifier means for the program."""
+
+    #: The program is wrong or dangerous.  It is refused, and no user can accept the fault.
+    FAULT = "fault"
+    #: The tool cannot make an edge as it is drawn, but the program is safe.  The program is refused
+    #: until a user accepts the shortfall.
+    SHORTFALL = "shortfall"
+    #: The program leaves out or changes something as planned.  It is not refused.
+    NOTE = "note"
+
+
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """A fault that the verifier found in a program, with its position and measured value."""
+    """A fault, shortfall or note of the verifier, with its position and measured value."""
 
-    #: deviation, overcut, uncut, stray, depth, heading, order, feed, travel or program
+    #: deviation, overcut, uncut, stray, depth, heading, order, feed, travel, program, unreached,
+    #: kerf or planned
     kind: str
-    message: Message  #: the fault, without edge and program line
+    message: Message  #: what was found, without edge and program line
     measure: float  #: measured value (mm; degrees for a heading)
     edge: int = -1  #: row of the edge in the dieline, -1 for none
     line: int = -1  #: program line, counted from 1; -1 for none
+    severity: Severity = Severity.FAULT
+
+    @property
+    def refuses(self) -> bool:
+        """Whether the program is refused because of this finding."""
+        return self.severity is not Severity.NOTE
 
     @property
     def located_message(self) -> Message:
-        """The message of the fault, with the numbers of its edge and program line, if any."""
+        """The message of the finding, with the numbers of its edge and program line, if any."""
         if self.edge >= 0 and self.line >= 0:
             return Message(
                 "finding.at-edge-and-line", edge=self.edge, line=self.line, fault=self.message
@@ -36,7 +56,7 @@ class Finding:
 
     @property
     def text(self) -> str:
-        """The text of the fault in English, with the numbers of its edge and program line."""
+        """The text of the finding in English, with the numbers of its edge and program line."""
         return render(self.located_message)
 
 
@@ -88,7 +108,7 @@ class Unreached:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Verdict:
-    """The verifier's verdict on a program: accepted or refused, with its faults and measurements.
+    """The verifier's verdict on a program: accepted or refused, with findings and measurements.
 
     The measurements, such as the deviation, have one value for each of n edges.
     """
@@ -109,6 +129,9 @@ class Verdict:
     top_overcut: F64 = field(
         default_factory=_none
     )  #: (n,) cut beyond the ends in the top face (mm)
+    #: (n,) maximum distance of an unreached stretch from the area that the cutter sweeps (mm)
+    unreached_distance: F64 = field(default_factory=_none)
+    slit_length: F64 = field(default_factory=_none)  #: (n,) slit milled as wide as the cutter (mm)
     #: (n,) maximum distance by which cleaning moved the edge (mm)
     tidied: F64 = field(default_factory=_none)
     samples: Samples = field(default_factory=lambda: Samples())
@@ -120,7 +143,17 @@ class Verdict:
         rows = len(self.deviation)
         for name in ("overcut", "uncut", "setback"):
             put(self, name, freeze(getattr(self, name), np.float64, rows))
-        optional = ("width", "web", "flank", "unreached", "bottom_uncut", "top_overcut", "tidied")
+        optional = (
+            "width",
+            "web",
+            "flank",
+            "unreached",
+            "bottom_uncut",
+            "top_overcut",
+            "unreached_distance",
+            "slit_length",
+            "tidied",
+        )
         for name in optional:
             column = getattr(self, name) if len(getattr(self, name)) else np.zeros(rows)
             put(self, name, freeze(column, np.float64, rows))

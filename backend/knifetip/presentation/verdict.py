@@ -28,6 +28,8 @@ EDGE_COLUMNS = (
     "unreached",
     "bottom_uncut",
     "top_overcut",
+    "unreached_distance",
+    "slit_length",
     "tidied",
 )
 
@@ -47,8 +49,11 @@ def verdict_summary(verdict: Verdict) -> dict[str, Any]:
     ``overcut`` (length machined beyond the ends of the edge) and ``uncut`` (length not machined by
     mistake).  The sums over all edges (mm) are ``uncut_total`` and ``setback_total`` (length not
     machined by plan).  ``unreached`` is the total of the areas that no cutter reaches (mm²),
-    ``unreached_places`` the number of these areas.  ``accepted``, ``tolerance`` (mm) and
-    ``seconds`` are copied from the verdict.
+    ``unreached_places`` the number of these areas.  ``unreached_length`` is the length of all edges
+    that no cutter reaches, and ``unreached_distance`` the maximum distance of these edges from the
+    area that the cutter sweeps (mm).  ``slit_length`` is the length of slits that are milled as
+    wide as the cutter (mm), and ``slit_places`` the number of these slits.  ``accepted``,
+    ``tolerance`` (mm) and ``seconds`` are copied from the verdict.
     """
     return {
         "accepted": bool(verdict.accepted),
@@ -60,6 +65,10 @@ def verdict_summary(verdict: Verdict) -> dict[str, Any]:
         "setback_total": finite(verdict.setback.sum()),
         "unreached": float(verdict.areas.area.sum()),
         "unreached_places": len(verdict.areas),
+        "unreached_length": finite(verdict.unreached.sum()),
+        "unreached_distance": finite(verdict.unreached_distance.max(initial=0.0)),
+        "slit_length": finite(verdict.slit_length.sum()),
+        "slit_places": int((verdict.slit_length > 0.0).sum()),
         "seconds": finite(verdict.seconds),
     }
 
@@ -67,7 +76,8 @@ def verdict_summary(verdict: Verdict) -> dict[str, Any]:
 def findings_json(verdict: Verdict, handles: Sequence[str]) -> list[dict[str, Any]]:
     """Return the findings of a verdict as JSON data.
 
-    Each finding is a message with its kind, measure, edge, handle of the edge and program line.
+    Each finding is a message with its kind, severity, measure, edge, handle of the edge and program
+    line, and whether it refuses the program.
 
     Parameters
     ----------
@@ -77,6 +87,8 @@ def findings_json(verdict: Verdict, handles: Sequence[str]) -> list[dict[str, An
     return [
         {
             "kind": finding.kind,
+            "severity": finding.severity.value,
+            "refuses": finding.refuses,
             **finding.message.as_json(),
             "measure": finite(finding.measure),
             "edge": finding.edge,

@@ -99,7 +99,8 @@ def sequence(
         for field in fields(_Moves)
     }
     columns["pose"] = np.concatenate([home[None], columns["pose"]])
-    result = _lower_turns(Toolpath(**columns), machine, outline)
+    notes = tuple(note for toolpath in work for note in toolpath.notes)
+    result = _lower_turns(Toolpath(**columns, notes=notes), machine, outline)
     check_travel(result, machine)
     return result
 
@@ -279,6 +280,7 @@ def _lower_turns(toolpath: Toolpath, machine: Machine, outline: Paths | None) ->
         source=toolpath.source[rows],
         tool=toolpath.tool[rows],
         track=toolpath.track[rows],
+        notes=toolpath.notes,
     )
 
 

@@ -11,7 +11,8 @@ Sub-packages and modules, in the order in which they are used:
 This package shares no calculation with the stages that make a program: it imports nothing from
 ``geometry`` or from those stages, so that an error in them is not repeated here.
 
-The modules that add each kind of finding (in ``checks`` unless another package is named):
+A finding is a fault, which refuses the program, or a shortfall, which does not.  The modules that
+add each kind of finding (in ``checks`` unless another package is named):
 
 ==========  ========================================================================
 kind        modules
@@ -34,6 +35,8 @@ overcut     ``stray_work`` and ``track_ends`` (past an end), ``groove_check``
             (run-outs, flanks through cuts), ``bridge_check``, ``milling_check``
 stray       ``stray_work``, ``milling_check``, ``motion_checks`` (rapids in the board)
 order       ``work_order``
+unreached   ``milling_shortfalls`` (a shortfall)
+kerf        ``milling_shortfalls`` (a shortfall)
 ==========  ========================================================================
 
 The codes of findings and of phrases in them, without the codes of faults found by the readers:
@@ -107,9 +110,11 @@ verify.turn-off-path               checks.motion_checks
 verify.two-lowered                 checks.motion_checks
 verify.unclassified                verify
 verify.unknown-position            checks.motion_checks
+verify.unreached                   checks.milling_shortfalls
 verify.where-from-start            checks.check_base, checks.milling_check
 verify.where-past-end              checks.check_base
 verify.where-past-start            checks.check_base
+verify.wide-slit                   checks.milling_shortfalls
 verify.work-creased                checks.check_base
 verify.work-cut                    checks.check_base, checks.milling_check
 verify.work-grooved                checks.check_base

@@ -1,4 +1,4 @@
-"""The list that collects the findings of one verification, at most a thousand."""
+"""The list that collects the findings of one verification."""
 
 from __future__ import annotations
 
@@ -6,39 +6,53 @@ from collections.abc import Iterable
 from typing import Final
 
 from knifetip.messages import Message
-from knifetip.model.verdict import Finding
+from knifetip.model.verdict import Finding, Severity
 
-#: Greatest number of findings that are kept.
+#: Greatest number of findings of one severity that are kept.
 MAX_FINDINGS: Final = 1000
 
 
 class Findings:
-    """A list of at most ``MAX_FINDINGS`` findings; later findings are dropped."""
+    """A list of at most ``MAX_FINDINGS`` findings of each severity; later ones are dropped.
+
+    Each severity is counted separately, so that a note never displaces a fault.
+    """
 
     def __init__(self) -> None:
-        self._kept: list[Finding] = []
+        self._kept: dict[Severity, list[Finding]] = {severity: [] for severity in Severity}
 
     def add(
-        self, kind: str, message: Message, measure: float, *, edge: int = -1, line: int = -1
+        self,
+        kind: str,
+        message: Message,
+        measure: float,
+        *,
+        edge: int = -1,
+        line: int = -1,
+        severity: Severity = Severity.FAULT,
     ) -> None:
-        """Append a finding, unless the list is full.
+        """Append a finding, unless ``MAX_FINDINGS`` of its severity are kept.
 
         Parameters
         ----------
-        kind, message
-            Kind of the finding, such as "depth", and its text.
+        kind
+            Kind of the finding, such as "uncut" or "depth".
         measure
-            Size of the fault, in the unit of the kind of finding, such as mm or degrees.
+            Measured value (mm; degrees for a heading).
         edge
-            Row of the edge in the dieline, -1 if the finding concerns no edge.
+            Index of the edge that the finding concerns, -1 for none.
         line
             1-based program line, -1 if the finding concerns no line.
+        severity
+            Whether the finding is a fault, a shortfall or a note.
         """
-        if not self.full:
-            self._kept.append(Finding(kind, message, float(measure), int(edge), int(line)))
+        kept = self._kept[severity]
+        if len(kept) < MAX_FINDINGS:
+            kept.append(Finding(kind, message, float(measure), int(edge), int(line), severity))
 
     def add_faults(self, faults: Iterable[tuple[int, Message]]) -> None:
-        """Append a finding of kind "program" for each fault of a program, until the list is full.
+        """Append a finding of kind "program" for each fault of a program, until the list contains
+        ``MAX_FINDINGS`` faults.
 
         A fault is a 1-based program line and a message.
         """
@@ -47,14 +61,20 @@ class Findings:
 
     @property
     def full(self) -> bool:
-        """Return whether the list contains ``MAX_FINDINGS`` findings, so that later ones are
+        """Return whether the list contains ``MAX_FINDINGS`` faults, so that later ones are
         dropped.
         """
-        return len(self._kept) >= MAX_FINDINGS
+        return len(self._kept[Severity.FAULT]) >= MAX_FINDINGS
 
     def __len__(self) -> int:
-        return len(self._kept)
+        return sum(len(kept) for kept in self._kept.values())
 
     def sorted(self) -> tuple[Finding, ...]:
-        """Return the findings sorted by program line; findings without a program line come last."""
-        return tuple(sorted(self._kept, key=lambda finding: (finding.line < 0, finding.line)))
+        """Return the faults, then the shortfalls, then the notes; each sorted by program line, with
+        findings without a program line last.
+        """
+        return tuple(
+            finding
+            for kept in self._kept.values()
+            for finding in sorted(kept, key=lambda finding: (finding.line < 0, finding.line))
+        )

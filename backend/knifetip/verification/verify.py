@@ -64,7 +64,7 @@ def verify(
     Returns
     -------
     Verdict
-        Accepted if there are no findings.  Bytes that are not a program give findings too.
+        Accepted if all findings are notes.  Bytes that are not a program give faults too.
 
     Raises
     ------
@@ -90,8 +90,9 @@ def verify(
     )
     check_edges(context, paths)
     check_work_order(context, paths)
+    found = findings.sorted()
     return Verdict(
-        accepted=len(findings) == 0,
+        accepted=not any(finding.refuses for finding in found),
         tolerance=tolerance,
         deviation=figures.deviation,
         overcut=figures.overcut,
@@ -103,9 +104,11 @@ def verify(
         unreached=figures.unreached,
         bottom_uncut=figures.bottom_uncut,
         top_overcut=figures.top_overcut,
+        unreached_distance=figures.unreached_distance,
+        slit_length=figures.slit_length,
         samples=_samples(context),
         areas=merge_unreached(context.unreached, placement),
-        findings=findings.sorted(),
+        findings=found,
         seconds=motion_checks.nominal_seconds(moves, machine),
     )
 

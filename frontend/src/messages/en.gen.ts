@@ -3687,6 +3687,10 @@ export const TEXTS = {
     "text": "The program line moves the head from or to a position that the program has not set.",
     "hint": "Give X, Y, Z and C before this program line."
   },
+  "verify.unreached": {
+    "text": "The cutter cannot reach {length:.3f} mm of the edge, in {places:# place|# places}, without cutting into a part. The edge lies up to {distance:.3f} mm from the board that the cutter removes.",
+    "hint": "Choose a thinner cutter, widen the slot, or round the inner corners with at least the radius of the cutter."
+  },
   "verify.where-from-start": {
     "text": ", beginning {place:.3f} mm from the start of the edge",
     "hint": ""
@@ -3698,6 +3702,10 @@ export const TEXTS = {
   "verify.where-past-start": {
     "text": ": the tool must also process the board beyond the start of the edge",
     "hint": ""
+  },
+  "verify.wide-slit": {
+    "text": "The cutter mills {length:.3f} mm of the slit {width:.2f} mm wide, because it follows the line of the slit with its centre.",
+    "hint": "Cut the slit with a knife, choose a thinner cutter, or draw the slit as an outline of the width that it should have."
   },
   "verify.work-creased": {
     "text": "creased",

@@ -125,7 +125,13 @@ function optionalFigures(verdict: Verdict, row: number): Figure[] {
     listed.push({ title: "Uncut on bottom face", value: formatHundredths(bottom) });
   const left = figure(verdict.edge_unreached);
   if (left >= MIN_LISTED)
-    listed.push({ title: "Unreachable length", value: formatHundredths(left) });
+    listed.push({
+      title: "Unreachable length",
+      value: `${formatHundredths(left)}, up to ${formatHundredths(figure(verdict.edge_unreached_distance))} from the cut`,
+    });
+  const slit = figure(verdict.edge_slit_length);
+  if (slit >= MIN_LISTED)
+    listed.push({ title: "Slit as wide as the tool", value: formatHundredths(slit) });
   return listed;
 }
 

@@ -4,15 +4,17 @@ import {
   IconAlertOctagonFilled,
   IconMapPin,
   IconRosetteDiscountCheckFilled,
+  IconRulerMeasure,
   IconStopwatch,
 } from "@tabler/icons-react";
-import { useState } from "react";
+import { type ReactNode, useState } from "react";
 import type { Finding, Job, VerdictSummary } from "../api/client";
 import { renderText } from "../messages/render";
 import {
   formatArea,
   formatDeviation,
   formatDuration,
+  formatHundredths,
   formatLength,
   pluralize,
 } from "../state/format";
@@ -47,11 +49,7 @@ export function VerdictCard({ job }: { job: Job }) {
             <IconAlertOctagonFilled size={22} aria-hidden />
           )}
         </span>
-        <span className={verdictCss.verdictTitle}>
-          {verdict.accepted
-            ? "Program matches the drawing"
-            : "Program has errors and cannot be sent"}
-        </span>
+        <span className={verdictCss.verdictTitle}>{title(verdict, findings)}</span>
       </div>
       <Deviation verdict={verdict} />
       <dl className={verdictCss.figures} style={{ marginBottom: 0 }}>
@@ -70,6 +68,8 @@ export function VerdictCard({ job }: { job: Job }) {
       </dl>
       <div className={verdictCss.notes}>
         <Unreached verdict={verdict} />
+        <UnreachedEdges verdict={verdict} />
+        <WideSlits verdict={verdict} />
         <Saved verdict={verdict} />
       </div>
       {findings.length > 0 && (
@@ -86,6 +86,57 @@ export function VerdictCard({ job }: { job: Job }) {
         </div>
       )}
     </article>
+  );
+}
+
+/** Heading of the card: whether the program matches the drawing, and otherwise why not. */
+function title(verdict: VerdictSummary, findings: readonly Finding[]): string {
+  if (verdict.accepted) return "Program matches the drawing";
+  return findings.length === 0 || findings.some((finding) => finding.severity === "fault")
+    ? "Program has errors and cannot be sent"
+    : "Tool cannot make every line as drawn";
+}
+
+/** Edges that the tool cannot reach. */
+function UnreachedEdges({ verdict }: { verdict: VerdictSummary }) {
+  if (verdict.unreached_distance <= 0) return null;
+  return (
+    <KindRow kind="unreached">
+      {formatLength(verdict.unreached_length)} of the cut lines cannot be reached by the tool. They
+      lie up to {formatHundredths(verdict.unreached_distance)} from the cut.
+    </KindRow>
+  );
+}
+
+/** Slits that become as wide as the tool. */
+function WideSlits({ verdict }: { verdict: VerdictSummary }) {
+  if (verdict.slit_places === 0) return null;
+  return (
+    <KindRow kind="kerf">
+      {formatLength(verdict.slit_length)} in {pluralize(verdict.slit_places, "slit")} become as wide
+      as the tool.
+    </KindRow>
+  );
+}
+
+/** Row about all findings of one kind; a click zooms to their edges. */
+function KindRow({ kind, children }: { kind: string; children: ReactNode }) {
+  const { data: fullVerdict } = useVerdict();
+  const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
+  const zoom = () => {
+    const own = (fullVerdict?.findings ?? []).filter((finding) => finding.kind === kind);
+    if (own.length > 0) zoomToEdges(own.map((finding) => finding.edge));
+  };
+  return (
+    <button
+      type="button"
+      className={verdictCss.noteRow}
+      onClick={zoom}
+      data-testid={`kind-${kind}`}
+    >
+      <IconRulerMeasure size={15} style={{ flex: "none", marginTop: 1 }} aria-hidden />
+      <span>{children}</span>
+    </button>
   );
 }
 
@@ -169,6 +220,7 @@ function Row({ finding }: { finding: Finding }) {
       className={verdictCss.finding}
       disabled={finding.edge < 0}
       onClick={() => zoomToEdges([finding.edge])}
+      data-severity={finding.severity}
       data-testid="finding"
     >
       <IconMapPin size={15} style={{ flex: "none", marginTop: 1 }} aria-hidden />

@@ -265,7 +265,9 @@ def test_interference_refuse_refuses_what_trim_leaves_uncut(client: httpx.Client
         order = {"drawing": drawing, **MILLS, "corners": {"interference": word}}
         job = client.post("/api/jobs", json=order).json()
         states[word] = wait_for_state(client, job["id"], "ready", "refused")
-    assert states["trim"]["state"] == "ready"
+    # The program leaves the slot out, which is a shortfall.
+    assert states["trim"]["state"] == "refused"
+    assert "cannot reach" in states["trim"]["reason"]
     # 4 × 60 less the segment of the disc that enters the mouth.
     half = math.asin(2 / 3)
     segment = 9 * (half - math.sin(half) * math.cos(half))
@@ -284,6 +286,10 @@ def test_unreached_areas_are_reported_with_their_positions(
     places = {(round(area["x"]), round(area["y"])) for area in verdict["areas"]}
     assert places == {(51, 51), (99, 51), (99, 99), (51, 99)}
     assert sum(area["area"] for area in verdict["areas"]) == pytest.approx(LEFT, abs=0.05)
+    assert [(finding["kind"], finding["severity"]) for finding in verdict["findings"]] == [
+        ("unreached", "note")
+    ] * 4
+    assert verdict["unreached_length"] == pytest.approx(24.0, abs=0.2)
     # 3 mm remain at both ends of each side of the window.
     assert sorted(verdict["edge_unreached"])[4:] == pytest.approx([6.0] * 4, abs=0.05)
 

@@ -27,6 +27,9 @@ def refused() -> Verdict:
             overcut=np.array([0.1, 0.0]),
             uncut=np.array([0.25, 0.5]),
             setback=np.array([1.0, 1.0]),
+            unreached=np.array([3.0, 4.0]),
+            unreached_distance=np.array([0.5, 1.5]),
+            slit_length=np.array([0.0, 20.0]),
             areas=type("Areas", (), {"area": areas.area, "__len__": lambda _self: 2})(),
             seconds=4.0,
             findings=(
@@ -41,12 +44,15 @@ def test_a_summary_has_the_greatest_measures_and_the_sums_under_names_of_their_o
     assert (summary["uncut"], summary["uncut_total"], summary["setback_total"]) == (0.5, 0.75, 2.0)
     assert (summary["deviation"], summary["overcut"]) == (1e9, 0.1)
     assert (summary["unreached"], summary["unreached_places"]) == (5.0, 2)
+    assert (summary["unreached_length"], summary["unreached_distance"]) == (7.0, 1.5)
+    assert (summary["slit_length"], summary["slit_places"]) == (20.0, 1)
 
 
 def test_findings_have_the_handles_of_their_edges_and_finite_measures() -> None:
     (found,) = findings_json(refused(), ["A", "B"])
     assert (found["handle"], found["measure"]) == ("B", 1e9)
     assert (found["code"], found["arguments"]["text"]) == ("stored.text", "ab")
+    assert (found["severity"], found["refuses"]) == ("fault", True)
 
 
 def test_areas_have_centre_and_outline_and_are_sorted_by_size() -> None:

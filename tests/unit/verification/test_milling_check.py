@@ -10,7 +10,7 @@ from knifetip.model.board import Board, Deflection
 from knifetip.model.dieline import Dieline
 from knifetip.model.machine import Machine, Station
 from knifetip.model.tool import Cutter
-from knifetip.model.verdict import Verdict
+from knifetip.model.verdict import Finding, Severity, Verdict
 from knifetip.verification.checks.milling_geometry import spans_near_points
 from knifetip.verification.columns import F64
 from knifetip.verification.curves.curve import line_curves
@@ -67,16 +67,37 @@ def verdict_of(text: bytes, drawn: Dieline = PART, board: Board = BOARD) -> Verd
     return verify(text, drawn, (0.0, 0.0), ROUTER, board)
 
 
+def faults(verdict: Verdict) -> tuple[Finding, ...]:
+    """Return the faults among the findings of a verdict."""
+    return tuple(found for found in verdict.findings if found.severity is Severity.FAULT)
+
+
+def limits(verdict: Verdict) -> dict[tuple[str, int], Finding]:
+    """Return the shortfalls and notes of a verdict by kind and edge."""
+    return {(f.kind, f.edge): f for f in verdict.findings if f.severity is not Severity.FAULT}
+
+
 @pytest.mark.parametrize("outside", [ROUND, SQUARE, BETWEEN], ids="BCD")
 def test_a_part_cut_from_outside_and_its_hole_from_inside_is_accepted(
     outside: tuple[str, ...],
 ) -> None:
     verdict = verdict_of(program(*HOLE, *outside))
-    assert verdict.findings == ()
+    assert verdict.accepted
+    assert faults(verdict) == ()
     np.testing.assert_allclose(verdict.deviation, 0.005)
     np.testing.assert_allclose(verdict.overcut, 0.0, atol=1e-9)
     # In the corners of the hole r tan 45° = 3 mm of both edges remain uncut.
     np.testing.assert_allclose(verdict.unreached, [0, 0, 0, 0, 6, 6, 6, 6], atol=0.03)
+    found = limits(verdict)
+    assert list(found) == [("unreached", edge) for edge in (4, 5, 6, 7)]
+    assert {finding.severity for finding in found.values()} == {Severity.NOTE}
+    assert [finding.measure for finding in found.values()] == pytest.approx([6.0] * 4, abs=0.03)
+    # The disc that touches both edges leaves r (√2 - 1) to the corner.
+    beyond = 3.0 * (math.sqrt(2.0) - 1.0)
+    np.testing.assert_allclose(verdict.unreached_distance, [0, 0, 0, 0] + [beyond] * 4, atol=1e-6)
+    assert "in 2 places, without cutting into a part. The edge lies up to 1.243 mm" in (
+        found["unreached", 4].text
+    )
 
 
 def test_the_swept_area_does_not_intersect_the_part_in_shapely() -> None:
@@ -107,7 +128,7 @@ def test_the_swept_area_does_not_intersect_the_part_in_shapely() -> None:
 def test_a_disc_that_cuts_into_the_part_is_refused_with_edge_and_depth(
     old: str, new: str, edge: int, measure: float
 ) -> None:
-    findings = verdict_of(changed(program(*HOLE, *ROUND), old, new)).findings
+    findings = faults(verdict_of(changed(program(*HOLE, *ROUND), old, new)))
     mine = [finding for finding in findings if (finding.kind, finding.edge) == ("overcut", edge)]
     assert mine[0].measure == pytest.approx(measure, abs=1e-6)
     assert (
@@ -119,46 +140,46 @@ def test_a_disc_that_cuts_into_the_part_is_refused_with_edge_and_depth(
 def test_a_chord_across_a_corner_is_refused() -> None:
     # From B0 straight to E0: the chord is 3 / √2 = 2.1213 from the corner.
     text = changed(program(*HOLE, *ROUND), "G2 X-3 Y0 I0 J3", "G1 X-3 Y0")
-    findings = verdict_of(text).findings
+    findings = faults(verdict_of(text))
     assert max(finding.measure for finding in findings) == pytest.approx(3 - 3 / math.sqrt(2))
     assert {finding.kind for finding in findings} == {"overcut"}
 
 
 def test_an_edge_that_is_not_touched_is_uncut() -> None:
     text = program(*HOLE, *(line.replace("-3", "-3.03") for line in SQUARE))
-    findings = {(finding.kind, finding.edge): finding for finding in verdict_of(text).findings}
+    findings = {(finding.kind, finding.edge): finding for finding in faults(verdict_of(text))}
     assert set(findings) == {("uncut", 0), ("uncut", 3)}
     assert findings["uncut", 0].measure == pytest.approx(100.0)
 
 
 def test_a_hole_left_out_and_a_hole_cut_from_outside_are_refused() -> None:
-    assert {f.edge for f in verdict_of(program(*SQUARE)).findings} == {4, 5, 6, 7}
+    assert {f.edge for f in faults(verdict_of(program(*SQUARE)))} == {4, 5, 6, 7}
     outside = ("G0 X45 Y27 Z20", "G0 Z4", "G1 Z-0.3 F1200", "G1 X63 F6000", "G1 Y53", "G1 X27",
                "G1 Y27", "G1 X45", "G1 Z4 F1200")  # fmt: skip
-    kinds = {finding.kind for finding in verdict_of(program(*outside, *SQUARE)).findings}
+    kinds = {finding.kind for finding in faults(verdict_of(program(*outside, *SQUARE)))}
     assert kinds == {"uncut", "stray"}
 
 
 def test_a_path_that_stops_early_leaves_that_length_uncut() -> None:
     text = changed(program(*HOLE, *SQUARE), "G1 X50\n", "G1 X80\n")
-    (finding,) = verdict_of(text).findings
+    (finding,) = faults(verdict_of(text))
     assert (finding.kind, finding.edge) == ("uncut", 0)
     assert finding.measure == pytest.approx(30.0)
 
 
 def test_a_cutter_that_is_not_through_is_refused() -> None:
     text = program(*HOLE, *SQUARE).replace(b"Z-0.3", b"Z0.1")
-    assert {"depth", "uncut"} == {finding.kind for finding in verdict_of(text).findings}
+    assert {"depth", "uncut"} == {finding.kind for finding in faults(verdict_of(text))}
 
 
 def test_a_cutter_at_rest_is_refused() -> None:
     text = program(*HOLE, *SQUARE).replace(b"M3 S20000\n", b"")
-    assert any("spindle is off" in finding.text for finding in verdict_of(text).findings)
+    assert any("spindle is off" in finding.text for finding in faults(verdict_of(text)))
 
 
 def test_work_far_off_in_the_waste_is_a_stray() -> None:
     text = program(*HOLE, *SQUARE, "G0 X200 Y200", "G1 Z-0.3 F1200", "G1 X220 F6000", "G1 Z4 F1200")
-    assert [finding.kind for finding in verdict_of(text).findings] == ["stray"]
+    assert [finding.kind for finding in faults(verdict_of(text))] == ["stray"]
 
 
 def test_a_machine_with_a_knife_has_no_work_for_its_cutter() -> None:
@@ -179,10 +200,10 @@ def test_a_round_part_and_a_hole_too_tight_for_the_disc() -> None:
         "G2 X63 Y40 I23 J0", "G1 Z4 F1200",
     )  # fmt: skip
     verdict = verdict_of(text, drawn)
-    assert verdict.findings == ()
+    assert faults(verdict) == ()
     np.testing.assert_allclose(verdict.unreached, [0, 0, 2.5 * math.pi, 2.5 * math.pi])
     smaller = text.replace(b"X63", b"X62.98").replace(b"X17", b"X17.02").replace(b"23", b"22.98")
-    finding = verdict_of(smaller, drawn).findings[0]
+    finding = faults(verdict_of(smaller, drawn))[0]
     assert finding.kind == "overcut"
     assert finding.measure == pytest.approx(0.02)
 
@@ -200,9 +221,9 @@ def test_a_round_hole_is_milled_from_inside() -> None:
                 "G1 Z4 F1200")  # fmt: skip
         return verdict_of(program(*hole, *SQUARE), drawn)
 
-    assert milled(7.0).findings == ()
-    assert {finding.kind for finding in milled(6.98).findings} == {"uncut"}
-    wide = milled(7.02).findings
+    assert faults(milled(7.0)) == ()
+    assert {finding.kind for finding in faults(milled(6.98))} == {"uncut"}
+    wide = faults(milled(7.02))
     assert {(finding.kind, finding.edge) for finding in wide} >= {("overcut", 4), ("overcut", 5)}
     assert wide[0].measure == pytest.approx(0.02)
 
@@ -219,11 +240,17 @@ def test_a_slot_narrower_than_the_disc_is_unreached_and_one_that_is_wider_is_not
     over = program("G0 X50 Y-3 Z20", "G0 Z4", "G1 Z-0.3 F1200", "G1 X-3 F6000", "G1 Y43",
                    "G1 X103", "G1 Y-3", "G1 X50", "G1 Z4 F1200")  # fmt: skip
     narrow = verdict_of(over, slotted(5.0))
-    assert narrow.findings == ()
+    assert faults(narrow) == ()
     np.testing.assert_allclose(narrow.unreached[[3, 4, 5]], [20, 5, 20], atol=0.01)
+    assert not narrow.accepted
+    assert all(
+        limits(narrow)["unreached", edge].severity is Severity.SHORTFALL for edge in (3, 4, 5)
+    )
+    # The bottom of the slot, y = 20, is 23 below the path at y = 43.
+    np.testing.assert_allclose(narrow.unreached_distance[[3, 4, 5]], 20.0, atol=1e-3)
     wide = verdict_of(over, slotted(8.0))
     # Of the 20 mm of each side, 17 can be touched; of the bottom 2.
-    assert {(f.kind, f.edge) for f in wide.findings} == {("uncut", 3), ("uncut", 4), ("uncut", 5)}
+    assert {(f.kind, f.edge) for f in faults(wide)} == {("uncut", 3), ("uncut", 4), ("uncut", 5)}
     np.testing.assert_allclose(wide.uncut[[3, 4, 5]], [17, 2, 17], atol=0.05)
 
 
@@ -233,13 +260,46 @@ def test_an_open_cut_is_followed_on_its_line_from_end_to_end() -> None:
     def kinds(x: float, y: float, until: float) -> set[str]:
         cut = ("G0 Z4", "G1 Z-0.3 F1200", f"G1 X{until:.4f} F6000", "G1 Z4 F1200")
         verdict = verdict_of(program(f"G0 X{x:.4f} Y{y:.4f} Z20", *cut), drawn)
-        return {finding.kind for finding in verdict.findings}
+        return {finding.kind for finding in faults(verdict)}
 
     assert kinds(10, 10, 60) == set()
     assert kinds(10, 13, 60) == {"uncut"}
     assert kinds(10, 10, 59.98) == {"uncut"}
     assert kinds(9.98, 10, 60) == {"overcut"}
     assert kinds(10, 10, 80) == {"overcut", "stray"}
+
+
+def test_a_slit_that_becomes_as_wide_as_the_cutter_is_a_shortfall_with_its_length() -> None:
+    drawn = dieline((CUT, 10, 10, 60, 10, 0.0), (CUT, 10, 40, 40, 40, 0.0))
+    cuts = ("G0 Z4", "G1 Z-0.3 F1200", "G1 X60 F6000", "G1 Z4 F1200", "G0 X10 Y40",
+            "G1 Z-0.3 F1200", "G1 X40 F6000", "G1 Z4 F1200")  # fmt: skip
+    verdict = verdict_of(program("G0 X10 Y10 Z20", *cuts), drawn)
+    assert faults(verdict) == ()
+    assert not verdict.accepted
+    found = limits(verdict)
+    assert {finding.severity for finding in found.values()} == {Severity.SHORTFALL}
+    assert {key: round(finding.measure, 3) for key, finding in found.items()} == {
+        ("kerf", 0): 50.0,
+        ("kerf", 1): 30.0,
+    }
+    np.testing.assert_allclose(verdict.slit_length, [50.0, 30.0])
+    assert "mills 30.000 mm of the slit 6.00 mm wide" in found["kerf", 1].text
+    # A slit of which only a part is cut is a fault; the milled part is still a shortfall.
+    half = verdict_of(
+        program("G0 X10 Y10 Z20", *cuts[:5], *cuts[5:6], "G1 X25 F6000", cuts[7]), drawn
+    )
+    assert not half.accepted
+    assert half.slit_length[1] == pytest.approx(15.0)
+
+
+def test_a_kerf_as_narrow_as_that_of_a_laser_is_no_shortfall() -> None:
+    drawn = dieline((CUT, 10, 10, 60, 10, 0.0))
+    cut = ("G0 X10 Y10 Z20", "G0 Z4", "G1 Z-0.3 F1200", "G1 X60 F6000", "G1 Z4 F1200")
+    tool = Cutter(0.2, 6000.0, 1200.0, speed=20000.0)
+    thin = replace(ROUTER, stations=(replace(ROUTER.stations[0], tool=tool),))
+    verdict = verify(program(*cut), drawn, (0.0, 0.0), thin, BOARD)
+    assert verdict.findings == ()
+    assert not verdict.slit_length.any()
 
 
 def test_a_deflected_cutter_runs_nearer_and_on_ellipses_round_corners() -> None:
@@ -258,11 +318,11 @@ def test_a_deflected_cutter_runs_nearer_and_on_ellipses_round_corners() -> None:
            *ellipse(0, 80, 180), "G1 X100", *ellipse(100, 80, 90), "G1 Y0", *ellipse(100, 0, 0),
            "G1 X50", "G1 Z4 F1200")  # fmt: skip
     text = program(*hole, *way)
-    assert verdict_of(text, PART, board).findings == ()
-    stiff = {finding.kind for finding in verdict_of(text).findings}
+    assert faults(verdict_of(text, PART, board)) == ()
+    stiff = {finding.kind for finding in faults(verdict_of(text))}
     assert "overcut" in stiff
     # The path of a rigid tool leaves uncut the length of the deflection.
-    soft = {finding.kind for finding in verdict_of(program(*HOLE, *ROUND), PART, board).findings}
+    soft = {finding.kind for finding in faults(verdict_of(program(*HOLE, *ROUND), PART, board))}
     assert soft == {"uncut"}
 
 
@@ -277,7 +337,7 @@ def test_a_round_part_is_cut_on_an_ellipse_if_deflections_differ() -> None:
                        *(f"G1 {point}" for point in points[2:]), "G1 Z4 F1200")  # fmt: skip
 
     # Chords of one degree run inside a circle of 23 by 0.0009.
-    assert verdict_of(way(22.8, 22.9), drawn, board).findings == ()
+    assert faults(verdict_of(way(22.8, 22.9), drawn, board)) == ()
     assert not verdict_of(way(22.9, 22.8), drawn, board).accepted
     assert not verdict_of(way(22.78, 22.9), drawn, board).accepted
 

@@ -19,6 +19,7 @@ from knifetip.model.operation import Operation
 from knifetip.model.verdict import Verdict
 from knifetip.verification.verify import verify
 from tests.support.shapes import closed, dieline
+from tests.support.verdicts import has_faults
 
 ROUTER = load.machine("router-table")
 BOARD = load.board("greyboard-3.0")
@@ -57,7 +58,7 @@ def by_shapely(*waste: shapely.Polygon) -> float:
 
 def test_a_square_hole_has_four_unreached_corners() -> None:
     verdict, work = verdict_of(HOLE, BLANK)
-    assert verdict.accepted
+    assert not has_faults(verdict)
     np.testing.assert_allclose(verdict.areas.area, [SQUARE] * 4, atol=0.02)
     assert by_engine(work) == pytest.approx(4 * SQUARE, abs=1e-9)
 
@@ -99,7 +100,7 @@ def test_a_slot_too_narrow_for_the_cutter_is_unreached_except_for_the_rim_of_the
         (100, 250),
     )  # fmt: skip
     verdict, _ = verdict_of(notched)
-    assert verdict.accepted
+    assert not has_faults(verdict)
     # The disc hangs on both corners of the mouth: its segment reaches into the slot.
     half = math.asin(wide / 2 / R)
     segment = R**2 * (half - math.sin(half) * math.cos(half))
@@ -114,7 +115,7 @@ def test_a_neck_is_unreached_on_both_sides() -> None:
         (180, 170), (180, 152), (160, 152), (160, 170), (130, 170),
     )  # fmt: skip
     verdict, _ = verdict_of(hole, BLANK)
-    assert verdict.accepted
+    assert not has_faults(verdict)
     want = by_shapely(shapely.Polygon(hole[:, 0]))
     # A corner each, four to a chamber, and the neck between two discs.
     assert len(verdict.areas) == 9
@@ -128,7 +129,7 @@ def test_the_area_in_a_corner_equals_the_formula(turn: int) -> None:
     inner = math.pi - phi
     hole = closed((150, 150), (210, 150), (150 + 60 * math.cos(inner), 150 + 60 * math.sin(inner)))
     verdict, work = verdict_of(hole + 10.0, closed((60, 60), (400, 60), (400, 400), (60, 400)))
-    assert verdict.accepted
+    assert not has_faults(verdict)
     want = by_shapely(shapely.Polygon(hole[:, 0]))
     assert verdict.areas.area.sum() == pytest.approx(want, rel=0.02)
     corner = R**2 * (math.tan(phi / 2) - phi / 2)
@@ -140,7 +141,7 @@ def test_the_area_between_a_line_and_an_arc() -> None:
     # A half disc of 20 mm radius, standing on its diameter.
     hole = closed((150, 150), (190, 150))
     verdict, work = verdict_of(hole, BLANK, bulge={1: 1.0})
-    assert verdict.accepted
+    assert not has_faults(verdict)
     full = shapely.Point(170, 150).buffer(20, quad_segs=400)
     want = by_shapely(shapely.intersection(full, shapely.box(140, 150, 200, 180)))
     assert len(verdict.areas) == 2
@@ -154,7 +155,7 @@ def test_two_corners_on_a_short_edge_have_the_areas_of_both() -> None:
         (100, 100), (300, 100), (300, 200), (202.2, 200), (200, 202.2), (200, 250), (100, 250)
     )
     verdict, work = verdict_of(bevelled)
-    assert verdict.accepted
+    assert not has_faults(verdict)
     corner = R**2 * (math.tan(math.pi / 8) - math.pi / 8)
     np.testing.assert_allclose(verdict.areas.area, [corner] * 2, rtol=0.05)
     assert by_engine(work) == pytest.approx(2 * corner, rel=1e-6)
@@ -163,5 +164,5 @@ def test_two_corners_on_a_short_edge_have_the_areas_of_both() -> None:
 def test_deflection_does_not_change_the_unreached_area() -> None:
     board = replace(BOARD, deflection=(Deflection("Router", 0.08, 0.05),))
     verdict, _ = verdict_of(HOLE, BLANK, board=board)
-    assert verdict.accepted
+    assert not has_faults(verdict)
     np.testing.assert_allclose(verdict.areas.area, [SQUARE] * 4, rtol=0.06)

@@ -12,6 +12,7 @@ from knifetip.api.schemas.messages import MessageOut
 from knifetip.fields import LISTED
 from knifetip.jobs.operator_actions import OperatorAction
 from knifetip.model.stage import Stage
+from knifetip.model.verdict import Severity
 
 JobState = Annotated[
     Literal[
@@ -167,6 +168,20 @@ class VerdictSummary(BaseModel):
     )
     unreached: float = Field(default=0.0, description="Total area that no cutter reaches (mm²)")
     unreached_places: int = Field(default=0, description="Number of areas that no cutter reaches")
+    unreached_length: float = Field(
+        default=0.0, description="Length of all edges that no cutter reaches (mm)"
+    )
+    unreached_distance: float = Field(
+        default=0.0,
+        description="Maximum distance of an edge that no cutter reaches from the area that the "
+        "cutter sweeps (mm)",
+    )
+    slit_length: float = Field(
+        default=0.0, description="Length of slits that are milled as wide as the cutter (mm)"
+    )
+    slit_places: int = Field(
+        default=0, description="Number of slits that are milled as wide as the cutter"
+    )
     seconds: float = Field(description="Machine time of one copy (s)")
     seconds_retracted: float | None = Field(
         default=None,
@@ -298,11 +313,20 @@ class JobEvent(BaseModel):
 
 
 class FindingOut(MessageOut):
-    """One fault that the verifier found, with its edge and program line."""
+    """One fault, shortfall or note of the verifier, with its edge and program line."""
 
     kind: str = Field(
-        description="Kind of the fault: deviation, overcut, uncut, stray, depth, heading, order, "
-        "feed, travel or program"
+        description="Kind of the finding: deviation, overcut, uncut, stray, depth, heading, order, "
+        "feed, travel, program, unreached, kerf or planned"
+    )
+    severity: Severity = Field(
+        default=Severity.FAULT,
+        description="`fault`: the program is wrong or dangerous, and is refused. `shortfall`: the "
+        "tool cannot make an edge as it is drawn; the program is refused until a user accepts the "
+        "shortfall. `note`: the program leaves out or changes something as planned",
+    )
+    refuses: bool = Field(
+        default=True, description="Whether the program is refused because of this finding"
     )
     measure: float = Field(description="Measured value (mm; degrees for `heading`)")
     edge: int = Field(
@@ -342,7 +366,9 @@ class VerdictOut(VerdictSummary):
     and ``area_size`` the area of each outline (mm²).
     """
 
-    findings: list[FindingOut] = Field(description="Faults in the program; empty if there are none")
+    findings: list[FindingOut] = Field(
+        description="Faults, then shortfalls, then notes; empty if there are none"
+    )
     areas: list[UnreachedOut] = Field(
         description="Areas that no cutter reaches, the largest first; empty if there are none"
     )
@@ -369,6 +395,13 @@ class VerdictOut(VerdictSummary):
         "edges"
     )
     edge_unreached: list[float] = Field(description="Per edge: length that no cutter reaches (mm)")
+    edge_unreached_distance: list[float] = Field(
+        description="Per edge: maximum distance of its unreached length from the area that the "
+        "cutter sweeps (mm)"
+    )
+    edge_slit_length: list[float] = Field(
+        description="Per edge: length of a slit that is milled as wide as the cutter (mm)"
+    )
     edge_bottom_uncut: list[float] = Field(
         description="Per edge: length not cut at the bottom face of the board (mm)"
     )

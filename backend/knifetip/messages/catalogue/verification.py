@@ -440,6 +440,16 @@ MESSAGES: Final[Entries] = {
         "The program line moves the head from or to a position that the program has not set.",
         "Give X, Y, Z and C before this program line.",
     ),
+    "verify.unreached": entry(
+        "The cutter cannot reach {length:.3f} mm of the edge, in {places:# place|# places}, "
+        "without cutting into a part. The edge lies up to {distance:.3f} mm from the board that "
+        "the cutter removes.",
+        "Choose a thinner cutter, widen the slot, or round the inner corners with at least the "
+        "radius of the cutter.",
+        length="number",
+        places="count",
+        distance="number",
+    ),
     "verify.where-from-start": entry(
         ", beginning {place:.3f} mm from the start of the edge",
         place="number",
@@ -449,6 +459,14 @@ MESSAGES: Final[Entries] = {
     ),
     "verify.where-past-start": entry(
         ": the tool must also process the board beyond the start of the edge",
+    ),
+    "verify.wide-slit": entry(
+        "The cutter mills {length:.3f} mm of the slit {width:.2f} mm wide, because it follows the "
+        "line of the slit with its centre.",
+        "Cut the slit with a knife, choose a thinner cutter, or draw the slit as an outline of the "
+        "width that it should have.",
+        length="number",
+        width="number",
     ),
     "verify.work-creased": entry("creased"),
     "verify.work-cut": entry("cut"),

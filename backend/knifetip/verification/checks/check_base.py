@@ -20,6 +20,7 @@ import numpy as np
 
 from knifetip.messages import Message
 from knifetip.model.tool import CreaseWheel, Knife, VCutter
+from knifetip.model.verdict import Severity
 from knifetip.verification.checks.check_context import (
     DEPTH_TOLERANCE,
     MIN_SLACK,
@@ -116,6 +117,7 @@ class StationCheck(ABC):
         measure: float,
         work: int = -1,
         line: int = -1,
+        severity: Severity = Severity.FAULT,
     ) -> None:
         """Append a finding to the verdict.
 
@@ -130,10 +132,12 @@ class StationCheck(ABC):
         work, line
             Index of the tip path whose program line the finding gets.  If ``work`` is -1, the
             finding gets the program line ``line``, or none if ``line`` is -1 too.
+        severity
+            Whether the finding is a fault, a shortfall or a note.
         """
         row = int(self.edges.row[edge]) if edge >= 0 else -1
         line = int(self.line[work]) if work >= 0 else line
-        self.findings.add(kind, message, measure, edge=row, line=line)
+        self.findings.add(kind, message, measure, edge=row, line=line, severity=severity)
 
     def record_overcut(self, edges: I64, measure: F64) -> None:
         """Increase the recorded overcut of each edge of ``edges`` to ``measure`` if ``measure`` is

@@ -41,6 +41,8 @@ class EdgeFigures:
     unreached: F64
     bottom_uncut: F64
     top_overcut: F64
+    unreached_distance: F64
+    slit_length: F64
 
     def copy_rows(self, source: I32, target: I32) -> None:
         """Copy the figures of k edges to k other edges, in place.
@@ -53,7 +55,7 @@ class EdgeFigures:
     @classmethod
     def zeros(cls, count: int) -> EdgeFigures:
         """Return figures that are all 0, with ``count`` rows, one for each edge of the dieline."""
-        return cls(*(np.zeros(count) for _ in range(10)))
+        return cls(*(np.zeros(count) for _ in cls.__slots__))
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -25,6 +25,7 @@ from knifetip.verification.checks import milling_geometry
 from knifetip.verification.checks.bridge_check import check_bridges, order_bridges
 from knifetip.verification.checks.check_context import DEPTH_TOLERANCE, NEAR_EDGE, CheckContext
 from knifetip.verification.checks.milling_geometry import spans_near_points
+from knifetip.verification.checks.milling_shortfalls import report_unreached, report_wide_slits
 from knifetip.verification.checks.pass_depth import too_deep_spans
 from knifetip.verification.checks.unreached_areas import unreached_areas
 from knifetip.verification.columns import F64, I32, I64, Bool
@@ -134,7 +135,12 @@ class _MillingCheck:
         is_through = deep >= planned_depth - DEPTH_TOLERANCE
         pieces = cutter_paths(self.bounds, self.reach)
         gap_edge, begin, end = self._untouched_stretches(pieces, is_through)
-        self._record_untouched(pieces, gap_edge, begin, end)
+        unreached = self._record_untouched(pieces, gap_edge, begin, end)
+        through = self.centres.curve[is_through]
+        report_unreached(self.context, self.edges, unreached, through, self.reach)
+        on_slit = self.centres.curve[is_through & self._open_cut_mask()]
+        slits = np.flatnonzero(~self.bounds.closing)
+        report_wide_slits(self.context, self.edges, slits, on_slit, 2.0 * self.tool.radius)
         self._check_parts()
         self._check_open_ends()
         self._check_stray_work()
@@ -234,11 +240,15 @@ class _MillingCheck:
             )
         return uncovered_edges(edge, low, high, self.size)
 
-    def _record_untouched(self, pieces: CutterPaths, edge: I64, begin: F64, end: F64) -> None:
+    def _record_untouched(
+        self, pieces: CutterPaths, edge: I64, begin: F64, end: F64
+    ) -> tuple[I64, F64, F64]:
         """Divide untouched stretches of edges into unreachable stretches, bridges and uncut
         stretches.
 
         Records their lengths as figures of the edges, and adds a finding for each uncut stretch.
+        Returns the u unreachable stretches on edges without uncut stretches as three arrays, (u,)
+        each: index of the edge, and the start and the end of the stretch along that edge (mm).
 
         Parameters
         ----------
@@ -287,6 +297,14 @@ class _MillingCheck:
                 ),
                 float(missed[k]),
             )
+        unreached = uncovered_edges(
+            np.concatenate([touched_edge, left_edge]),
+            np.concatenate([first, left_begin]),
+            np.concatenate([last, left_end]),
+            self.size,
+        )
+        is_complete = ~np.isin(unreached[0], left_edge[bare])
+        return unreached[0][is_complete], unreached[1][is_complete], unreached[2][is_complete]
 
     def _check_bridge_gaps(self, edge: I64, begin: F64, end: F64) -> Bool:
         """Check the bridges among k untouched stretches of edges; return the mask of the stretches

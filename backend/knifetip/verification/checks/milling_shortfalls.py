@@ -1,0 +1,158 @@
+"""Report where a router bit or a laser cannot make the cuts as they are drawn.
+
+A stretch of an edge is unreached if the cutter's disc cannot touch it without cutting into a part.
+In a concave corner of 60° or more the stretch is nowhere farther from the cut than the radius of
+the disc.  Every round cutter leaves such a corner, so it is a note.  A stretch that is farther from
+the cut, for example in a narrow slot, is a shortfall.
+
+A slit is an open cut, which does not separate a part from waste.  The centre of the disc follows
+it, so the slit becomes as wide as the disc.  A wide slit is a shortfall.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from knifetip.messages import Message
+from knifetip.model.verdict import Severity
+from knifetip.verification.checks import milling_geometry
+from knifetip.verification.checks.check_context import CheckContext
+from knifetip.verification.columns import F64, I64
+from knifetip.verification.curves.curve import line_curves, point_at
+from knifetip.verification.curves.intervals import uncovered_edges
+from knifetip.verification.curves.overlap import find_overlaps
+from knifetip.verification.expectation.edges import JOIN_DISTANCE, Edges
+from knifetip.verification.findings import MAX_FINDINGS
+
+#: Widest slit that counts as a line without width (mm); the kerf of a laser is narrower.
+MAX_LINE_WIDTH: Final = 0.5
+#: Positions in each unreached stretch at which its distance from the disc is measured.
+_FRACTIONS: Final = (0.0, 0.25, 0.5, 0.75, 1.0)
+#: Greatest distance from the disc that is measured (mm).
+_FARTHEST: Final = 1e5
+
+
+def report_unreached(
+    context: CheckContext,
+    edges: Edges,
+    stretches: tuple[I64, F64, F64],
+    centres: F64,
+    reach: F64,
+) -> None:
+    """Add a note or a shortfall for each edge with stretches that the disc cannot touch, and record
+    the greatest distance of the edge from the disc.
+
+    Parameters
+    ----------
+    context
+        Inputs and results of the verification; findings and figures are added to it.
+    edges
+        Cuts that the cutter must make.
+    stretches
+        Three arrays, (k,) each: index of the edge of each unreached stretch, and the start and the
+        end of the stretch along that edge (mm).
+    centres : (n, 6)
+        Paths of the disc's centre through the board: lines and arcs as rows of six numbers (see
+        ``curves.curve``).
+    reach : (2,) mm
+        Half-axes of the disc along X and Y.
+    """
+    edge, begin, end = stretches
+    long = end - begin > JOIN_DISTANCE
+    edge, begin, end = edge[long], begin[long], end[long]
+    if len(edge) == 0 or len(centres) == 0 or reach.min() <= 0.0:
+        return
+    curve = edges.curve[edge]
+    points = [point_at(curve, begin + fraction * (end - begin)) for fraction in _FRACTIONS]
+    distance = _distance_from_disc(np.concatenate(points), centres, reach)
+    farthest = distance.reshape(len(_FRACTIONS), -1).max(axis=0)
+    length = np.bincount(edge, end - begin, minlength=len(edges))
+    places = np.bincount(edge, minlength=len(edges))
+    worst = np.zeros(len(edges))
+    np.maximum.at(worst, edge, farthest)
+    np.maximum.at(context.figures.unreached_distance, edges.row, worst)
+    for k in np.flatnonzero(worst > context.tolerance)[:MAX_FINDINGS]:
+        context.findings.add(
+            "unreached",
+            Message("verify.unreached", length=length[k], places=places[k], distance=worst[k]),
+            float(length[k]),
+            edge=int(edges.row[k]),
+            severity=Severity.NOTE if worst[k] <= reach.max() else Severity.SHORTFALL,
+        )
+
+
+def report_wide_slits(
+    context: CheckContext, edges: Edges, slits: I64, centres: F64, width: float
+) -> None:
+    """Add a shortfall for each slit that the cutter mills as wide as itself, and record the milled
+    length.
+
+    Parameters
+    ----------
+    context
+        Inputs and results of the verification; findings and figures are added to it.
+    edges
+        Cuts that the cutter must make.
+    slits
+        Indices of the slits, which are the open cuts.
+    centres : (n, 6)
+        Paths of the disc's centre that follow slits: lines and arcs as rows of six numbers (see
+        ``curves.curve``).
+    width : mm
+        Diameter of the disc.
+    """
+    if width <= MAX_LINE_WIDTH or len(slits) == 0:
+        return
+    curve = edges.curve[slits]
+    size = curve[:, 5]
+    overlaps = find_overlaps(centres, curve, np.zeros(len(curve)), size, context.tolerance)
+    low, high = overlaps.place.min(axis=1), overlaps.place.max(axis=1)
+    left, begin, end = uncovered_edges(overlaps.edge.astype(np.int64), low, high, size)
+    length = size - np.bincount(left, end - begin, minlength=len(slits))
+    row = edges.row[slits]
+    np.add.at(context.figures.slit_length, row, length)
+    for k in np.flatnonzero(length > context.tolerance)[:MAX_FINDINGS]:
+        context.findings.add(
+            "kerf",
+            Message("verify.wide-slit", length=length[k], width=width),
+            float(length[k]),
+            edge=int(row[k]),
+            severity=Severity.SHORTFALL,
+        )
+
+
+def _distance_from_disc(points: F64, centres: F64, reach: F64) -> F64:
+    """Return the distance of each of n points from the area that the disc sweeps, (n,) mm.
+
+    The distance is 0 inside the swept area, and at most ``_FARTHEST``.
+
+    Parameters
+    ----------
+    points : (n, 2) mm
+        The points.
+    centres : (m, 6)
+        Paths of the disc's centre, at least one.
+    reach : (2,) mm
+        Half-axes of the disc along X and Y.
+    """
+    result = np.full(len(points), _FARTHEST)
+    start, size = np.zeros(len(centres)), centres[:, 5]
+    limit = 2.0 * float(reach.max())
+    remaining = np.arange(len(points))
+    while len(remaining) and limit < _FARTHEST:
+        # Points without a path within the limit are searched again with a larger limit.
+        own = points[remaining]
+        near = find_overlaps(line_curves(own, own), centres, start, size, limit)
+        path, point = centres[near.edge], own[near.curve]
+        foot = milling_geometry.nearest_along(path, point, reach)
+        ratio = np.full(len(path), np.inf)
+        for position in (np.zeros(len(path)), foot, path[:, 5]):
+            apart = (point_at(path, position) - point) / reach
+            ratio = np.minimum(ratio, np.hypot(*apart.T))
+        np.minimum.at(result, remaining[near.curve], (ratio - 1.0) * float(reach.min()))
+        remaining = remaining[result[remaining] >= _FARTHEST]
+        limit *= 2.0
+    distance: F64 = np.maximum(result, 0.0)
+    return distance
