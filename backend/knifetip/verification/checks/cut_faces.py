@@ -16,7 +16,7 @@ import numpy as np
 from knifetip.kernels import F64_1, F64_2, I64_1, Bool_1, kernel
 from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import azimuth_at, line_curves, point_at
-from knifetip.verification.curves.overlap import cells_near_curve, find_overlaps, grid_layout
+from knifetip.verification.curves.overlap import find_overlaps, grid_layout, list_by_cell
 from knifetip.verification.expectation.edge_paths import edge_paths, joined_ends
 from knifetip.verification.expectation.edges import (
     JOIN_DISTANCE,
@@ -328,27 +328,9 @@ def _search_left(
     wide: int,
     tall: int,
 ) -> Any:
-    first = np.zeros(wide * tall + 1, np.int64)
-    searched_for = np.full(wide * tall, -1, np.int64)
-    cells = np.empty(1024, np.int64)
-    listed = np.empty(0, np.int32)
-    for writes in range(2):
-        for i in range(len(curve)):
-            cells, many = cells_near_curve(curve[i], 1e-6, corner, size, wide, tall, cells)
-            for k in range(many):
-                cell = cells[k]
-                if searched_for[cell] == 2 * i + writes:
-                    continue
-                searched_for[cell] = 2 * i + writes
-                if writes:
-                    first[cell] -= 1
-                    listed[first[cell]] = i
-                else:
-                    first[cell] += 1
-        if not writes:
-            for cell in range(wide * tall):
-                first[cell + 1] += first[cell]
-            listed = np.empty(first[wide * tall], np.int32)
+    first, listed = list_by_cell(
+        curve, np.ones(len(curve), np.bool_), 1e-6, corner, size, wide, tall
+    )
     met = np.full(len(points), -1, np.int64)
     rising = np.zeros(len(points), np.bool_)
     for p in range(len(points)):
@@ -360,11 +342,11 @@ def _search_left(
         best = -math.inf
         while column >= 0:
             cell = column * tall + row
-            for k in range(first[cell], first[cell + 1]):
+            for k in range(first[cell + 1] - 1, first[cell] - 1, -1):
                 i = listed[k]
                 if owner[i] == own[p] and own[p] >= 0:
                     continue
-                crossing_x, up = _crossing_left(curve[i], x, y)
+                crossing_x, up = _crossing_left(curve, i, x, y)
                 if crossing_x > best:
                     best, met[p], rising[p] = crossing_x, i, up
             if met[p] >= 0 and best >= corner[0] + column * size:
@@ -373,14 +355,15 @@ def _search_left(
     return met, rising
 
 
-@kernel(checks_division=True)
-def _crossing_left(curve: F64_1, x: float, y: float) -> Any:
+@kernel(allocates=False, checks_division=True)
+def _crossing_left(curves: F64_2, row: int, x: float, y: float) -> Any:
     """Find where a line or arc crosses the ray that runs from the point (x, y) to the left.
 
     Returns the x of the crossing nearest to the point (mm), and whether the line or arc runs
-    upwards there; -inf and False if there is no crossing.  ``curve`` is the line or arc as six
-    numbers (see ``curves.curve``), (6,).
+    upwards there; -inf and False if there is no crossing.  The line or arc is row ``row`` of
+    ``curves``, as six numbers (see ``curves.curve``).
     """
+    curve = curves[row]
     best, up = -math.inf, False
     if curve[0] == 0.0:
         y1 = curve[2] + curve[4] * curve[5]

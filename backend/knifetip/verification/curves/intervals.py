@@ -11,7 +11,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.kernels import F64_1, F64_2, I32_1, OutF64_2, kernel
+from knifetip.kernels import F64_1, F64_2, I32_1, I32_2, OutF64_2, kernel
 from knifetip.verification.columns import F64, I32, I64, Bool
 
 #: Lengths that differ by less are equal (mm).
@@ -35,6 +35,12 @@ class Overlaps:
     distance: F64  #: (k,) mm, greatest distance within the overlap
     best: Bool  #: (k,) a part of the overlap is on no nearer edge, so it counts
 
+    @classmethod
+    def none(cls) -> Overlaps:
+        """Return an empty record, for curves that overlap no edge."""
+        rows, spans = np.zeros(0, np.int32), np.zeros((0, 2))
+        return cls(rows, rows, spans, spans, np.zeros(0), np.zeros(0, np.bool_))
+
 
 def sort_overlaps(pairs: I32, spans: F64, curves: F64) -> Overlaps:
     """Return k overlaps of curves with edges, sorted by curve and then by distance from the edge.
@@ -45,19 +51,17 @@ def sort_overlaps(pairs: I32, spans: F64, curves: F64) -> Overlaps:
     Parameters
     ----------
     pairs : (k, 2)
-        Index of the curve and index of the edge of each overlap.
+        Index of the curve and index of the edge of each overlap, sorted by curve.
     spans : (k, 5) mm
         Five lengths for each overlap: its start and end along the curve, the positions on the edge
         of these two points, and its greatest distance from the edge.
     curves : (n, 6)
         All curves: lines and arcs as rows of six numbers (see ``curves.curve``).
     """
-    order = np.lexsort((spans[:, 4], pairs[:, 0]))
-    pairs, spans = pairs[order], spans[order]
-    curve, edge = pairs[:, 0].copy(), pairs[:, 1].copy()
+    curve, edge, along, place, distance = _sort_by_distance(pairs, spans)
     length = curves[:, 5].copy()
-    best = _nearest_mask(curve, spans, length, length)
-    return Overlaps(curve, edge, spans[:, :2].copy(), spans[:, 2:4], spans[:, 4], best)
+    best = _nearest_mask(curve, along, distance, length, length)
+    return Overlaps(curve, edge, along, place, distance, best)
 
 
 def mark_nearest(overlaps: Overlaps, curves: F64, considered: F64) -> Overlaps:
@@ -76,10 +80,10 @@ def mark_nearest(overlaps: Overlaps, curves: F64, considered: F64) -> Overlaps:
     considered : (n,) mm
         Length of the first part of each curve.
     """
-    spans = np.column_stack([overlaps.along, overlaps.place, overlaps.distance])
-    return replace(
-        overlaps, best=_nearest_mask(overlaps.curve, spans, curves[:, 5].copy(), considered)
+    best = _nearest_mask(
+        overlaps.curve, overlaps.along, overlaps.distance, curves[:, 5].copy(), considered
     )
+    return replace(overlaps, best=best)
 
 
 def within_limits(overlaps: Overlaps, limit: F64, curves: F64) -> Overlaps:
@@ -153,7 +157,45 @@ def uncovered_edges(edge: I64, low: F64, high: F64, size: F64) -> tuple[I64, F64
 
 
 @kernel
-def _nearest_mask(curve_of: I32_1, spans: F64_2, length: F64_1, considered: F64_1) -> Any:
+def _sort_by_distance(pairs: I32_2, spans: F64_2) -> Any:
+    """Return the columns of overlaps, with the overlaps of each curve sorted by distance.
+
+    The overlaps are sorted by curve already; equal distances keep their order.  ``sort_overlaps``
+    describes the arguments, and ``Overlaps`` the five returned columns ``curve`` to ``distance``.
+    """
+    count = len(pairs)
+    order = np.empty(count, np.int64)
+    curve, edge = np.empty(count, np.int32), np.empty(count, np.int32)
+    along, place = np.empty((count, 2)), np.empty((count, 2))
+    distance = np.empty(count)
+    begin = 0
+    while begin < count:
+        end = begin + 1
+        while end < count and pairs[end, 0] == pairs[begin, 0]:
+            end += 1
+        if end - begin > 32:
+            order[begin:end] = begin + np.argsort(spans[begin:end, 4], kind="mergesort")
+        else:
+            for row in range(begin, end):
+                slot = row
+                while slot > begin and spans[order[slot - 1], 4] > spans[row, 4]:
+                    order[slot] = order[slot - 1]
+                    slot -= 1
+                order[slot] = row
+        begin = end
+    for row in range(count):
+        source = order[row]
+        curve[row], edge[row] = pairs[source, 0], pairs[source, 1]
+        along[row, 0], along[row, 1] = spans[source, 0], spans[source, 1]
+        place[row, 0], place[row, 1] = spans[source, 2], spans[source, 3]
+        distance[row] = spans[source, 4]
+    return curve, edge, along, place, distance
+
+
+@kernel
+def _nearest_mask(
+    curve_of: I32_1, along: F64_2, distance: F64_1, length: F64_1, considered: F64_1
+) -> Any:
     """Return the mask of those of k overlaps that count as overlaps with the nearest edge, (k,).
 
     An overlap is a stretch of a curve near an edge.  It counts if overlaps of the same curve with
@@ -164,35 +206,36 @@ def _nearest_mask(curve_of: I32_1, spans: F64_2, length: F64_1, considered: F64_
     ----------
     curve_of : (k,)
         Index of the curve of each overlap.  The overlaps are sorted by curve, then by distance.
-    spans : (k, 5) mm
-        Start and end of each overlap along its curve (columns 0 and 1), and its greatest distance
-        from the edge (column 4).
+    along, distance : (k, 2) and (k,) mm
+        Start and end of each overlap along its curve, and its greatest distance from the edge.
     length, considered : (n,) mm
         Length of each of n curves, and the length from its start that is considered.
     """
     best = np.zeros(len(curve_of), np.bool_)
+    covered = np.empty((16, 2))
     begin = 0
     while begin < len(curve_of):
         end = begin
         while end < len(curve_of) and curve_of[end] == curve_of[begin]:
             end += 1
-        covered = np.empty((end - begin + 1, 2))
+        if len(covered) <= end - begin:
+            covered = np.empty((2 * (end - begin), 2))
         many = 0
         curve = curve_of[begin]
         short = length[curve] <= SHORT
         for row in range(begin, end):
-            right = min(spans[row, 1], considered[curve])
-            left = min(spans[row, 0], right)
+            right = min(along[row, 1], considered[curve])
+            left = min(along[row, 0], right)
             many, gained = add_interval(covered, many, left, right)
             # A curve works both copies of an edge that is drawn twice.
-            twin = spans[row, 4] <= spans[begin, 4] + 1e-6
-            counts = right - left > SHORT or (short and spans[row, 1] <= considered[curve])
+            twin = distance[row] <= distance[begin] + 1e-6
+            counts = right - left > SHORT or (short and along[row, 1] <= considered[curve])
             best[row] = gained > SHORT or (twin and counts)
         begin = end
     return best
 
 
-@kernel
+@kernel(allocates=False)
 def add_interval(covered: OutF64_2, used: int, left: float, right: float) -> Any:
     """Merge an interval into a list of sorted, disjoint intervals, in place.
 
@@ -233,12 +276,14 @@ def _uncovered_spans(curve_of: I32_1, along: F64_2, length: F64_1) -> Any:
     curve_rows = np.empty(len(curve_of) + len(length), np.int32)
     spans = np.empty((len(curve_rows), 2))
     count = 0
+    covered = np.empty((16, 2))
     row = 0
     for curve in range(len(length)):
         begin = row
         while row < len(curve_of) and curve_of[row] == curve:
             row += 1
-        covered = np.empty((row - begin + 1, 2))
+        if len(covered) <= row - begin:
+            covered = np.empty((2 * (row - begin), 2))
         many = 0
         for k in range(begin, row):
             many, _ = add_interval(covered, many, along[k, 0], along[k, 1])

@@ -8,11 +8,21 @@ the edges finds the pairs of a curve and an edge that may be near each other.
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from knifetip.kernels import F64_1, F64_2, I32_2, OutF64_2, OutI64_1, kernel
+from knifetip.kernels import (
+    F64_1,
+    F64_2,
+    I32_1,
+    I32_2,
+    Bool_1,
+    OutF64_2,
+    OutI32_1,
+    inline_kernel,
+    kernel,
+)
 from knifetip.verification.columns import F64
 from knifetip.verification.curves.intervals import Overlaps, sort_overlaps
 
@@ -33,21 +43,20 @@ def find_overlaps(curves: F64, edges: F64, low: F64, high: F64, limit: float) ->
         Greatest distance of a stretch from the edge.
     """
     if len(curves) == 0 or len(edges) == 0:
-        pairs, spans = np.zeros((0, 2), np.int32), np.zeros((0, 5))
-    else:
-        corner, size, shape = grid_layout(edges, limit)
-        pairs, spans, rows = _search_grid(
-            np.ascontiguousarray(curves),
-            np.ascontiguousarray(edges),
-            np.ascontiguousarray(low),
-            np.ascontiguousarray(high),
-            limit,
-            corner,
-            size,
-            shape[0],
-            shape[1],
-        )
-        pairs, spans = pairs[:rows], spans[:rows]
+        return Overlaps.none()
+    curves, edges = np.ascontiguousarray(curves), np.ascontiguousarray(edges)
+    corner, size, shape = grid_layout(edges, limit)
+    pairs, spans = _search_grid(
+        curves,
+        edges,
+        np.ascontiguousarray(low),
+        np.ascontiguousarray(high),
+        limit,
+        corner,
+        size,
+        shape[0],
+        shape[1],
+    )
     return sort_overlaps(pairs, spans, curves)
 
 
@@ -58,35 +67,65 @@ def grid_layout(edges: F64, limit: float) -> tuple[F64, float, tuple[int, int]]:
     extends at least ``limit`` mm past them.  Returns the lower left corner of the grid (2,) mm, the
     width of its cells (mm), and its numbers of columns and rows.
     """
-    straight = edges[:, 0] == 0.0
-    reach = np.where(straight, 0.0, edges[:, 3])
-    ends = edges[:, 1:3] + np.where(straight, edges[:, 5], 0.0)[:, None] * np.where(
-        straight[:, None], edges[:, 3:5], 0.0
-    )
-    low = np.minimum(edges[:, 1:3], ends) - reach[:, None]
-    high = np.maximum(edges[:, 1:3], ends) + reach[:, None]
-    corner = low.min(axis=0) - limit
-    extent = high.max(axis=0) + limit - corner
+    low_x, low_y, high_x, high_y = _bounding_box(np.ascontiguousarray(edges))
+    corner = np.array([low_x - limit, low_y - limit])
+    extent = (high_x + limit - corner[0], high_y + limit - corner[1])
     size = max(
-        2.0 * limit, 0.5, math.sqrt(extent[0] * extent[1] / len(edges)), float(extent.max()) / 2048
+        2.0 * limit, 0.5, math.sqrt(extent[0] * extent[1] / len(edges)), max(extent) / 2048
     )
     shape = (int(extent[0] / size) + 1, int(extent[1] / size) + 1)
     return corner, size, shape
 
 
-@kernel(checks_division=True)
+@kernel(allocates=False)
+def _bounding_box(curves: F64_2) -> Any:
+    """Return low x, low y, high x and high y (mm) of a box round lines and round full circles of
+    arcs.
+    """
+    low_x, low_y, high_x, high_y = math.inf, math.inf, -math.inf, -math.inf
+    for row in range(len(curves)):
+        box = _curve_box(curves, row, 0.0, curves[row, 5])
+        low_x, low_y = min(low_x, box[0]), min(low_y, box[1])
+        high_x, high_y = max(high_x, box[2]), max(high_y, box[3])
+    return low_x, low_y, high_x, high_y
+
+
+@inline_kernel
+def _curve_box(curves: F64_2, row: int, begin: float, end: float) -> Any:
+    """Return low x, low y, high x and high y (mm) of a box round a part of a curve.
+
+    The part of a line reaches from ``begin`` to ``end`` (mm along the line); the box of an arc
+    contains its full circle.
+    """
+    x, y = curves[row, 1], curves[row, 2]
+    if curves[row, 0] != 0.0:
+        radius = curves[row, 3]
+        return x - radius, y - radius, x + radius, y + radius
+    x0, y0 = x + begin * curves[row, 3], y + begin * curves[row, 4]
+    x1, y1 = x + end * curves[row, 3], y + end * curves[row, 4]
+    return min(x0, x1), min(y0, y1), max(x0, x1), max(y0, y1)
+
+
+@kernel(allocates=False, checks_division=True)
 def cells_near_curve(
-    curve: F64_1, margin: float, corner: F64_1, size: float, wide: int, high: int, out: OutI64_1
-) -> Any:
+    curves: F64_2,
+    row: int,
+    margin: float,
+    corner: F64_1,
+    size: float,
+    wide: int,
+    high: int,
+    out: OutI32_1,
+) -> int:
     """Write the indices of the grid cells within ``margin`` mm of a curve to ``out``.
 
-    A cell may occur repeatedly.  Returns ``out``, or a larger copy of it if it was full, and the
-    number of indices that were written.
+    A cell may occur repeatedly.  Returns the number of indices; if it is greater than the length
+    of ``out``, the last indices are missing.
 
     Parameters
     ----------
-    curve : (6,)
-        A line or arc as six numbers (see ``curves.curve``).
+    curves, row
+        Lines and arcs as rows of six numbers (see ``curves.curve``), and the row of the curve.
     corner : (2,) mm
         Lower left corner of the grid.
     size : mm
@@ -97,25 +136,32 @@ def cells_near_curve(
         Array that receives the indices from its start on.
     """
     count = 0
-    length = curve[5]
+    kind, cx, cy, p, q = (
+        curves[row, 0],
+        curves[row, 1],
+        curves[row, 2],
+        curves[row, 3],
+        curves[row, 4],
+    )
+    length = curves[row, 5]
     step = size
-    if curve[0] != 0.0:
-        step = min(size, 0.5 * curve[3])
+    if kind != 0.0:
+        step = min(size, 0.5 * p)
     pieces = max(1, math.ceil(length / step))
     each = length / pieces
     bow = 0.0
-    if curve[0] != 0.0:
-        bow = each * each / (8.0 * curve[3])
+    if kind != 0.0:
+        bow = each * each / (8.0 * p)
     x = 0.0
     y = 0.0
     for node in range(pieces + 1):
-        if curve[0] == 0.0:
-            nx = curve[1] + curve[3] * each * node
-            ny = curve[2] + curve[4] * each * node
+        if kind == 0.0:
+            nx = cx + p * each * node
+            ny = cy + q * each * node
         else:
-            angle = curve[4] + curve[0] * each * node / curve[3]
-            nx = curve[1] + curve[3] * math.cos(angle)
-            ny = curve[2] + curve[3] * math.sin(angle)
+            angle = q + kind * each * node / p
+            nx = cx + p * math.cos(angle)
+            ny = cy + p * math.sin(angle)
         if node > 0:
             grown = margin + bow
             x0 = math.floor((min(x, nx) - grown - corner[0]) / size)
@@ -124,16 +170,94 @@ def cells_near_curve(
             y1 = math.floor((max(y, ny) + grown - corner[1]) / size)
             for i in range(max(x0, 0), min(x1, wide - 1) + 1):
                 for j in range(max(y0, 0), min(y1, high - 1) + 1):
-                    if count == len(out):
-                        bigger = np.empty(2 * len(out), np.int64)
-                        for k in range(count):
-                            bigger[k] = out[k]
-                        out = bigger
-                    out[count] = i * high + j
+                    if count < len(out):
+                        out[count] = i * high + j
                     count += 1
         x = nx
         y = ny
-    return out, count
+    return count
+
+
+class CellLists(NamedTuple):
+    """The curves of each cell of a grid: cell c has those of ``listed[first[c] : first[c + 1]]``,
+    in the order of their indices.
+    """
+
+    first: I32_1  #: (cells + 1,)
+    listed: I32_1
+
+
+@kernel(checks_division=True)
+def list_by_cell(
+    curves: F64_2,
+    usable: Bool_1,
+    margin: float,
+    corner: F64_1,
+    size: float,
+    wide: int,
+    tall: int,
+) -> Any:
+    """Return the ``CellLists`` of those curves for which ``usable`` is True.
+
+    A curve is listed in each cell within ``margin`` mm of it, once.  The curves are lines and arcs
+    as rows of six numbers (see ``curves.curve``); ``cells_near_curve`` describes the grid.
+    """
+    first = np.zeros(wide * tall + 1, np.int32)
+    searched_for = np.full(wide * tall, -1, np.int32)
+    cells = np.empty(64, np.int32)
+    cell_of = np.empty(4 * len(curves) + 64, np.int32)
+    ends = np.empty(len(curves), np.int64)
+    used = 0
+    for row in range(len(curves)):
+        if usable[row]:
+            many = cells_near_curve(curves, row, margin, corner, size, wide, tall, cells)
+            if many > len(cells):
+                cells = np.empty(2 * many, np.int32)
+                cells_near_curve(curves, row, margin, corner, size, wide, tall, cells)
+            if used + many > len(cell_of):
+                longer = np.empty(2 * (used + many), np.int32)
+                longer[:used] = cell_of[:used]
+                cell_of = longer
+            for k in range(many):
+                cell = cells[k]
+                if searched_for[cell] != row:
+                    searched_for[cell] = row
+                    cell_of[used] = cell
+                    used += 1
+                    first[cell + 1] += 1
+        ends[row] = used
+    for cell in range(wide * tall):
+        first[cell + 1] += first[cell]
+        searched_for[cell] = first[cell]
+    listed = np.empty(used, np.int32)
+    entry = 0
+    for row in range(len(curves)):
+        while entry < ends[row]:
+            cell = cell_of[entry]
+            listed[searched_for[cell]] = row
+            searched_for[cell] += 1
+            entry += 1
+    return CellLists(first, listed)
+
+
+@kernel
+def _compared_parts(edges: F64_2, low: F64_1, high: F64_1, limit: float) -> Any:
+    """Return boxes outside of which no curve overlaps an edge, and the mask of the edges with a
+    part to compare.
+
+    A box is low x, low y, high x and high y, (m, 4) mm.  ``low`` and ``high`` are the start and
+    end of the part of each edge that is compared, (m,) mm.
+    """
+    boxes = np.empty((len(edges), 4))
+    usable = np.empty(len(edges), np.bool_)
+    # A point may lie up to the limit beside an edge and up to the limit past its end.
+    margin = 2.0 * limit + 1e-6
+    for edge in range(len(edges)):
+        usable[edge] = not high[edge] < low[edge]
+        box = _curve_box(edges, edge, low[edge], high[edge])
+        boxes[edge, 0], boxes[edge, 1] = box[0] - margin, box[1] - margin
+        boxes[edge, 2], boxes[edge, 3] = box[2] + margin, box[3] + margin
+    return boxes, usable
 
 
 @kernel
@@ -164,62 +288,48 @@ def _search_grid(
     wide: int,
     tall: int,
 ) -> Any:
-    count = np.zeros(wide * tall + 1, np.int64)
-    searched_for = np.full(wide * tall, -1, np.int64)
-    cells = np.empty(1024, np.int64)
-    filled = np.empty(wide * tall, np.int64)
-    listed = np.empty(0, np.int32)
-    # The first pass counts the edges of each cell, the second one lists them.
-    for writes in range(2):
-        for edge in range(len(edges)):
-            if high[edge] < low[edge]:
-                continue
-            cells, many = cells_near_curve(edges[edge], 0.0, corner, size, wide, tall, cells)
-            for k in range(many):
-                cell = cells[k]
-                if searched_for[cell] == edge:
-                    continue
-                searched_for[cell] = edge
-                if writes:
-                    listed[filled[cell]] = edge
-                    filled[cell] += 1
-                else:
-                    count[cell + 1] += 1
-        if not writes:
-            for cell in range(wide * tall):
-                filled[cell] = count[cell]
-                count[cell + 1] += count[cell]
-                searched_for[cell] = -1
-            listed = np.empty(count[wide * tall], np.int32)
-
+    boxes, usable = _compared_parts(edges, low, high, limit)
+    first, listed = list_by_cell(edges, usable, 0.0, corner, size, wide, tall)
+    cells = np.empty(64, np.int32)
     pairs = np.empty((max(256, 2 * len(curves)), 2), np.int32)
     spans = np.empty((len(pairs), 5))
     rows = 0
-    met = np.full(len(edges), -1, np.int64)
+    met = np.full(len(edges), -1, np.int32)
     hits = np.empty((16, 5))
+    near = np.empty((8, 2))
     for curve in range(len(curves)):
-        cells, many = cells_near_curve(curves[curve], limit, corner, size, wide, tall, cells)
+        many = cells_near_curve(curves, curve, limit, corner, size, wide, tall, cells)
+        if many > len(cells):
+            cells = np.empty(2 * many, np.int32)
+            cells_near_curve(curves, curve, limit, corner, size, wide, tall, cells)
+        box = _curve_box(curves, curve, 0.0, curves[curve, 5])
         for k in range(many):
-            for place in range(count[cells[k]], count[cells[k] + 1]):
+            for place in range(first[cells[k]], first[cells[k] + 1]):
                 edge = listed[place]
-                if met[edge] == curve:
+                if (
+                    box[2] < boxes[edge, 0]
+                    or box[0] > boxes[edge, 2]
+                    or box[3] < boxes[edge, 1]
+                    or box[1] > boxes[edge, 3]
+                    or met[edge] == curve
+                ):
                     continue
                 met[edge] = curve
+                if rows + len(hits) > len(pairs):
+                    pairs, spans = _double_capacity(pairs, spans)
                 hit_count = _overlap_pair(
-                    curves[curve], edges[edge], low[edge], high[edge], limit, hits
+                    curves[curve], edges[edge], low[edge], high[edge], limit, near, hits
                 )
                 for hit in range(hit_count):
-                    if rows == len(pairs):
-                        pairs, spans = _double_capacity(pairs, spans)
                     pairs[rows, 0] = curve
                     pairs[rows, 1] = edge
                     for column in range(5):
                         spans[rows, column] = hits[hit, column]
                     rows += 1
-    return pairs, spans, rows
+    return pairs[:rows], spans[:rows]
 
 
-@kernel(checks_division=True)
+@kernel(allocates=False, checks_division=True)
 def _project(edge: F64_1, x: float, y: float) -> Any:
     """Return the position of the point (x, y) along an edge, and its distance from the edge.
 
@@ -237,7 +347,7 @@ def _project(edge: F64_1, x: float, y: float) -> Any:
     return turned * edge[3], math.hypot(dx, dy) - edge[3]
 
 
-@kernel(checks_division=True)
+@kernel(allocates=False, checks_division=True)
 def _point_on(curve: F64_1, along: float) -> Any:
     if curve[0] == 0.0:
         return curve[1] + curve[3] * along, curve[2] + curve[4] * along
@@ -245,18 +355,23 @@ def _point_on(curve: F64_1, along: float) -> Any:
     return curve[1] + curve[3] * math.cos(angle), curve[2] + curve[3] * math.sin(angle)
 
 
-@kernel(checks_division=True)
+@kernel(allocates=False, checks_division=True)
 def _overlap_pair(
-    curve: F64_1, edge: F64_1, low: float, high: float, limit: float, hits: OutF64_2
+    curve: F64_1,
+    edge: F64_1,
+    low: float,
+    high: float,
+    limit: float,
+    near: OutF64_2,
+    hits: OutF64_2,
 ) -> int:
     """Write the overlaps of one curve with one edge to the rows of ``hits``; return their number.
 
     ``low`` and ``high`` are the start and end of the part of the edge that is compared, and
     ``limit`` is the greatest distance of an overlap from the edge (mm).  A row has five lengths
     (mm): start and end of the overlap along the curve, the positions on the edge of these two
-    points, and the greatest distance from the edge.
+    points, and the greatest distance from the edge.  ``near`` is scratch, (8, 2).
     """
-    near = np.empty((8, 2))
     if curve[0] == 0.0:
         pieces = _line_near_edge(curve, edge, limit, near)
     else:
@@ -317,7 +432,7 @@ def _overlap_pair(
     return hit_count
 
 
-@kernel
+@kernel(allocates=False)
 def _append_clipped(begin: float, end: float, length: float, near: OutF64_2, pieces: int) -> int:
     begin = max(begin, 0.0)
     end = min(end, length)
@@ -328,7 +443,7 @@ def _append_clipped(begin: float, end: float, length: float, near: OutF64_2, pie
     return pieces
 
 
-@kernel(checks_division=True)
+@kernel(allocates=False, checks_division=True)
 def _line_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> int:
     """Find the stretches of a line that lie within ``limit`` mm of the line or circle of an edge.
 
@@ -358,7 +473,7 @@ def _line_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> 
     return _append_clipped(foot + inner, foot + outer, length, near, pieces)
 
 
-@kernel(checks_division=True)
+@kernel(allocates=False, checks_division=True)
 def _arc_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> int:
     """Find the stretches of an arc that lie within ``limit`` mm of the line or circle of an edge.
 
@@ -402,7 +517,7 @@ def _arc_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> i
     return _append_arc_spans(curve, shift + math.pi - high, shift + math.pi - low, near, pieces)
 
 
-@kernel
+@kernel(allocates=False)
 def _append_arc_spans(curve: F64_1, begin: float, end: float, near: OutF64_2, used: int) -> int:
     """Find the stretches of the arc ``curve`` that lie between two angles of its circle.
 

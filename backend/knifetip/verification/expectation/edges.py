@@ -11,6 +11,7 @@ from knifetip.errors import GeometryError
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.verification.columns import F64, I32, I64
 from knifetip.verification.curves.curve import arc_curves, azimuth_at, line_curves, point_at
+from knifetip.verification.curves.near_points import near_points
 
 #: Ends within this distance are one point (mm).
 JOIN_DISTANCE: Final = 0.002
@@ -24,7 +25,7 @@ TOUCH_DISTANCE: Final = 0.05
 STRAIGHT_ANGLE: Final = 1.0
 
 
-#: Greatest number of candidate pairs in the search for near points.
+#: Greatest number of compared pairs in the search for near points.
 MAX_PAIRS: Final = 20_000_000
 
 
@@ -146,32 +147,16 @@ def pairs_within(points: F64, others: F64, distance: float) -> tuple[I64, I64]:
     Raises
     ------
     GeometryError
-        There are more than ``MAX_PAIRS`` candidates for pairs.
+        More than ``MAX_PAIRS`` pairs would be compared.
     """
     if len(points) == 0 or len(others) == 0:
         return np.zeros(0, np.int64), np.zeros(0, np.int64)
-    low = np.minimum(points.min(axis=0), others.min(axis=0)) - distance
-    cell = np.floor((others - low) / distance).astype(np.int64)
-    point_cell = np.floor((points - low) / distance).astype(np.int64)
-    high = int(max(cell[:, 1].max(), point_cell[:, 1].max())) + 2
-    key = cell[:, 0] * high + cell[:, 1]
-    order = np.argsort(key, kind="stable")
-    key = key[order]
-    found_a, found_b = [], []
-    for column in (-1, 0, 1):
-        # The keys of the three cells of a column are consecutive.
-        wanted_key = (point_cell[:, 0] + column) * high + point_cell[:, 1]
-        first = np.searchsorted(key, wanted_key - 1)
-        many = np.searchsorted(key, wanted_key + 2) - first
-        if many.sum() > MAX_PAIRS:
-            raise GeometryError("edge.too-crowded", limit=MAX_PAIRS, distance=distance)
-        a = np.repeat(np.arange(len(points)), many)
-        b = np.arange(len(a)) - np.repeat(np.cumsum(many) - many - first, many)
-        found_a.append(a)
-        found_b.append(order[b])
-    a, b = np.concatenate(found_a), np.concatenate(found_b)
-    near = np.hypot(*(points[a] - others[b]).T) <= distance
-    return a[near], b[near]
+    a, b, complete = near_points(
+        np.ascontiguousarray(points), np.ascontiguousarray(others), distance, MAX_PAIRS
+    )
+    if not complete:
+        raise GeometryError("edge.too-crowded", limit=MAX_PAIRS, distance=distance)
+    return a, b
 
 
 def angle_between(one: F64, other: F64, turn: float = 360.0) -> F64:
