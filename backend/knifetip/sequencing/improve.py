@@ -21,11 +21,12 @@ import numpy as np
 
 from knifetip.kernels import (
     F64_2,
-    F64_4A,
+    F64_4,
     I32_1,
     I32_2,
     U8_1,
     OutBool_1,
+    OutF64_1,
     OutI32_1,
     OutI64_1,
     OutU8_1,
@@ -37,9 +38,9 @@ from knifetip.kernels import (
 _LONGEST_SECTION: Final = 50
 
 
-@kernel
+@inline_kernel
 def _travel_time(
-    before: int, side_before: int, after: int, side_after: int, ends: F64_4A, rates: F64_2
+    before: int, side_before: int, after: int, side_after: int, ends: F64_4, rates: F64_2
 ) -> float:
     """Return the time of the air move from the end of one track to the start of another track (s).
 
@@ -51,28 +52,26 @@ def _travel_time(
         Numbers of the two tracks; the move leads from ``before`` to ``after``.
     side_before, side_after
         0 for a track that is run forwards, 1 for a track that is run backwards.
-    ends : (2, 2, t + 1, 3)
-        ``ends[s, e, i]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
+    ends : (t + 1, 2, 2, 3)
+        ``ends[i, s, e]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
         the end (e = 1) of track i, if it is run forwards (s = 0) or backwards (s = 1).
     rates : (4, 4)
         Velocities and accelerations of X, Y and C, and the period of C, in the form that
         ``improve_tour`` documents.
     """
-    x = abs(ends[side_after, 0, after, 0] - ends[side_before, 1, before, 0])
-    y = abs(ends[side_after, 0, after, 1] - ends[side_before, 1, before, 1])
-    c = abs(ends[side_after, 0, after, 2] - ends[side_before, 1, before, 2])
-    c = min(c, rates[3, 0] - c)
     slowest = 0.0
-    for axis, distance in ((0, x), (1, y), (2, c)):
-        if distance < rates[axis, 0]:
-            time = math.sqrt(distance * rates[axis, 1])
-        else:
-            time = distance * rates[axis, 2] + rates[axis, 3]
-        slowest = max(slowest, time)
+    for axis in range(3):
+        distance = abs(ends[after, side_after, 0, axis] - ends[before, side_before, 1, axis])
+        if axis == 2:
+            distance = min(distance, rates[3, 0] - distance)
+        # Both times are computed and one is selected: a branch would often be mispredicted.
+        ramp = math.sqrt(distance * rates[axis, 1])
+        cruise = distance * rates[axis, 2] + rates[axis, 3]
+        slowest = max(slowest, ramp if distance < rates[axis, 0] else cruise)
     return slowest
 
 
-@kernel
+@inline_kernel
 def _link_time(
     before: int,
     flip_before: int,
@@ -80,7 +79,7 @@ def _link_time(
     flip_after: int,
     tour: I32_1,
     side: U8_1,
-    ends: F64_4A,
+    ends: F64_4,
     rates: F64_2,
 ) -> float:
     """Return the time of the air move between the tracks at two positions of the tour (s).
@@ -97,8 +96,8 @@ def _link_time(
     tour, side : (t + 1,) and (t + 1,)
         Track at each position of the tour, with the origin (number t, the pose of the head before
         the first track) at position 0; and 1 if the track at the position is run backwards, else 0.
-    ends : (2, 2, t + 1, 3)
-        ``ends[s, e, i]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
+    ends : (t + 1, 2, 2, 3)
+        ``ends[i, s, e]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
         the end (e = 1) of track i, if it is run forwards (s = 0) or backwards (s = 1).
     rates : (4, 4)
         Velocities and accelerations of X, Y and C, and the period of C, in the form that
@@ -111,9 +110,9 @@ def _link_time(
     )
 
 
-@kernel
+@kernel(allocates=False)
 def _inner_change(
-    first: int, last: int, flip: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
+    first: int, last: int, flip: int, tour: I32_1, side: U8_1, ends: F64_4, rates: F64_2
 ) -> float:
     """Return the increase of the time inside a section of the tour if the section is reversed (s).
 
@@ -129,8 +128,8 @@ def _inner_change(
     tour, side : (t + 1,) and (t + 1,)
         Track at each position of the tour, with the origin (number t, the pose of the head before
         the first track) at position 0; and 1 if the track at the position is run backwards, else 0.
-    ends : (2, 2, t + 1, 3)
-        ``ends[s, e, i]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
+    ends : (t + 1, 2, 2, 3)
+        ``ends[i, s, e]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
         the end (e = 1) of track i, if it is run forwards (s = 0) or backwards (s = 1).
     rates : (4, 4)
         Velocities and accelerations of X, Y and C, and the period of C, in the form that
@@ -145,9 +144,9 @@ def _inner_change(
     return change
 
 
-@kernel
+@kernel(allocates=False)
 def _reversal_change(
-    first: int, last: int, flip: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
+    first: int, last: int, flip: int, tour: I32_1, side: U8_1, ends: F64_4, rates: F64_2
 ) -> float:
     """Return the increase of the time of the tour if a section of it is reversed (s).
 
@@ -166,8 +165,8 @@ def _reversal_change(
     tour, side : (t + 1,) and (t + 1,)
         Track at each position of the tour, with the origin (number t, the pose of the head before
         the first track) at position 0; and 1 if the track at the position is run backwards, else 0.
-    ends : (2, 2, t + 1, 3)
-        ``ends[s, e, i]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
+    ends : (t + 1, 2, 2, 3)
+        ``ends[i, s, e]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
         the end (e = 1) of track i, if it is run forwards (s = 0) or backwards (s = 1).
     rates : (4, 4)
         Velocities and accelerations of X, Y and C, and the period of C, in the form that
@@ -186,9 +185,9 @@ def _reversal_change(
     return change + _inner_change(first, last, flip, tour, side, ends, rates)
 
 
-@kernel
+@kernel(allocates=False)
 def _removal_gain(
-    first: int, last: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
+    first: int, last: int, tour: I32_1, side: U8_1, ends: F64_4, rates: F64_2
 ) -> float:
     """Return the time saved if a section of the tour is removed (s).
 
@@ -202,8 +201,8 @@ def _removal_gain(
     tour, side : (t + 1,) and (t + 1,)
         Track at each position of the tour, with the origin (number t, the pose of the head before
         the first track) at position 0; and 1 if the track at the position is run backwards, else 0.
-    ends : (2, 2, t + 1, 3)
-        ``ends[s, e, i]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
+    ends : (t + 1, 2, 2, 3)
+        ``ends[i, s, e]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
         the end (e = 1) of track i, if it is run forwards (s = 0) or backwards (s = 1).
     rates : (4, 4)
         Velocities and accelerations of X, Y and C, and the period of C, in the form that
@@ -216,7 +215,7 @@ def _removal_gain(
     return saved - _link_time(first - 1, 0, last + 1, 0, tour, side, ends, rates)
 
 
-@kernel
+@kernel(allocates=False)
 def _reverse(
     first: int, last: int, flip: int, tour: OutI32_1, side: OutU8_1, position: OutI64_1
 ) -> None:
@@ -236,7 +235,7 @@ def _reverse(
         position[tour[slot]] = slot
 
 
-@kernel
+@kernel(allocates=False)
 def _swap(
     first: int, middle: int, last: int, tour: OutI32_1, side: OutU8_1, position: OutI64_1
 ) -> None:
@@ -251,17 +250,18 @@ def _swap(
     _reverse(first, last, 0, tour, side, position)
 
 
-@kernel
+@kernel(allocates=False)
 def _improve_track(
     track: int,
     tour: OutI32_1,
     side: OutU8_1,
     position: OutI64_1,
-    ends: F64_4A,
+    ends: F64_4,
     rates: F64_2,
     reversal: int,
     near: I32_2,
     least_time: F64_2,
+    freed: OutF64_1,
 ) -> Any:
     """Search the changes of the tour near one track, and apply the first one that shortens the
     tour.
@@ -279,8 +279,8 @@ def _improve_track(
         Both are changed in place.
     position : (t + 1,)
         Position of each track in the tour; updated in place.
-    ends : (2, 2, t + 1, 3)
-        ``ends[s, e, i]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
+    ends : (t + 1, 2, 2, 3)
+        ``ends[i, s, e]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
         the end (e = 1) of track i, if it is run forwards (s = 0) or backwards (s = 1).
     rates : (4, 4)
         Velocities and accelerations of X, Y and C, and the period of C, in the form that
@@ -290,6 +290,8 @@ def _improve_track(
     near, least_time : (t, k) and (t, k)
         k neighbours of each track, nearest first, and lower bounds of the times of the air moves to
         them (s).
+    freed : (6,)
+        Scratch.
     """
     last = len(tour) - 1
     symmetric = 1 if reversal == 1 else 0
@@ -306,10 +308,8 @@ def _improve_track(
     # Every improvement replaces, at one of its tracks, a longer link by a shorter one.
     longest = _link_time(here - 1, 0, here, 0, tour, side, ends, rates)
     longest = max(longest, _link_time(here, 0, here + 1, 0, tour, side, ends, rates))
-    freed = np.empty(6)
     for slot in range(6):
-        s = here if slot % 2 else here - slot // 2
-        freed[slot] = _removal_gain(s, s + slot // 2, tour, side, ends, rates) if slot != 1 else 0.0
+        freed[slot] = math.inf  # not computed yet
     for rank in range(near.shape[1]):
         if least_time[track, rank] >= longest:
             break
@@ -329,7 +329,11 @@ def _improve_track(
             size, ahead = slot // 2 + 1, slot % 2
             s = here if ahead else here - size + 1
             e = s + size - 1
-            if freed[slot] <= 1e-9 or s <= there <= e:
+            if s <= there <= e or slot == 1:
+                continue
+            if freed[slot] == math.inf:
+                freed[slot] = _removal_gain(s, e, tour, side, ends, rates)
+            if freed[slot] <= 1e-9:
                 continue
             # After or before the neighbour, reversed if needed to put the two side by side.
             for before in range(2):
@@ -360,7 +364,7 @@ def _improve_track(
     return 0, -1, 0.0
 
 
-@kernel(checks_division=True)
+@kernel(allocates=False, checks_division=True)
 def _improve_queued(
     queue: OutI32_1,
     waiting: OutBool_1,
@@ -370,11 +374,12 @@ def _improve_queued(
     tour: OutI32_1,
     side: OutU8_1,
     position: OutI64_1,
-    ends: F64_4A,
+    ends: F64_4,
     rates: F64_2,
     reversal: int,
     near: I32_2,
     least_time: F64_2,
+    freed: OutF64_1,
 ) -> Any:
     """Improve the tour in place at the queued tracks, and at the tracks next to each change.
 
@@ -397,8 +402,8 @@ def _improve_queued(
         Both are changed in place.
     position : (t + 1,)
         Position of each track in the tour; updated in place.
-    ends : (2, 2, t + 1, 3)
-        ``ends[s, e, i]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
+    ends : (t + 1, 2, 2, 3)
+        ``ends[i, s, e]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
         the end (e = 1) of track i, if it is run forwards (s = 0) or backwards (s = 1).
     rates : (4, 4)
         Velocities and accelerations of X, Y and C, and the period of C, in the form that
@@ -408,6 +413,8 @@ def _improve_queued(
     near, least_time : (t, k) and (t, k)
         k neighbours of each track, nearest first, and lower bounds of the times of the air moves to
         them (s).
+    freed : (6,)
+        Scratch.
     """
     count = len(queue)
     gained = 0.0
@@ -419,7 +426,7 @@ def _improve_queued(
         waiting[track] = False
         while limit > 0:
             first, last, change = _improve_track(
-                track, tour, side, position, ends, rates, reversal, near, least_time
+                track, tour, side, position, ends, rates, reversal, near, least_time, freed
             )
             if last < first:
                 break
@@ -468,7 +475,7 @@ def _random_sections(state: int, last: int) -> tuple[int, int, int, int]:
 
 @inline_kernel
 def _swap_change(
-    first: int, middle: int, last: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
+    first: int, middle: int, last: int, tour: I32_1, side: U8_1, ends: F64_4, rates: F64_2
 ) -> float:
     """Return the increase of the time of the tour if two neighbouring sections are swapped (s).
 
@@ -480,8 +487,8 @@ def _swap_change(
     tour, side : (t + 1,) and (t + 1,)
         Track at each position of the tour, with the origin (number t, the pose of the head before
         the first track) at position 0; and 1 if the track at the position is run backwards, else 0.
-    ends : (2, 2, t + 1, 3)
-        ``ends[s, e, i]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
+    ends : (t + 1, 2, 2, 3)
+        ``ends[i, s, e]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
         the end (e = 1) of track i, if it is run forwards (s = 0) or backwards (s = 1).
     rates : (4, 4)
         Velocities and accelerations of X, Y and C, and the period of C, in the form that
@@ -503,7 +510,7 @@ def _swap_change(
 def improve_tour(
     tour: OutI32_1,
     side: OutU8_1,
-    ends: F64_4A,
+    ends: F64_4,
     rates: F64_2,
     reversal: int,
     near: I32_2,
@@ -518,8 +525,8 @@ def improve_tour(
         Track at each position of the tour, with the origin (number t, the pose of the head before
         the first track) at position 0; and 1 if the track at the position is run backwards, else 0.
         Both are changed in place.
-    ends : (2, 2, t + 1, 3)
-        ``ends[s, e, i]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
+    ends : (t + 1, 2, 2, 3)
+        ``ends[i, s, e]`` is the pose of the head (x, y in mm, c in degrees) at the start (e = 0) or
         the end (e = 1) of track i, if it is run forwards (s = 0) or backwards (s = 1).
         The origin starts and ends in the same pose.
     rates : (4, 4)
@@ -541,6 +548,7 @@ def improve_tour(
         position[tour[slot]] = slot
     queue = tour[1:].copy()
     waiting = np.ones(last, np.bool_)
+    freed = np.empty(6)
     _improve_queued(
         queue,
         waiting,
@@ -555,6 +563,7 @@ def improve_tour(
         reversal,
         near,
         least_time,
+        freed,
     )
     best_tour, best_side = tour.copy(), side.copy()
     state = 12345
@@ -585,6 +594,7 @@ def improve_tour(
             reversal,
             near,
             least_time,
+            freed,
         )
         low, high = min(low, s), max(high, e)
         if change + more < 0.0:

@@ -82,13 +82,9 @@ def short_order(
         return order, flip
     # The origin is one more track, fixed in the first position.
     origin_pose = np.broadcast_to(origin, (2, 1, 3))
-    ends = np.stack(
-        [
-            np.concatenate([entry, origin_pose], axis=1),
-            np.concatenate([leave, origin_pose], axis=1),
-        ],
-        axis=1,
-    )
+    ends = np.empty((count + 1, 2, 2, 3))
+    ends[:, :, 0] = np.concatenate([entry, origin_pose], axis=1).swapaxes(0, 1)
+    ends[:, :, 1] = np.concatenate([leave, origin_pose], axis=1).swapaxes(0, 1)
     ends[..., 2] %= period
     tour = np.concatenate([[count], order]).astype(np.int32)
     side = np.concatenate([[0], flip]).astype(np.uint8)
