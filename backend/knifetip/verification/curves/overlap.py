@@ -70,9 +70,7 @@ def grid_layout(edges: F64, limit: float) -> tuple[F64, float, tuple[int, int]]:
     low_x, low_y, high_x, high_y = _bounding_box(np.ascontiguousarray(edges))
     corner = np.array([low_x - limit, low_y - limit])
     extent = (high_x + limit - corner[0], high_y + limit - corner[1])
-    size = max(
-        2.0 * limit, 0.5, math.sqrt(extent[0] * extent[1] / len(edges)), max(extent) / 2048
-    )
+    size = max(2.0 * limit, 0.5, math.sqrt(extent[0] * extent[1] / len(edges)), max(extent) / 2048)
     shape = (int(extent[0] / size) + 1, int(extent[1] / size) + 1)
     return corner, size, shape
 
