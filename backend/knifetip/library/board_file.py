@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Final, Literal
+from typing import Annotated, Final, Literal, TypeAlias
 
+from annotated_types import Gt, Le
 from pydantic import Field, ValidationInfo, field_validator
 
 from knifetip.fields import LISTED, Table, field_error
@@ -14,6 +15,9 @@ from knifetip.model.tool.base import NotNegative, Positive
 #: are refused, because they are probably typing errors.
 _MOST_PASSES: Final = 50
 _LEAST_SPACING: Final = 10.0
+
+#: An angle by which a board can fold (degrees).
+FoldAngle: TypeAlias = Annotated[float, Gt(0), Le(180)]
 
 
 class DeflectionTable(Table):
@@ -60,6 +64,9 @@ class BoardFile(Table):
     )
     groove_curve: NotNegative = Field(
         0.0, description="largest distance between an arc and its chords in a groove (mm)"
+    )
+    fold_angle: FoldAngle = Field(
+        90.0, description="angle by which the board must fold at a V-groove (degrees)"
     )
     deflection: dict[str, DeflectionTable] = Field(
         {}, description="deflection of each tool, by the name of its station"

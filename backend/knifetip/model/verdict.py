@@ -28,10 +28,10 @@ class Finding:
     """A fault, shortfall or note of the verifier, with its position and measured value."""
 
     #: deviation, overcut, uncut, stray, depth, heading, order, feed, travel, program, unreached,
-    #: kerf or planned
+    #: kerf, fold or planned
     kind: str
     message: Message  #: what was found, without edge and program line
-    measure: float  #: measured value (mm; degrees for a heading)
+    measure: float  #: measured value (mm; degrees for a heading and a fold)
     edge: int = -1  #: row of the edge in the dieline, -1 for none
     line: int = -1  #: program line, counted from 1; -1 for none
     severity: Severity = Severity.FAULT

@@ -37,6 +37,7 @@ stray       ``stray_work``, ``milling_check``, ``motion_checks`` (rapids in the 
 order       ``work_order``
 unreached   ``milling_shortfalls`` (a shortfall)
 kerf        ``milling_shortfalls`` (a shortfall)
+fold        ``groove_check`` (a shortfall)
 ==========  ========================================================================
 
 The codes of findings and of phrases in them, without the codes of faults found by the readers:
@@ -69,6 +70,7 @@ verify.cutter-at-rest              tools
 verify.flank-inside                checks.groove_check
 verify.flank-outside               checks.groove_check
 verify.flank-through-cut           checks.groove_check
+verify.fold-angle                  checks.groove_check
 verify.goes-in-anywhere            checks.track_ends
 verify.groove-arc                  checks.groove_check
 verify.groove-past-ends            checks.groove_check

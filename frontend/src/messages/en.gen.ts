@@ -3523,6 +3523,10 @@ export const TEXTS = {
     "text": "A flank of the V-groove reaches {depth:.3f} mm sideways past the cut at edge {edge}. The cut lies {distance:.3f} mm from the centre line of the groove, {place:.1f} mm from the start of the groove.",
     "hint": "Move the groove and the cut further apart, or choose a shallower groove."
   },
+  "verify.fold-angle": {
+    "text": "The V-groove lets the board fold by {angle:.1f}°, but the board must fold by {required:.1f}° here.",
+    "hint": "Choose a V-cutter with a larger tilt, or state the fold angle of the carton in the board file (fold_angle)."
+  },
   "verify.goes-in-anywhere": {
     "text": "The knife enters the board at a point where no edge begins.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."

@@ -49,6 +49,14 @@ def test_values_that_are_not_lengths_are_refused(key: str, value: float | str) -
         load.parse_board("a", FIELDS | {key: value})
 
 
+def test_the_fold_angle_is_90_degrees_unless_the_board_states_another() -> None:
+    assert load.parse_board("a", FIELDS).fold_angle == 90.0
+    assert load.parse_board("a", FIELDS | {"fold_angle": 60.0}).fold_angle == 60.0
+    for value in (0.0, 181.0, float("nan"), "flat"):
+        with pytest.raises(LibraryError, match="fold_angle"):
+            load.parse_board("a", FIELDS | {"fold_angle": value})
+
+
 def test_absurd_passes_and_bridges_are_refused() -> None:
     with pytest.raises(LibraryError, match="more than 50 passes"):
         load.parse_board("a", FIELDS | {"groove_pass": 0.001})

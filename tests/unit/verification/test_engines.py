@@ -89,6 +89,18 @@ def test_a_flank_error_widens_the_groove_by_the_same_length() -> None:
     )
 
 
+def test_a_groove_that_cannot_fold_by_the_angle_of_the_board_is_a_shortfall() -> None:
+    # The blade leans by 45°, so the flanks enclose 90°.
+    text = cutter_program(*groove_passes(20, 60, 30, 1.3))
+    assert verdict_of(text, INSIDE, replace(BOARD, fold_angle=90.0)).findings == ()
+    verdict = verdict_of(text, INSIDE, replace(BOARD, fold_angle=120.0))
+    assert not verdict.accepted
+    (finding,) = verdict.findings
+    assert (finding.kind, finding.edge, finding.severity) == ("fold", 0, Severity.SHORTFALL)
+    assert finding.measure == pytest.approx(30.0)
+    assert "fold by 90.0°, but the board must fold by 120.0°" in finding.text
+
+
 def test_a_groove_may_be_cut_in_passes_that_go_deeper() -> None:
     assert (
         verdict_of(cutter_program(*groove_passes(20, 60, 30, 0.5, 1.0, 1.3)), INSIDE).findings == ()

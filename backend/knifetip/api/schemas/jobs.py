@@ -317,7 +317,7 @@ class FindingOut(MessageOut):
 
     kind: str = Field(
         description="Kind of the finding: deviation, overcut, uncut, stray, depth, heading, order, "
-        "feed, travel, program, unreached, kerf or planned"
+        "feed, travel, program, unreached, kerf, fold or planned"
     )
     severity: Severity = Field(
         default=Severity.FAULT,
@@ -328,7 +328,7 @@ class FindingOut(MessageOut):
     refuses: bool = Field(
         default=True, description="Whether the program is refused because of this finding"
     )
-    measure: float = Field(description="Measured value (mm; degrees for `heading`)")
+    measure: float = Field(description="Measured value (mm; degrees for `heading` and `fold`)")
     edge: int = Field(
         description="Row of the edge in the drawing, counted from 0; -1 if the fault concerns no "
         "edge"

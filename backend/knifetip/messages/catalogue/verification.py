@@ -176,6 +176,14 @@ MESSAGES: Final[Entries] = {
         distance="number",
         place="number",
     ),
+    "verify.fold-angle": entry(
+        "The V-groove lets the board fold by {angle:.1f}°, but the board must fold by "
+        "{required:.1f}° here.",
+        "Choose a V-cutter with a larger tilt, or state the fold angle of the carton in the board "
+        "file (fold_angle).",
+        angle="number",
+        required="number",
+    ),
     "verify.goes-in-anywhere": entry(
         "The knife enters the board at a point where no edge begins.",
         "Compile the job again. If the finding remains, report it as an internal error with the "

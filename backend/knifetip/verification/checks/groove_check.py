@@ -6,6 +6,7 @@ of the board that remains below the groove) and flank error.
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -13,6 +14,7 @@ import numpy as np
 from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import VCutter
+from knifetip.model.verdict import Severity
 from knifetip.verification.checks.check_base import StationCheck
 from knifetip.verification.checks.check_context import DEPTH_TOLERANCE
 from knifetip.verification.checks.groove_flanks import damaged_cuts
@@ -26,6 +28,7 @@ from knifetip.verification.expectation.edges import Edges
 from knifetip.verification.expectation.expected_work import groove_continues
 from knifetip.verification.expectation.run_outs import run_outs
 from knifetip.verification.findings import MAX_FINDINGS
+from knifetip.verification.tools import ANGLE_TOLERANCE
 
 
 class GrooveCheck(StationCheck):
@@ -69,6 +72,7 @@ class GrooveCheck(StationCheck):
             return
         self.check_heading(overlaps, np.full(len(self.z), 2.0 * blade.half_width), 360.0, curved)
         self._check_flanks(overlaps, final, blade, wide)
+        self._check_fold(overlaps, blade)
         self._check_cuts_beside(drawn, blade)
         is_grooved = np.zeros(len(self.edges), np.bool_)
         is_grooved[overlaps.edge[overlaps.best]] = True
@@ -220,6 +224,32 @@ class GrooveCheck(StationCheck):
                 ),
                 float(abs(error[k])),
                 int(work[k]),
+            )
+
+    def _check_fold(self, overlaps: Overlaps, blade: VCutter) -> None:
+        """Add a shortfall for each groove that does not let the board fold by the required angle.
+
+        The flanks of a groove enclose twice the tilt of the blade.  They meet when the board has
+        folded by that angle.
+
+        Parameters
+        ----------
+        overlaps
+            Overlaps of the tip paths with the edges.
+        blade
+            The V-cutter.
+        """
+        required = self.context.board.fold_angle
+        angle = 2.0 * math.degrees(math.atan(blade.slope))
+        if angle >= required - ANGLE_TOLERANCE:
+            return
+        for edge in np.unique(overlaps.edge[overlaps.best])[:MAX_FINDINGS]:
+            self.add_finding(
+                "fold",
+                int(edge),
+                Message("verify.fold-angle", angle=angle, required=required),
+                required - angle,
+                severity=Severity.SHORTFALL,
             )
 
     def _check_cuts_beside(self, drawn: Edges, blade: VCutter) -> None:
