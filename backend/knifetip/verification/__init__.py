@@ -32,7 +32,8 @@ uncut       ``check_base``, ``crease_check`` (short creases), ``knife_check``
             (perforations), ``track_ends`` (stops short), ``bridge_check``,
             ``milling_check``, ``cleaning_check``, ``verify`` (no line type)
 overcut     ``stray_work`` and ``track_ends`` (past an end), ``groove_check``
-            (run-outs, flanks through cuts), ``bridge_check``, ``milling_check``
+            (run-outs, flanks through cuts), ``bridge_check``, ``milling_check``,
+            ``knife_check`` (short gaps of perforations)
 stray       ``stray_work``, ``milling_check``, ``motion_checks`` (rapids in the board)
 order       ``work_order``
 unreached   ``milling_shortfalls`` (a shortfall)
@@ -94,6 +95,7 @@ verify.pass-too-deep               checks.groove_check, checks.milling_check
 verify.past-end                    checks.stray_work
 verify.past-open-cut               checks.milling_check
 verify.past-stop                   checks.stray_work
+verify.perforation-bridge          checks.knife_check
 verify.perforation-cut             checks.knife_check
 verify.perforation-gap             checks.knife_check
 verify.rapid-in-board              checks.motion_checks

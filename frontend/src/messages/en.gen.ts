@@ -3619,6 +3619,10 @@ export const TEXTS = {
     "text": "The {tool:tool} cuts {length:.3f} mm beyond the point where it must stop.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
+  "verify.perforation-bridge": {
+    "text": "A gap of the perforation, which begins {place:.3f} mm from the start of the edge, is only {length:.3f} mm long in the top face of the board, but it must be at least {least:.3f} mm long to hold the board.",
+    "hint": "Compile the job again for this board."
+  },
   "verify.perforation-cut": {
     "text": "A cut of the perforation is {length:.3f} mm long instead of {planned:.3f} mm.",
     "hint": "Compile the job again for this board."

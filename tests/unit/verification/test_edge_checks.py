@@ -279,6 +279,15 @@ def test_a_perforation_has_cuts_and_gaps() -> None:
     assert {f.kind for f in perforated([(0, 3), (5, 8), (10, 13.2), (15, 18)]).findings} == {
         "uncut"
     }
+    # A cut between two cuts leaves no board that holds.
+    through = perforated([(0, 3), (2.9, 5.9), (5, 8), (10, 13), (15, 18)]).findings
+    assert {(f.kind, f.edge, round(f.measure, 3)) for f in through} == {
+        ("overcut", 0, 0.433),
+        ("overcut", 0, 1.233),
+    }
+    # 18 mm need four cuts of 3 mm, so that a gap is longer than 2 - 5 / 3 = 0.333 mm.
+    near = perforated([(0, 3), (3.3, 6.3), (8.3, 11.3), (13, 16), (15, 18)]).findings
+    assert ("overcut", 0.033) in {(f.kind, round(f.measure, 3)) for f in near}
     # 18.5 less the lead is 0.0944 past the end, and the gap before 15.5 is 2.9 of at most 2.4.
     past = perforated([(0, 3), (5, 8), (10, 13), (15.5, 18.5)]).findings
     assert {(f.kind, round(f.measure, 4)) for f in past} == {("overcut", 0.0944), ("uncut", 2.9056)}

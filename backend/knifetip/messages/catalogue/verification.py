@@ -328,6 +328,15 @@ MESSAGES: Final[Entries] = {
         tool="text",
         length="number",
     ),
+    "verify.perforation-bridge": entry(
+        "A gap of the perforation, which begins {place:.3f} mm from the start of the edge, is only "
+        "{length:.3f} mm long in the top face of the board, but it must be at least {least:.3f} mm "
+        "long to hold the board.",
+        "Compile the job again for this board.",
+        length="number",
+        place="number",
+        least="number",
+    ),
     "verify.perforation-cut": entry(
         "A cut of the perforation is {length:.3f} mm long instead of {planned:.3f} mm.",
         "Compile the job again for this board.",

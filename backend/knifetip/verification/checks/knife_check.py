@@ -340,6 +340,7 @@ class KnifeCheck(StationCheck):
                 gaps[row],
                 line=int(line[row]),
             )
+        self._check_perforation_bridges(overlaps, perforated, lead)
         size = np.bincount(self.track, self.curve[:, 5], minlength=len(dashed))
         number = np.bincount(edge[line >= 0], minlength=len(self.edges))
         alone = np.zeros(len(dashed), np.bool_)
@@ -354,4 +355,57 @@ class KnifeCheck(StationCheck):
                 Message("verify.perforation-cut", length=size[track], planned=cut - lead),
                 float(abs(size[track] - (cut - lead))),
                 int(first[track]),
+            )
+
+    def _check_perforation_bridges(self, overlaps: Overlaps, perforated: Bool, lead: float) -> None:
+        """Add a finding for each gap of a perforation that is too short to hold the board.
+
+        The gaps of a path of length L are equal, and as few as keep each of them at most as long as
+        the board's gap g.  With n cuts of the board's length c, one cut less would make the gaps
+        longer than g, so each gap is longer than g - (g + c) / (n - 1).  An edge of length l is a
+        part of such a path, so n is at least (l + g) / (c + g), rounded up.  This limit was derived
+        for knifetip.
+
+        Parameters
+        ----------
+        overlaps
+            Overlaps of the tip paths with the n edges.
+        perforated : (n,)
+            Mask of the perforated edges.
+        lead : mm
+            Length by which the blade cuts the top face ahead of its tip.
+        """
+        cut, gap = self.context.board.perforation
+        rows = overlaps.best & perforated[overlaps.edge]
+        rows &= np.abs(np.diff(overlaps.place)[:, 0]) > SHORT
+        edge, track = overlaps.edge[rows].astype(np.int64), self.track[overlaps.curve[rows]]
+        place, line = overlaps.place[rows], self.line[overlaps.curve[rows]]
+        forward = place[:, 1] > place[:, 0]
+        low = place.min(axis=1) - np.where(forward, 0.0, lead)
+        high = place.max(axis=1) + np.where(forward, lead, 0.0)
+        # A cut along an arc or a bend consists of several tip paths.
+        pairs, cuts = np.unique(np.stack([edge, track], axis=1), axis=0, return_inverse=True)
+        begin, end = np.full(len(pairs), np.inf), np.full(len(pairs), -np.inf)
+        np.minimum.at(begin, cuts.ravel(), low)
+        np.maximum.at(end, cuts.ravel(), high)
+        first_line = np.zeros(len(pairs), np.int64)
+        first_line[cuts.ravel()] = line
+        order = np.lexsort((begin, pairs[:, 0]))
+        edge, begin, end, first_line = pairs[order, 0], begin[order], end[order], first_line[order]
+        bridge = np.flatnonzero(edge[1:] == edge[:-1])
+        edge, length = edge[bridge], begin[bridge + 1] - end[bridge]
+        count = np.ceil((self.size[edge] + gap) / (cut + gap) - 1e-9)
+        least = np.maximum(gap - (gap + cut) / np.maximum(count - 1.0, 1.0), 0.0)
+        for k in np.flatnonzero(length < least - self.slack)[:MAX_FINDINGS]:
+            self.context.findings.add(
+                "overcut",
+                Message(
+                    "verify.perforation-bridge",
+                    length=max(length[k], 0.0),
+                    place=end[bridge[k]],
+                    least=least[k],
+                ),
+                float(least[k] - length[k]),
+                edge=int(self.edges.row[edge[k]]),
+                line=int(first_line[bridge[k] + 1]),
             )
