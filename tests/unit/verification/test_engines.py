@@ -10,7 +10,7 @@ from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine, Station
 from knifetip.model.tool import CreaseWheel
-from knifetip.model.verdict import Finding, Verdict
+from knifetip.model.verdict import Finding, Severity, Verdict
 from knifetip.verification.expectation.edges import place_edges
 from knifetip.verification.expectation.outline import count_enclosing, find_outlines
 from knifetip.verification.expectation.run_outs import run_outs
