@@ -6,6 +6,10 @@ does not stop, and leaves the corner at once.  The parameter k of type D goes fr
 1 (equal to C).  The policy "auto" selects the fastest type for each corner on the machine, but
 type B only if the contact is short enough not to burn the corner.
 
+Type C or D is used at a corner only if every segment of every contour is at least the radius of the
+cutter away from the path of the cutter's centre round the corner, and if this path meets no other
+part of the offset.  At other corners the offset engine uses type B.
+
 Source: radius compensation patent of Dalian Jiaotong University (B, C and D types).  The durations
 are our derivation.  They assume trapezoidal speed profiles with a stop at each jump of direction,
 and on an arc of radius r′ a speed of at most √(a r′), with a the acceleration of the machine.
@@ -19,8 +23,9 @@ import numpy as np
 
 from knifetip.errors import CompensationError
 from knifetip.geometry import arc
-from knifetip.geometry.columns import F64, U8
+from knifetip.geometry.columns import F64, I32, U8
 from knifetip.geometry.path import Paths
+from knifetip.messages import Message
 from knifetip.model.corners import AS_OTHERS, TYPES
 from knifetip.model.operation import Operation
 from knifetip.model.tool import DiscTool
@@ -33,6 +38,8 @@ _MIN_K: Final = 0.05
 _AUTO: Final = TYPES.index("auto")
 #: Smallest turn that counts as a corner (radians).
 _MIN_TURN: Final = 1e-9
+#: Number of corners whose positions a message lists.
+_LISTED: Final = 10
 
 
 def turn_angles(paths: Paths, side: int) -> F64:
@@ -269,3 +276,32 @@ def select_corner_types(operation: Operation) -> tuple[U8, F64]:
         duration[too_long, Corner.B] = np.inf
     chosen[rows] = np.argmin(duration, axis=1).astype(np.uint8)
     return np.where(auto, chosen, kind), np.where(auto, k, requested_k)
+
+
+def replaced_corner_notes(operation: Operation, kind: U8, replaced: I32) -> tuple[Message, ...]:
+    """Return a message for each corner type, C and D, that type B replaces at some corners.
+
+    The message contains the number of these corners, and the positions of the first ones.
+
+    Parameters
+    ----------
+    operation
+        The operation with the corners, each at the start of one of its n segments.
+    kind : (n,)
+        Type of each corner before the replacement, from ``select_corner_types``.
+    replaced : (m,)
+        Segments with type B at their starts instead of ``kind``.
+    """
+    notes = []
+    for other in (Corner.C, Corner.D):
+        position = operation.paths.start[replaced[kind[replaced] == other]]
+        if len(position):
+            notes.append(
+                Message(
+                    "corner.replaced",
+                    count=len(position),
+                    type=other.name,
+                    places=[f"({x:.2f}, {y:.2f})" for x, y in position[:_LISTED]],
+                )
+            )
+    return tuple(notes)

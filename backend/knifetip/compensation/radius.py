@@ -14,12 +14,12 @@ around the start of the contour (type B).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
 
-from knifetip.compensation.corner import select_corner_types
+from knifetip.compensation.corner import replaced_corner_notes, select_corner_types
 from knifetip.compensation.deflection import shift_centres
 from knifetip.compensation.tracks import Strokes, at_height
 from knifetip.errors import CompensationError, GeometryError
@@ -50,6 +50,8 @@ class CentrePaths:
     unreached: (
         F64  #: (p,) area beside each path of the operation that the cutter cannot reach (mm²)
     )
+    #: one message for each corner type that type B replaces, with the positions of the corners
+    notes: tuple[Message, ...] = ()
 
 
 def centre_paths(operation: Operation) -> CentrePaths:
@@ -71,6 +73,7 @@ def centre_paths(operation: Operation) -> CentrePaths:
     paths = operation.paths
     segment = np.arange(len(paths.bulge), dtype=np.int32)
     unreached = np.zeros(len(paths))
+    notes: tuple[Message, ...] = ()
     if operation.side != 0:
         kind, k = select_corner_types(operation)
         # Open paths are offset one by one: the side beyond their ends is undefined.
@@ -86,12 +89,13 @@ def centre_paths(operation: Operation) -> CentrePaths:
             if edges:
                 message = Message("error.at-edges", edges=edges, error=message)
             raise CompensationError(message, source=edges) from None
+        notes = replaced_corner_notes(operation, kind, offset.replaced)
         paths, segment, unreached = offset.paths, offset.source, offset.unreached
         _check_every_path_fits(operation, cutter, segment)
         paths, rows = shift_centres(paths, operation.side, *operation.deflection)
         segment = segment[rows]
     paths, rows = start_in_middle(paths, paths.closed)
-    return CentrePaths(paths, segment[rows], unreached)
+    return CentrePaths(paths, segment[rows], unreached, notes)
 
 
 def _check_every_path_fits(operation: Operation, cutter: DiscTool, segment: I32) -> None:
@@ -209,7 +213,7 @@ def radius_toolpath(operation: Operation) -> Toolpath:
     height = operation.caliper + operation.clearance
     start_pose = np.column_stack([start, z, upright])[kept]
     end_pose = np.column_stack([end, z, upright])[kept]
-    return Strokes(
+    strokes = Strokes(
         start=start_pose,
         end=end_pose,
         bulge=bulge[kept],
@@ -220,7 +224,8 @@ def radius_toolpath(operation: Operation) -> Toolpath:
         above_start=at_height(start_pose, height),
         above_end=at_height(end_pose, height),
         motion=kind[kept],
-    ).to_toolpath(operation)
+    )
+    return replace(strokes.to_toolpath(operation), notes=centre.notes)
 
 
 def _add_bridge_gaps(
@@ -274,7 +279,7 @@ def _add_bridge_gaps(
     gap = operation.bridge_width + 2.0 * cutter.radius
     pieces, owner, rows = insert_gaps(paths, path[ordered], along[ordered], gap)
     bridged = np.bincount(path, minlength=len(paths))[owner] > 0
-    return CentrePaths(pieces, centre.segment[rows], centre.unreached), bridged
+    return replace(centre, paths=pieces, segment=centre.segment[rows]), bridged
 
 
 def _add_leads(

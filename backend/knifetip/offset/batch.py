@@ -41,8 +41,10 @@ def offset_on_all_cores(
         Position in ``member`` at which each of g groups begins; the last entry is p.
     signed : (p,) mm
         Radius of the tool for each path, positive if the tool is left of travel.
-    corner, k : (n,) each, or (1,) each if all corners are equal
-        Type of the transition at the start of each segment, and the parameter k of type D.
+    corner, k : (n,) each, or (1,) each if all corners are of type B
+        Type of the transition at the start of each segment, and the parameter k of type D.  Type C
+        or D becomes B, in place, at each corner whose transition meets another part of the offset
+        or comes too near to a contour.
     refuse
         Whether a position where the tool does not fit is a failure.
 

@@ -179,7 +179,9 @@ def offset_groups(
     groups
         The paths ordered by group, and the signed radius of the tool for each path.
     corners
-        Types of the transitions at the corners of the paths.
+        Types of the transitions at the corners of the paths.  Type C or D becomes B, in place, at
+        each corner whose transition meets another part of the offset or comes too near to a
+        contour.
     refuse
         True if a position where the tool does not fit is a failure; otherwise parts of the offset
         where the tool does not fit are left out.

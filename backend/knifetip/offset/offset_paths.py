@@ -26,6 +26,8 @@ class OffsetPaths:
     inserted: Bool  #: (n,) whether each segment belongs to the transition at a corner
     owner: I32  #: (q,) input path of each offset path, taken from its first segment
     unreached: F64  #: (p,) mm² beside each input path that the tool cannot reach
+    #: (m,) input segments with a transition of type B at their starts instead of type C or D
+    replaced: I32
 
 
 def offset_paths(
@@ -58,7 +60,9 @@ def offset_paths(
         σ: +1 left of travel, -1 right.
     corner, k : (n,) or one for all
         ``Corner`` at the *start* of each segment and, for type D, its parameter k; they are used if
-        the corner is convex for the tool.
+        the corner is convex for the tool.  Type B replaces type C or D at a corner where the tool's
+        path round the corner would meet another part of the offset or come nearer to a contour
+        than r.
     interference : "trim" or "refuse"
         Whether parts where the tool does not fit are left out, or raise an error.
     group : (p,), optional
@@ -71,7 +75,7 @@ def offset_paths(
         A closed path gives closed paths: none if the tool does not fit, several if it cannot pass a
         neck.  No point of a result is nearer to its contours than r, except within
         ``DISTANCE_TOLERANCE``.  No result path runs between a corner and the path on which the tool
-        goes round this corner.
+        goes round this corner.  A path of type C or D round a corner is never cut short.
 
     Raises
     ------
@@ -103,9 +107,10 @@ def offset_paths(
         raise GeometryError("offset.bad-side")
     if interference not in ("trim", "refuse"):
         raise GeometryError("offset.bad-interference", interference=interference)
-    # A single type and k for all corners remain single values.
-    same = 1 if np.ndim(corner) == 0 and np.ndim(k) == 0 else rows
-    kinds = _broadcast(corner, same, np.uint8)
+    # Type B for all corners remains a single value: only types C and D change at single corners.
+    same = 1 if np.ndim(k) == 0 and np.ndim(corner) == 0 and corner == Corner.B else rows
+    requested = _broadcast(corner, same, np.uint8)
+    kinds = requested.copy()
     k_values = _broadcast(k, same, np.float64)
     check_corners(kinds, k_values)
     signed = radius * sides
@@ -117,7 +122,12 @@ def offset_paths(
         raise _failure_error(failure, radius, paths)
     for column in (start, end, bulge, first):
         column.flags.writeable = False
-    return OffsetPaths(Paths(start, end, bulge, first), source, inserted, owner, unreached)
+    # A corner that the tool does not reach has no transition of any type.
+    changed = np.flatnonzero(kinds != requested).astype(np.int32)
+    replaced = np.intersect1d(changed, source[inserted]) if len(changed) else changed
+    return OffsetPaths(
+        Paths(start, end, bulge, first), source, inserted, owner, unreached, replaced
+    )
 
 
 def _broadcast(values: ArrayLike, count: int, dtype: Any) -> Any:

@@ -11,7 +11,6 @@ from knifetip.kernels import (
     F64_2,
     I32_1,
     I64_1,
-    U8_1,
     Bool_1,
     OutBool_1,
     OutF64_1,
@@ -19,6 +18,7 @@ from knifetip.kernels import (
     OutI32_1,
     OutI64_1,
     OutI64_2,
+    OutU8_1,
     kernel,
 )
 
@@ -36,11 +36,13 @@ class CornerTypes(NamedTuple):
     """For each contour segment, the type of the transition at its start.
 
     A transition is the tool's path round a corner; the type is used only if the corner is convex.
+    ``region`` changes type C or D to B at a corner whose transition meets another part of the
+    offset or comes nearer to a contour than the tool's radius.
     """
 
-    kind: U8_1  #: (n,) or (1,) ``transition.Corner``
+    kind: OutU8_1  #: (n,), or (1,) if all corners are of type B: ``transition.Corner``
     k: F64_1  #: (n,) or (1,) parameter k of type D: 0 as B, 1 as C
-    step: int  #: 1, or 0 if all corners have the first type
+    step: int  #: 1, or 0 if all corners are of type B
 
 
 class MovedSegments(NamedTuple):

@@ -19,6 +19,7 @@ from knifetip.kernels import (
     F64_2,
     I32_1,
     I64_1,
+    Bool_1,
     Bool_2,
     OutBool_1,
     OutI64_2,
@@ -153,7 +154,13 @@ def _select_pieces(
             continue
         m = info[i, 3]
         mine = paths.begin[m] + info[i, 0] - contours.first[paths.member[m]]
-        x, y = point_at_parameter(raw.rows, i, 0.5 * (piece[q, 4] + piece[q, 5]))
+        place = 0.5 * (piece[q, 4] + piece[q, 5])
+        if corners.kind[mine] > 0 and info[i, 1] and (i == 0 or info[i - 1, 0] != info[i, 0]):
+            # A transition of type C or D may leave the area that is too near to a contour on the
+            # far side of the contour.  Its start is at the radius from the corner's vertex.  If
+            # the start is clear, no contour lies between the two.
+            place = piece[q, 4]
+        x, y = point_at_parameter(raw.rows, i, place)
         # Most invalid pieces are too close to the next segments: test these first.
         near_by = False
         for near in range(max(mine - 2, 0), min(mine + 3, total)):
@@ -169,6 +176,47 @@ def _select_pieces(
                 worst_row = info[i, 0]
                 worst_other = source[other_row]
     return worst_row, worst_other, worst
+
+
+@kernel
+def _replace_obstructed(
+    raw: RawRows,
+    pieces: JoinedPieces,
+    touched: Bool_2,
+    good: Bool_1,
+    count: int,
+    corners: CornerTypes,
+) -> bool:
+    """Change type C or D to B at obstructed corners, and return whether any corner is changed.
+
+    A corner is obstructed if its transition, the tool's path round the corner, has a common point
+    with another segment of the offset, or is nearer to a contour than the tool's radius.  Without
+    the change, parts of the transition or parts of other offset segments would be left out.
+
+    Parameters
+    ----------
+    raw
+        The segments of the region, which the pieces are parts of.
+    pieces, count
+        The pieces, and the number of pieces.
+    touched
+        Whether each row of ``raw`` is split exactly at its start, and exactly at its end.
+    good : (count,)
+        Whether each piece keeps the tool's radius from all contours.
+    corners
+        Types of the transitions; changed in place.
+    """
+    changed = False
+    for q in range(count):
+        i = pieces.owner[q]
+        corner = corners.step * raw.info[i, 0]
+        if raw.info[i, 1] == 0 or corners.kind[corner] == 0:
+            continue
+        whole = pieces.piece[q, 4] == 0.0 and pieces.piece[q, 5] == 1.0
+        if not (whole and good[q]) or touched[i, 0] or touched[i, 1]:
+            corners.kind[corner] = 0
+            changed = True
+    return changed
 
 
 @kernel
@@ -269,7 +317,8 @@ def offset_region(
     signed : mm
         Radius of the tool, positive left of travel.
     corners
-        Types of the transitions at the corners.
+        Types of the transitions at the corners.  Type C or D becomes B, in place, at each corner
+        whose transition meets another part of the offset or comes too near to a contour.
     refuse
         Whether a position where the tool does not fit is a failure; otherwise the parts of the
         offset where the tool does not fit are left out.
@@ -281,45 +330,50 @@ def offset_region(
     total = paths.begin[count]
     origin = np.empty((total, 5))
     source = np.empty(total, np.int64)
-    region = region_corners(contours, paths, corners, source, origin)
     room = 8 * total + 4 * count + 8
     raw = RawRows(np.empty((room, 5)), np.empty((room, 4), np.int64))
     follow = np.empty(room, np.int64)
-    row_count, lost, code, row = write_raw_region(
-        contours, paths, signed, corners, region.segments, raw, follow, scratch.pair
-    )
-    if code != NO_FAILURE:
-        return _failure(code, row, row, 0.0)
     path_area = 0.0
     for m in range(count):
         a, b = contours.first[paths.member[m]], contours.first[paths.member[m] + 1]
         path_area += area_under_path(contours.start, contours.end, contours.bulge, a, b)
-    real = row_count
-    for m in range(count):
-        if paths.begin[m] < paths.begin[m + 1] and not paths.closed[m]:
-            a, b = contours.first[paths.member[m]], contours.first[paths.member[m] + 1]
-            row_count = write_far_side(contours, a, b, signed, raw, row_count)
     stack = new_stack()
-    cut_row, cut_point, cuts = find_cuts(
-        raw.rows,
-        follow,
-        row_count,
-        real,
-        _build_tree(raw.rows, row_count),
-        stack,
-        scratch.crossings,
-    )
-    piece, owner, opening, touched, piece_count = split_rows(
-        raw.rows, real, cut_row, cut_point, cuts
-    )
-    pieces = JoinedPieces(
-        piece, owner, opening, np.empty(piece_count, np.int64), np.empty(piece_count, np.int64)
-    )
-    good = np.empty(piece_count, np.bool_)
-    row, other_row, depth = _select_pieces(
-        contours, paths, raw, follow, pieces, touched, piece_count, region, source, origin, signed,
-        refuse, lost, stack, good,
-    )  # fmt: skip
+    while True:
+        region = region_corners(contours, paths, corners, source, origin)
+        real, lost, code, row = write_raw_region(
+            contours, paths, signed, corners, region.segments, raw, follow, scratch.pair
+        )
+        if code != NO_FAILURE:
+            return _failure(code, row, row, 0.0)
+        row_count = real
+        for m in range(count):
+            if paths.begin[m] < paths.begin[m + 1] and not paths.closed[m]:
+                a, b = contours.first[paths.member[m]], contours.first[paths.member[m] + 1]
+                row_count = write_far_side(contours, a, b, signed, raw, row_count)
+        cut_row, cut_point, cuts = find_cuts(
+            raw.rows,
+            follow,
+            row_count,
+            real,
+            _build_tree(raw.rows, row_count),
+            stack,
+            scratch.crossings,
+        )
+        piece, owner, opening, touched, piece_count = split_rows(
+            raw.rows, real, cut_row, cut_point, cuts
+        )
+        pieces = JoinedPieces(
+            piece, owner, opening, np.empty(piece_count, np.int64), np.empty(piece_count, np.int64)
+        )
+        good = np.empty(piece_count, np.bool_)
+        row, other_row, depth = _select_pieces(
+            contours, paths, raw, follow, pieces, touched, piece_count, region, source, origin,
+            signed, refuse, lost, stack, good,
+        )  # fmt: skip
+        if not region.capped or not _replace_obstructed(
+            raw, pieces, touched, good, piece_count, corners
+        ):
+            break
     if refuse and row >= 0:
         return _failure(DOES_NOT_FIT, row, other_row, depth)
     follow_pieces(pieces, follow, good, piece_count)

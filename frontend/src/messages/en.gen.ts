@@ -591,6 +591,10 @@ export const TEXTS = {
     "text": "No corner of a milled contour lies within {within:g} mm of X {x:g} mm, Y {y:g} mm. The nearest corner is {distance:.2f} mm away.",
     "hint": "Give X and Y of a corner in mm, in the coordinates of the drawing. The nearest corners are {known:, }."
   },
+  "corner.replaced": {
+    "text": "{count:# corner has|# corners have} type B instead of {type}, because the path of the cutter in type {type} would cross another path or come too near to another edge. X and Y on the sheet in mm ({count:one corner|the first corners}): {places:; }.",
+    "hint": "Choose corner type B for {count:this corner|these corners}, or a cutter with a smaller diameter."
+  },
   "corner.unknown-number": {
     "text": "Corner {corner} in the list of corners (the first corner has number 0) has the corner type {type}, which does not exist.",
     "hint": "Choose corner type B, C or D."

@@ -76,6 +76,16 @@ MESSAGES: Final[Entries] = {
         distance="number",
         known="texts",
     ),
+    "corner.replaced": entry(
+        "{count:# corner has|# corners have} type B instead of {type}, because the path of the "
+        "cutter in type {type} would cross another path or come too near to another edge. "
+        "X and Y on the sheet in mm ({count:one corner|the first corners}): {places:; }.",
+        "Choose corner type B for {count:this corner|these corners}, or a cutter with a smaller "
+        "diameter.",
+        count="count",
+        type="text",
+        places="texts",
+    ),
     "corner.unknown-number": entry(
         "Corner {corner} in the list of corners (the first corner has number 0) has the corner "
         "type {type}, which does not exist.",
