@@ -107,6 +107,22 @@ NOTCHED = (CUT, closed((100, 100), (400, 100), (400, 300), (270, 300), (250, 220
                        (100, 300)))  # fmt: skip
 
 
+#: A window with two lugs, whose corners are so close to each other that only type B fits between.
+LUGS = np.array([(8, 0), (17, 0), (17, 26), (27, 26), (27, 0), (35, 0), (42, -33)]) * 0.6 + 200.0
+
+
+@pytest.mark.parametrize("corner", ["C", "D", "auto"])
+def test_corners_near_another_contour_are_milled_as_type_b(corner: str) -> None:
+    line = dieline(OUTLINE, (CUT, closed(*LUGS)))
+    work = [compensate(replace(each, corner=corner)) for each in plan(line, ROUTER, BOARD)]
+    toolpath = sequence(work, ROUTER)
+    assert [note.code for note in toolpath.notes] == ["corner.replaced"]
+    assert toolpath.notes[0].arguments["count"] == 2
+    text = process(toolpath, ROUTER, "linuxcnc").text
+    result = verify(text, line, (0.0, 0.0), ROUTER, BOARD)
+    assert not has_faults(result), result.findings[:3]
+
+
 @pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
 @pytest.mark.parametrize("step", [0.0, 1.2])
 @pytest.mark.parametrize(

@@ -60,9 +60,12 @@ def whole_transitions(made: OffsetPaths, paths: Paths, radius: float, side: int,
             )
             if len(whole.bulge) != len(rows):
                 continue
-            middle = [arc.point_at(p.start, p.end, p.bulge, np.full(len(rows), 0.5))
-                      for p in (whole, Paths(made.paths.start[rows], made.paths.end[rows],
-                                             made.paths.bulge[rows], [0, len(rows)]))]  # fmt: skip
+            middle = [
+                arc.point_at(
+                    way.start[some], way.end[some], way.bulge[some], np.full(len(rows), 0.5)
+                )
+                for way, some in ((whole, np.arange(len(rows))), (made.paths, rows))
+            ]
             away = np.hypot(*(middle[0][:, None] - middle[1][None]).T).min(axis=0)
             if away.max() < 1e-6:
                 found[segment] = kind
