@@ -239,7 +239,7 @@ class _SimulatedMachine(threading.Thread):
         self._loop = asyncio.get_running_loop()
         self._work = asyncio.current_task()
         machine = load.machine(MACHINE)
-        dial = find_language(machine.dialect).load_driver()
+        dial = find_language(machine.dialect).load_driver(machine)
         # Requests within this process must not go through a configured proxy.
         async with (
             httpx.AsyncClient(trust_env=False) as client,

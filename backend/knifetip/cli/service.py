@@ -172,7 +172,7 @@ def gateway(
     from knifetip.languages.registry import find_language
 
     table = load.machine(machine)
-    dial = find_language(table.dialect).load_driver()
+    dial = find_language(table.dialect).load_driver(table)
     print_stderr(f"{table.title}: controller {controller}, server {server}")
     headers = {"Authorization": f"Bearer {key}"} if key else {}
     asyncio.run(

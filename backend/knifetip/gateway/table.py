@@ -22,6 +22,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from knifetip.errors import ControllerError
 from knifetip.gateway.interpreter import (
     EMPTY_BLOCK,
     Block,
@@ -123,6 +124,9 @@ class Table:
     ) -> None:
         if not speed > 0.0:
             raise ValueError(f"a speed of {speed} would never move")
+        if machine.gantry:
+            count = len(machine.carriages)
+            raise ControllerError("controller.one-carriage", machine=machine.title, count=count)
         self.machine = machine
         self.speed = speed
         self.faults = faults or Faults()

@@ -10,4 +10,6 @@ LANGUAGE = Language(
     reader="knifetip.verification.reading.rs274.reader:READER",
     timing="knifetip.sequencing.timing:no_halts",
     driver="knifetip.gateway.grbl.driver:dial",
+    linear_axes="XYZABUV",
+    rotary_axes="ABCUV",
 )

@@ -39,6 +39,8 @@ class Language:
     driver: str = ""  #: path of a ``knifetip.gateway.controller.Driver``, or empty
     no_driver: Message | None = None  #: without a driver: advice how to send a program
     settings: str = ""  #: path of the function that reads ``[controller]``, or empty
+    linear_axes: str = "XYZ"  #: letters of the words that move linear axes (mm)
+    rotary_axes: str = "C"  #: letters of the words that turn rotary axes (degrees)
 
     def load_part(self, role: str) -> Any:
         """Import and return one component of the language.
@@ -48,17 +50,21 @@ class Language:
         """
         return pkgutil.resolve_name(getattr(self, role))
 
-    def load_driver(self) -> Any:
+    def load_driver(self, machine: Machine) -> Any:
         """Import and return the gateway driver of the language, which sends programs to the
-        controller.
+        controller of ``machine``.
 
         Raises
         ------
         ControllerError
-            The language has no driver.
+            The language has no driver, or the machine has several carriages.  The gateway follows
+            and lifts one head, so it cannot bring a machine with several into a safe state.
         """
         if not self.driver:
             raise ControllerError("language.no-driver", language=self.title, advice=self.no_driver)
+        if machine.gantry:
+            count = len(machine.carriages)
+            raise ControllerError("controller.one-carriage", machine=machine.title, count=count)
         return self.load_part("driver")
 
     def read_settings(self, fields: Mapping[str, Any], machine: Machine) -> object:
@@ -71,11 +77,28 @@ class Language:
         ------
         InvalidFields
             The table is invalid, or has fields although the language has no settings, or the
-            language cannot drive the machine.
+            language cannot drive the machine, for example because it has no word for an axis.
         """
+        self._check_axes(machine)
         if self.settings:
             return self.load_part("settings")(fields, machine)
         if fields:
             fault = Message("language.no-settings", path="controller", language=self.title)
             raise InvalidFields([fault], ("controller",))
         return None
+
+    def _check_axes(self, machine: Machine) -> None:
+        """Raise ``InvalidFields`` if the language has no word for an axis of a carriage."""
+        for number, carriage in enumerate(machine.carriages, 1):
+            for place, letter in enumerate(carriage.letters):
+                known = self.rotary_axes if place == 3 else self.linear_axes
+                if letter not in known:
+                    code = "language.no-rotary-axis" if place == 3 else "language.no-linear-axis"
+                    fault = Message(
+                        code,
+                        letter=letter,
+                        carriage=number,
+                        language=self.title,
+                        known=list(known),
+                    )
+                    raise InvalidFields([fault], ("gantry", "carriage"))

@@ -11,4 +11,6 @@ LANGUAGE = Language(
     reader="knifetip.verification.reading.rs274.reader:READER",
     timing="knifetip.sequencing.linuxcnc:halts",
     no_driver=Message("language.open-in-linuxcnc"),
+    linear_axes="XYZUVW",
+    rotary_axes="ABC",
 )

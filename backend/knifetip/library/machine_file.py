@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 from functools import reduce
+from itertools import pairwise
 from operator import or_
 from typing import Annotated, Any, Final, Literal, get_type_hints
 
@@ -23,7 +24,7 @@ from pydantic import (
 from knifetip.errors import LibraryError
 from knifetip.fields import LISTED, Table, field_error
 from knifetip.languages.registry import find_language, language_names
-from knifetip.model.machine import Axis, Machine, Station
+from knifetip.model.machine import Axis, Carriage, Gantry, Machine, Station
 from knifetip.model.tool import KINDS, Kind, Tool
 from knifetip.model.tool.base import NotNegative, Positive
 
@@ -47,14 +48,106 @@ class AxisTable(Table):
             raise field_error("field.not-above-low", value=value, low=low)
         return value
 
+    def axis(self) -> Axis:
+        """Return the axis that the table describes."""
+        return Axis(self.low, self.high, self.velocity, self.acceleration)
+
 
 class Axes(Table):
-    """The TOML table of the four axes of a machine: X, Y, Z, and C, which rotates the tools."""
+    """The TOML table of the four axes of a machine: X, Y, Z, and C, which rotates the tools.
+
+    If the machine has several carriages, they are the axes of the first carriage.
+    """
 
     x: AxisTable
     y: AxisTable
     z: AxisTable
     c: AxisTable = Field(description="heading of the tool head (degrees)")
+
+
+class LetteredAxis(AxisTable):
+    """The TOML table of an axis of a further carriage: its letter, travel, velocity and
+    acceleration.
+    """
+
+    letter: Annotated[Literal["A", "B", "U", "V", "W"], LISTED] = Field(
+        description="letter of the axis in programs; X, Y, Z and C belong to [axes]"
+    )
+
+
+class CarriageTable(Table):
+    """The TOML table of a further carriage of the gantry, with its own axes.
+
+    Y of all carriages has the same zero and the same direction.
+    """
+
+    park: float = Field(
+        description="position of y while another carriage is in use, at the carriage's own end of "
+        "the gantry (mm)"
+    )
+    y: LetteredAxis
+    z: LetteredAxis | None = Field(
+        None, description="without it, the carriage shares the Z of the first carriage"
+    )
+    c: LetteredAxis = Field(description="heading of the tools of the carriage (degrees)")
+
+    @field_validator("y")
+    @classmethod
+    def _reaches_park(cls, value: LetteredAxis, info: ValidationInfo) -> LetteredAxis:
+        _check_park(info.data.get("park"), value)
+        return value
+
+    def record(self, first: Carriage) -> Carriage:
+        """Return the carriage that the table describes; ``first`` is the first carriage."""
+        z = self.z.axis() if self.z else first.axes[2]
+        letter_z = self.z.letter if self.z else "Z"
+        return Carriage(
+            (first.axes[0], self.y.axis(), z, self.c.axis()),
+            f"X{self.y.letter}{letter_z}{self.c.letter}",
+            self.park,
+        )
+
+
+class GantryTable(Table):
+    """The TOML table of a gantry with several carriages.  The first carriage has the axes of the
+    table ``[axes]``.
+    """
+
+    min_distance: Positive = Field(
+        description="least distance along Y between the positions of two carriages (mm)"
+    )
+    park: float = Field(
+        description="position of y of the first carriage while another is in use (mm)"
+    )
+    carriage: list[CarriageTable] = Field(
+        min_length=1, description="second and further carriages, in the order of their numbers"
+    )
+
+    @field_validator("carriage")
+    @classmethod
+    def _check_carriages(
+        cls, value: list[CarriageTable], info: ValidationInfo
+    ) -> list[CarriageTable]:
+        axes = [axis for carriage in value for axis in (carriage.y, carriage.z, carriage.c) if axis]
+        letters = [axis.letter for axis in axes]
+        if len(set(letters)) != len(letters):
+            raise field_error("field.repeated-letters", letters=letters)
+        least, park = info.data.get("min_distance"), info.data.get("park")
+        if least is not None and park is not None:
+            parks = sorted([park, *(carriage.park for carriage in value)])
+            distance = min(far - near for near, far in pairwise(parks))
+            if distance < least:
+                raise field_error("field.parks-too-near", distance=distance, least=least)
+        return value
+
+
+def _check_park(park: float | None, y: AxisTable) -> None:
+    """Raise an error if a parking position is outside the travel of its axis.
+
+    ``park`` is None if the field ``park`` is invalid, which is another error.
+    """
+    if park is not None and not y.low <= park <= y.high:
+        raise field_error("field.park-outside", park=park, low=y.low, high=y.high)
 
 
 class Datum(Table):
@@ -132,12 +225,22 @@ class StationTable(Table):
         -1,
         description="digital output that lowers the station or switches its tool on; -1 for none",
     )
+    carriage: int = Field(
+        1, ge=1, description="number of the carriage that carries the station; 1 is the first"
+    )
     tool: Annotated[_AnyTool, Field(discriminator="kind"), BeforeValidator(_check_kind)]
 
     def record(self) -> Station:
         """Return the station that the table describes."""
         datum = self.datum.model_dump()
-        return Station(self.number, self.name, self.tool.record(), **datum, output=self.output)
+        return Station(
+            self.number,
+            self.name,
+            self.tool.record(),
+            **datum,
+            output=self.output,
+            carriage=self.carriage,
+        )
 
 
 class MachineFile(Table):
@@ -165,6 +268,9 @@ class MachineFile(Table):
         "manual", description="whether an operator or a feeder loads the sheet"
     )
     axes: Axes
+    gantry: GantryTable | None = Field(
+        None, description="carriages, if the machine has more than one"
+    )
     station: list[StationTable]
     controller: dict[str, Any] = Field({}, description="settings of the controller's language")
 
@@ -178,12 +284,31 @@ class MachineFile(Table):
                 "field.not-one-of", value=value[:80], known=language_names()
             ) from None
 
+    @field_validator("gantry")
+    @classmethod
+    def _first_reaches_park(
+        cls, value: GantryTable | None, info: ValidationInfo
+    ) -> GantryTable | None:
+        if value is not None and (axes := info.data.get("axes")) is not None:
+            _check_park(value.park, axes.y)
+        return value
+
     @field_validator("station")
     @classmethod
-    def _check_numbers(cls, value: list[StationTable]) -> list[StationTable]:
+    def _check_stations(cls, value: list[StationTable], info: ValidationInfo) -> list[StationTable]:
         numbers = [station.number for station in value]
         if len(set(numbers)) != len(numbers):
             raise field_error("field.repeated-numbers", numbers=numbers)
+        gantry = info.data.get("gantry")
+        count = 1 + len(gantry.carriage) if gantry else 1
+        for station in value:
+            if "gantry" in info.data and station.carriage > count:
+                raise field_error(
+                    "field.no-such-carriage",
+                    station=station.number,
+                    carriage=station.carriage,
+                    count=count,
+                )
         return value
 
     def record(self, name: str) -> Machine:
@@ -191,10 +316,22 @@ class MachineFile(Table):
 
         The settings of the machine's controller are not included.
         """
-        fields = self.model_dump(exclude={"axes", "station", "origin", "controller"})
-        axes: dict[str, Any] = {
-            key: Axis(**limits) for key, limits in self.axes.model_dump().items()
-        }
-        stations = tuple(station.record() for station in self.station)
-        x, y = self.origin
-        return Machine(name=name, **fields, **axes, stations=stations, origin=(x, y))
+        fields = self.model_dump(exclude={"axes", "gantry", "station", "origin", "controller"})
+        tables = self.axes
+        x, y, z, c = (axis.axis() for axis in (tables.x, tables.y, tables.z, tables.c))
+        gantry = None
+        if self.gantry:
+            first = Carriage((x, y, z, c), "XYZC", self.gantry.park)
+            further = (carriage.record(first) for carriage in self.gantry.carriage)
+            gantry = Gantry((first, *further), self.gantry.min_distance)
+        return Machine(
+            name=name,
+            **fields,
+            x=x,
+            y=y,
+            z=z,
+            c=c,
+            stations=tuple(station.record() for station in self.station),
+            origin=(self.origin[0], self.origin[1]),
+            gantry=gantry,
+        )

@@ -1,4 +1,4 @@
-"""Records of a machine: its axes, its tool stations and its settings."""
+"""Records of a machine: its axes, its carriages, its tool stations and its settings."""
 
 from __future__ import annotations
 
@@ -22,6 +22,32 @@ class Axis:
 
 
 @dataclass(frozen=True, slots=True)
+class Carriage:
+    """A carriage on the gantry of a machine: a head with its stations, and the axes that move it.
+
+    All carriages share the X of the gantry.  The Y axes of all carriages have the same zero and the
+    same direction.
+    """
+
+    axes: tuple[Axis, Axis, Axis, Axis]  #: X, Y, Z and C of the carriage
+    letters: str  #: letters of the words of these axes in programs: "XYZC", or for example "XVZA"
+    park: float  #: position of the Y of the carriage while another carriage is in use (mm)
+
+    @property
+    def is_first(self) -> bool:
+        """Whether X, Y and Z of programs move the carriage, so that G2 and G3 make its arcs."""
+        return self.letters[:3] == "XYZ"
+
+
+@dataclass(frozen=True, slots=True)
+class Gantry:
+    """The carriages of a machine that has more than one."""
+
+    carriages: tuple[Carriage, ...]  #: in the order of their numbers, from 1
+    min_distance: float  #: least distance along Y between the positions of two carriages (mm)
+
+
+@dataclass(frozen=True, slots=True)
 class Station:
     """A mount on the head of the machine, with one tool.
 
@@ -37,6 +63,7 @@ class Station:
     z: float  #: datum (mm)
     c: float  #: mounting angle (degrees)
     output: int  #: digital output of the piston that lowers the station; -1 for none
+    carriage: int = 1  #: number of the carriage that carries the station, see ``Machine.carriages``
 
     @property
     def is_beam(self) -> bool:
@@ -78,6 +105,28 @@ class Machine:
     settle: float  #: dwell after a piston or the oscillation is switched (s)
     feed: str = "manual"  #: loading of sheets: ``manual`` or ``automatic``
     controller: object = None  #: settings of the controller; their type depends on its language
+    gantry: Gantry | None = None  #: carriages, if the machine has more than one
+
+    @property
+    def carriages(self) -> tuple[Carriage, ...]:
+        """The carriages of the machine, in the order of their numbers, from 1.
+
+        A machine without a gantry has one carriage, which parks at the end of its Y that is nearest
+        to Y 0.
+        """
+        if self.gantry:
+            return self.gantry.carriages
+        park = min(max(0.0, self.y.low), self.y.high)
+        return (Carriage((self.x, self.y, self.z, self.c), "XYZC", park),)
+
+    @property
+    def axes(self) -> dict[str, Axis]:
+        """All axes by the letters of their words in programs; X, Y, Z and C are the first four."""
+        return {
+            letter: axis
+            for carriage in self.carriages
+            for letter, axis in zip(carriage.letters, carriage.axes, strict=True)
+        }
 
     @property
     def outputs(self) -> tuple[int, ...]:
@@ -117,6 +166,10 @@ class Machine:
                 tools = [station.tool for station in held]
                 return held[0 if caliper is None else kind.tool.best_for(tools, caliper)]
         return None
+
+    def carriage_of(self, station: Station) -> Carriage:
+        """Return the carriage that carries a station."""
+        return self.carriages[station.carriage - 1]
 
     def station(self, number: int) -> Station:
         """Return the station with the T number ``number``.

@@ -503,6 +503,10 @@ export const TEXTS = {
     "text": "The machine was at X{x:.3f} Y{y:.3f} Z{z:.3f} mm, which is {distance:.1f} mm away from the path of the program near program line {line}. Either a program line was corrupted on its way to the controller, or a motor lost steps.",
     "hint": "Check the cable to the controller and home the machine. Check the board on the table, which may be spoiled."
   },
+  "controller.one-carriage": {
+    "text": "The machine {machine} has {count} carriages, and the gateway and the simulated table can only drive a machine with one.",
+    "hint": "Download the program and open it in the controller of the machine."
+  },
   "controller.refused-safe-state": {
     "text": "{refusals: }",
     "hint": "Lift the tool and raise the stations at the table. Then compare the outputs in the machine file with the outputs of the controller."
@@ -839,6 +843,10 @@ export const TEXTS = {
     "text": "{path} does not state its kind: the field {field} is missing",
     "hint": ""
   },
+  "field.no-such-carriage": {
+    "text": "{path}: station {station} is on carriage {carriage}, but the machine has {count:# carriage|# carriages}",
+    "hint": ""
+  },
   "field.not-a-colour": {
     "text": "{path} is {value}, but must be a whole number from 1 to 255 or \"#rrggbb\"",
     "hint": ""
@@ -905,6 +913,18 @@ export const TEXTS = {
   },
   "field.outside": {
     "text": "{path} is {value}, but must be from {low:g} to {high:g}",
+    "hint": ""
+  },
+  "field.park-outside": {
+    "text": "{path} parks at {park:g} mm, but its y moves from {low:g} to {high:g} mm",
+    "hint": ""
+  },
+  "field.parks-too-near": {
+    "text": "{path} has two carriages that park {distance:g} mm apart, but min_distance is {least:g} mm",
+    "hint": ""
+  },
+  "field.repeated-letters": {
+    "text": "{path} has the letters {letters:, }; each letter may occur only once",
     "hint": ""
   },
   "field.repeated-numbers": {
@@ -2243,6 +2263,14 @@ export const TEXTS = {
     "text": "Programs in {language} cannot be sent to a machine, because the gateway has no driver for this language.",
     "hint": "{advice}"
   },
+  "language.no-linear-axis": {
+    "text": "carriage {carriage} has a linear axis {letter}, and {language} has no such axis. Its linear axes are {known:, }",
+    "hint": "Change the letter of the axis, or the language (dialect) of the machine."
+  },
+  "language.no-rotary-axis": {
+    "text": "carriage {carriage} has a rotary axis {letter}, and {language} has no such axis. Its rotary axes are {known:, }",
+    "hint": "Change the letter of the axis, or the language (dialect) of the machine."
+  },
   "language.no-settings": {
     "text": "{path} is not allowed, because {language} has no settings",
     "hint": "Remove the section [controller]."
@@ -2747,6 +2775,10 @@ export const TEXTS = {
     "text": "The program line comes after the end of the program (M2 or M30).",
     "hint": "Delete the program line."
   },
+  "rs274.arc-of-other-carriage": {
+    "text": "The program line has an arc (G2 or G3) while a station of a further carriage is selected. Controllers make arcs only with X and Y, which move the first carriage.",
+    "hint": "Replace the arc by short lines (G1) with the letters of the axes of the carriage."
+  },
   "rs274.axis-without-motion": {
     "text": "The program line has coordinates, but no motion word (G0, G1, G2 or G3).",
     "hint": "Add G0, G1, G2 or G3."
@@ -2854,6 +2886,10 @@ export const TEXTS = {
   "rs274.moves-and-switches": {
     "text": "The program line moves the head and switches an output or the spindle at the same time.",
     "hint": "Write the move and the switching command in separate program lines."
+  },
+  "rs274.moves-other-carriage": {
+    "text": "The feed line moves an axis of another carriage than that of the selected station.",
+    "hint": "Move other carriages only in rapids (G0), or select a station of the other carriage."
   },
   "rs274.moves-unstated": {
     "text": "The program line moves the head before the program has set {mode}.",
@@ -3187,6 +3223,10 @@ export const TEXTS = {
     "text": "{tool} (station {station}) would move {excess:.2f}{unit} beyond the lower end of the travel of axis {axis}{place}. The travel is {low:g} to {high:g}{unit}.",
     "hint": "For axis X, Y or C, move or rotate the drawing on the table, or choose a larger machine. For axis Z, check the heights in the machine file."
   },
+  "travel.heads-too-near": {
+    "text": "{tool} (station {station}) would leave {distance:.2f} mm to the parked carriage {other}{place}. The least distance of two carriages is {least:g} mm.",
+    "hint": "Move the drawing along Y, away from the parked carriage, or give the line type to a tool on the other carriage."
+  },
   "unit.cf2-inches": {
     "text": "the CF2 file states inches (record UI)",
     "hint": ""
@@ -3515,6 +3555,10 @@ export const TEXTS = {
     "text": "The cutter moves through the board while its spindle is off.",
     "hint": "Start the spindle (M3) before the cutter enters the board."
   },
+  "verify.feed-of-other-axis": {
+    "text": "Station {station} is on a further carriage and moves at a feed (G94), which a controller may apply to the travel of the gantry alone.",
+    "hint": "State the time of the move (G93)."
+  },
   "verify.flank-inside": {
     "text": "The flank of the V-groove meets the top face of the board {distance:.4f} mm too close to the centre line of the groove. The tolerance is {tolerance:g} mm.",
     "hint": "Check the tilt and the offsets of the V-cutter in the machine file, then compile the job again."
@@ -3546,6 +3590,18 @@ export const TEXTS = {
   "verify.groove-shallower": {
     "text": "The V-cutter cuts {depth:.3f} mm deep, although an earlier pass of the same groove was already {before:.3f} mm deep.",
     "hint": "Order the passes by increasing depth."
+  },
+  "verify.head-not-located": {
+    "text": "A carriage moves along the gantry while the position of {other} is unknown.",
+    "hint": "Park all carriages at the start of the program."
+  },
+  "verify.heads-too-near": {
+    "text": "Only {distance:.2f} mm remain between {first} and {second}. Their least distance is {least:g} mm.",
+    "hint": "Park the carriage that is not in use before the move."
+  },
+  "verify.idle-head-low": {
+    "text": "{letter} is at {height:.2f} mm while another carriage is in use. Its tools clear the board only at {needed:.2f} mm or higher.",
+    "hint": "Lift the carriage before another one is used."
   },
   "verify.inside-part": {
     "text": "The cutter cuts into a finished part at X{x:.3f} Y{y:.3f} (coordinates of the sheet).",

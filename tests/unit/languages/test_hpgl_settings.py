@@ -161,4 +161,4 @@ def test_hpgl_has_no_driver_and_a_hint_to_download() -> None:
     with pytest.raises(
         ControllerError, match=r"in HPGL cannot be sent to a machine.*Download the program"
     ):
-        find_language("hpgl").load_driver()
+        find_language("hpgl").load_driver(load.machine("flat-cutter-hpgl"))

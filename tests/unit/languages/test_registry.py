@@ -27,7 +27,7 @@ def test_every_component_of_a_language_can_be_imported(name: str) -> None:
     for part in PARTS:
         assert language.load_part(part) is not None
     if language.driver:
-        assert callable(language.load_driver())
+        assert callable(language.load_driver(load.machine("demo-table")))
     else:
         assert language.no_driver
 
@@ -42,7 +42,7 @@ def test_an_unknown_name_is_refused_with_the_known_ones() -> None:
 
 def test_a_language_without_a_driver_has_a_hint_instead() -> None:
     with pytest.raises(ControllerError, match=r"LinuxCNC.*Download the program"):
-        find_language("linuxcnc").load_driver()
+        find_language("linuxcnc").load_driver(load.machine("demo-table"))
 
 
 def test_a_machine_with_an_unknown_language_is_refused_when_it_is_read(tmp_path: Path) -> None:

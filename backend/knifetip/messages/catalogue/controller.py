@@ -147,6 +147,13 @@ MESSAGES: Final[Entries] = {
         "machine file with the outputs of the controller.",
         refusals="messages",
     ),
+    "controller.one-carriage": entry(
+        "The machine {machine} has {count} carriages, and the gateway and the simulated table can "
+        "only drive a machine with one.",
+        "Download the program and open it in the controller of the machine.",
+        machine="text",
+        count="count",
+    ),
     "controller.rejected-command": entry(
         "{name} rejected the command {command}: {error} (error:{code}).",
         "Check the table, then try again.",

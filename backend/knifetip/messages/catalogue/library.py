@@ -66,6 +66,14 @@ MESSAGES: Final[Entries] = {
         path="text",
         near="text",
     ),
+    "field.no-such-carriage": entry(
+        "{path}: station {station} is on carriage {carriage}, but the machine has "
+        "{count:# carriage|# carriages}",
+        path="text",
+        station="count",
+        carriage="count",
+        count="count",
+    ),
     "field.no-kind": entry(
         "{path} does not state its kind: the field {field} is missing",
         path="text",
@@ -154,6 +162,25 @@ MESSAGES: Final[Entries] = {
         value="text",
         low="number",
         high="number",
+    ),
+    "field.park-outside": entry(
+        "{path} parks at {park:g} mm, but its y moves from {low:g} to {high:g} mm",
+        path="text",
+        park="number",
+        low="number",
+        high="number",
+    ),
+    "field.parks-too-near": entry(
+        "{path} has two carriages that park {distance:g} mm apart, but min_distance is {least:g} "
+        "mm",
+        path="text",
+        distance="number",
+        least="number",
+    ),
+    "field.repeated-letters": entry(
+        "{path} has the letters {letters:, }; each letter may occur only once",
+        path="text",
+        letters="texts",
     ),
     "field.repeated-numbers": entry(
         "{path} has the numbers {numbers:, }; each number may occur only once",

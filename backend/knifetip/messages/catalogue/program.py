@@ -188,6 +188,18 @@ MESSAGES: Final[Entries] = {
         high="number",
         place="message?",
     ),
+    "travel.heads-too-near": entry(
+        "{tool} (station {station}) would leave {distance:.2f} mm to the parked carriage "
+        "{other}{place}. The least distance of two carriages is {least:g} mm.",
+        "Move the drawing along Y, away from the parked carriage, or give the line type to a tool "
+        "on the other carriage.",
+        tool="text",
+        station="count",
+        distance="number",
+        other="count",
+        least="number",
+        place="message?",
+    ),
     "travel.below": entry(
         "{tool} (station {station}) would move {excess:.2f}{unit} beyond the lower end of the "
         "travel of axis {axis}{place}. The travel is {low:g} to {high:g}{unit}.",
@@ -215,6 +227,24 @@ MESSAGES: Final[Entries] = {
         "{advice}",
         language="text",
         advice="message?",
+    ),
+    "language.no-linear-axis": entry(
+        "carriage {carriage} has a linear axis {letter}, and {language} has no such axis. "
+        "Its linear axes are {known:, }",
+        "Change the letter of the axis, or the language (dialect) of the machine.",
+        carriage="count",
+        letter="text",
+        language="text",
+        known="texts",
+    ),
+    "language.no-rotary-axis": entry(
+        "carriage {carriage} has a rotary axis {letter}, and {language} has no such axis. "
+        "Its rotary axes are {known:, }",
+        "Change the letter of the axis, or the language (dialect) of the machine.",
+        carriage="count",
+        letter="text",
+        language="text",
+        known="texts",
     ),
     "language.no-settings": entry(
         "{path} is not allowed, because {language} has no settings",

@@ -11,6 +11,11 @@ MESSAGES: Final[Entries] = {
         "The program line comes after the end of the program (M2 or M30).",
         "Delete the program line.",
     ),
+    "rs274.arc-of-other-carriage": entry(
+        "The program line has an arc (G2 or G3) while a station of a further carriage is selected. "
+        "Controllers make arcs only with X and Y, which move the first carriage.",
+        "Replace the arc by short lines (G1) with the letters of the axes of the carriage.",
+    ),
     "rs274.axis-without-motion": entry(
         "The program line has coordinates, but no motion word (G0, G1, G2 or G3).",
         "Add G0, G1, G2 or G3.",
@@ -104,6 +109,10 @@ MESSAGES: Final[Entries] = {
     "rs274.moves-and-switches": entry(
         "The program line moves the head and switches an output or the spindle at the same time.",
         "Write the move and the switching command in separate program lines.",
+    ),
+    "rs274.moves-other-carriage": entry(
+        "The feed line moves an axis of another carriage than that of the selected station.",
+        "Move other carriages only in rapids (G0), or select a station of the other carriage.",
     ),
     "rs274.moves-unstated": entry(
         "The program line moves the head before the program has set {mode}.",

@@ -150,6 +150,12 @@ MESSAGES: Final[Entries] = {
         "The cutter moves through the board while its spindle is off.",
         "Start the spindle (M3) before the cutter enters the board.",
     ),
+    "verify.feed-of-other-axis": entry(
+        "Station {station} is on a further carriage and moves at a feed (G94), which a controller "
+        "may apply to the travel of the gantry alone.",
+        "State the time of the move (G93).",
+        station="count",
+    ),
     "verify.flank-inside": entry(
         "The flank of the V-groove meets the top face of the board {distance:.4f} mm too "
         "close to the centre line of the groove. The tolerance is {tolerance:g} mm.",
@@ -206,6 +212,28 @@ MESSAGES: Final[Entries] = {
         "Order the passes by increasing depth.",
         depth="number",
         before="number",
+    ),
+    "verify.head-not-located": entry(
+        "A carriage moves along the gantry while the position of {other} is unknown.",
+        "Park all carriages at the start of the program.",
+        other="text",
+    ),
+    "verify.heads-too-near": entry(
+        "Only {distance:.2f} mm remain between {first} and {second}. Their least distance is "
+        "{least:g} mm.",
+        "Park the carriage that is not in use before the move.",
+        first="text",
+        second="text",
+        distance="number",
+        least="number",
+    ),
+    "verify.idle-head-low": entry(
+        "{letter} is at {height:.2f} mm while another carriage is in use. Its tools clear the "
+        "board only at {needed:.2f} mm or higher.",
+        "Lift the carriage before another one is used.",
+        letter="text",
+        height="number",
+        needed="number",
     ),
     "verify.inside-part": entry(
         "The cutter cuts into a finished part at X{x:.3f} Y{y:.3f} (coordinates of the sheet).",
