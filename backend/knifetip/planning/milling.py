@@ -62,6 +62,7 @@ def plan_milling(
         A contour has no room for the bridges that the board requires.
     """
     machine, board, cutter = setup.machine, setup.board, setup.station.tool
+    x, y = machine.carriage_of(setup.station).axes[:2]
     assert isinstance(cutter, DiscTool)
     ends, bulge = dieline.ends[rows], dieline.bulge[rows]
     sides, face, shared = _find_sides(dieline)
@@ -99,7 +100,7 @@ def plan_milling(
                 corner=corners.type,
                 k=corners.k,
                 interference=corners.interference,
-                acceleration=min(machine.x.acceleration, machine.y.acceleration),
+                acceleration=min(x.acceleration, y.acceleration),
                 deflection=next(
                     ((d.x, d.y) for d in board.deflection if d.tool == setup.station.name),
                     (0.0, 0.0),

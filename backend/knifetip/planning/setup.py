@@ -54,7 +54,7 @@ class Setup:
             clearance=machine.clearance,
             feed=tool.feed,
             plunge=tool.plunge,
-            swivel=machine.c.velocity * 60.0,
+            swivel=machine.carriage_of(self.station).axes[3].velocity * 60.0,
             end_clearance=board.end_clearance,
             overcut=board.groove_overcut,
             short_crease=board.short_crease,

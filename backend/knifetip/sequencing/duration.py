@@ -18,13 +18,14 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.geometry import arc
-from knifetip.geometry.columns import F64, Bool
+from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.tolerance import BULGE
 from knifetip.kernels import F64_1, F64_2, Bool_1, kernel
 from knifetip.languages.registry import find_language
 from knifetip.model.machine import Machine
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.sequencing.timing import STILL, Timing
+from knifetip.sequencing.travel import carriage_changes
 
 #: At a joint the velocity of an axis may jump by its acceleration times this (s).
 JOLT: Final = 0.002
@@ -67,6 +68,8 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
     if len(toolpath) == 0:
         return np.zeros(0)
     change = np.abs(np.diff(toolpath.pose, axis=0))
+    # The next carriage stands at its parking position: only X of the gantry moves.
+    change[carriage_changes(toolpath, machine), 1:] = 0.0
     start, end = toolpath.pose[:-1, :2], toolpath.pose[1:, :2]
     is_arc = np.abs(toolpath.bulge) >= BULGE
     along = arc.length(start, end, toolpath.bulge)
@@ -78,19 +81,19 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
     moving = length > STILL
     safe = np.where(moving, length, 1.0)
 
-    axes = (machine.x, machine.y, machine.z, machine.c)
-    fastest = np.array([axis.velocity for axis in axes])
-    hardest = np.array([axis.acceleration for axis in axes])
+    carriage = _carriages(toolpath, machine)
+    fastest = np.array([[axis.velocity for axis in one.axes] for one in machine.carriages])
+    hardest = np.array([[axis.acceleration for axis in one.axes] for one in machine.carriages])
     fraction = reach / safe[:, None]
     with np.errstate(divide="ignore"):
-        velocity = np.min(fastest / fraction, axis=1)
-        acceleration = np.min(hardest / fraction, axis=1)
+        velocity = np.min(fastest[carriage] / fraction, axis=1)
+        acceleration = np.min(hardest[carriage] / fraction, axis=1)
     feed_time = _feed_times(toolpath, np.hypot(flat, change[:, 2]), change[:, 3])
     velocity = np.minimum(
         velocity, np.divide(safe, feed_time, out=velocity.copy(), where=feed_time > 0.0)
     )
     size = np.where(is_arc, arc.radius(start, end, toolpath.bulge), 1.0)
-    thrust = min(hardest[0], hardest[1])
+    thrust = hardest[:, :2].min(axis=1)[carriage]
     bent = np.sqrt(thrust * size) * safe / np.where(is_arc, flat, 1.0)
     velocity = np.where(is_arc, np.minimum(velocity, bent), velocity)
 
@@ -105,9 +108,20 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
     stops[1:] |= halts[:-1] > 0.0
     switched, pierced = _beam_switching(toolpath, machine)
     stops |= switched
-    times: F64 = _simulate(length, velocity, acceleration, first, last, hardest * JOLT, stops)
+    times: F64 = _simulate(
+        length, velocity, acceleration, first, last, hardest.min(axis=0) * JOLT, stops
+    )
     times += changed * machine.settle + halts + pierced
     return times
+
+
+def _carriages(toolpath: Toolpath, machine: Machine) -> I64:
+    """Return the index of the carriage that makes each row of a toolpath, (n,)."""
+    index = np.zeros(256, np.int64)
+    for station in machine.stations:
+        index[station.number] = station.carriage - 1
+    result: I64 = index[toolpath.tool]
+    return result
 
 
 def _beam_switching(toolpath: Toolpath, machine: Machine) -> tuple[Bool, F64]:

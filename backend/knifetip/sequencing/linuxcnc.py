@@ -32,7 +32,7 @@ def halts(toolpath: Toolpath, travel: F64, seconds: F64, machine: Machine) -> F6
     travel, seconds : (n,) and (n,)
         Length of each row along XYZ (mm), and the time of each row at its feed (s).
     machine
-        Machine whose accelerations of X, Y and C determine t.
+        Machine whose accelerations of X, Y and C determine t; the least of all carriages are used.
     """
     turn = np.radians(np.diff(toolpath.pose[:, 3]))
     moves = travel > STILL
@@ -41,8 +41,9 @@ def halts(toolpath: Toolpath, travel: F64, seconds: F64, machine: Machine) -> F6
     speed = np.divide(travel, seconds, out=np.zeros_like(travel), where=seconds > 0.0)
     change = np.abs(np.diff(bend))
     fastest = np.maximum(speed[1:], speed[:-1])
-    twist = np.radians(machine.c.acceleration)
-    thrust = min(machine.x.acceleration, machine.y.acceleration)
+    hardest = np.array([[axis.acceleration for axis in one.axes] for one in machine.carriages])
+    x, y, _, c = hardest.min(axis=0)
+    twist, thrust = np.radians(c), min(x, y)
     time = np.maximum(fastest / thrust, fastest * change / twist)
     deviation = change * (fastest * time) ** 2 / 2.0
     rapid = toolpath.motion == Motion.RAPID

@@ -4,7 +4,9 @@ Toolpaths keep their order, which is the working order of the operations.  The t
 toolpath (paths that the tool follows without lifting) are put into a short order.  If the tool
 permits it, a track may be run from its other end.  In air moves between tracks the head turns while
 it travels, at the least height that clears the board.  If the next track needs another tool, the
-head travels at the machine's travel height.
+head travels at the machine's travel height.  If the next tool is on another carriage of the gantry,
+the carriage that was in use is parked first, so that at most one carriage is away from its parking
+position.
 """
 
 from __future__ import annotations
@@ -81,11 +83,20 @@ def sequence(
     tool = int(work[0].tool[0])
     home = _parking_pose(machine.station(tool), machine)
     current, parts, count = home, [], 0
+    turned = dict.fromkeys(range(1, 1 + len(machine.carriages)), 0.0)
     for toolpath in work:
         station = machine.station(int(toolpath.tool[0]))
         if tool != station.number:
             current = _at_height(current, machine.travel_z)
             parts.append(_air_move(current, tool))
+            previous = machine.station(tool)
+            if previous.carriage != station.carriage:
+                turned[previous.carriage] = float(current[3]) + previous.c
+                current = _parked(current, previous, machine)
+                parts.append(_air_move(current, tool))
+                current = _parked_beside(current, previous, station, machine)
+                current[3] = turned[station.carriage] - station.c
+                parts.append(_air_move(current, station.number))
         moves = _order_tracks(toolpath, station, machine, current, count)
         if current[2] == machine.travel_z:
             parts.append(_air_move(_at_height(moves.pose[0], machine.travel_z), station.number))
@@ -115,16 +126,38 @@ def _at_height(pose: F64, height: float) -> F64:
 def _parking_pose(station: Station, machine: Machine) -> F64:
     """Return the parking pose of a station, (4,), at travel height with C at 0.
 
-    It is the position nearest to X 0, Y 0 that the station can reach.
+    It is the position nearest to X 0, Y 0 that the station can reach.  If the machine has several
+    carriages, Y is the parking position of the carriage of the station.
     """
-    return np.array(
+    x, y = machine.carriage_of(station).axes[:2]
+    pose = np.array(
         [
-            min(max(0.0, machine.x.low - station.x), machine.x.high - station.x),
-            min(max(0.0, machine.y.low - station.y), machine.y.high - station.y),
+            min(max(0.0, x.low - station.x), x.high - station.x),
+            min(max(0.0, y.low - station.y), y.high - station.y),
             machine.travel_z,
             0.0,
         ]
     )
+    return _parked(pose, station, machine) if machine.gantry else pose
+
+
+def _parked(pose: F64, station: Station, machine: Machine) -> F64:
+    """Return a pose of a station, (4,), with the station's carriage at its parking position."""
+    parked = pose.copy()
+    parked[1] = machine.carriage_of(station).park - station.y
+    return parked
+
+
+def _parked_beside(pose: F64, previous: Station, station: Station, machine: Machine) -> F64:
+    """Return the pose of a station on a parked carriage, (4,), with X of the gantry as it is.
+
+    ``pose`` is the pose of the station ``previous``, which is on another carriage.  X changes only
+    if the station could not reach it.
+    """
+    x = machine.carriage_of(station).axes[0]
+    beside = _parked(pose, station, machine)
+    beside[0] = min(max(pose[0] + previous.x, x.low), x.high) - station.x
+    return beside
 
 
 def _air_move(pose: F64, tool: int) -> _Moves:
@@ -178,7 +211,8 @@ def _order_tracks(
     else:
         rotate = np.array([0.0, 0.0, 0.0, rotation])
         far, near = leave + rotate, entry + rotate
-    axes = (machine.x, machine.y, machine.c)
+    x, y, _, c = machine.carriage_of(station).axes
+    axes = (x, y, c)
     order, flip = short_order(
         np.stack([entry, far])[..., columns],
         np.stack([leave, near])[..., columns],
@@ -218,8 +252,8 @@ def _order_tracks(
         np.minimum.reduceat(pose[:, 3], begin),
         np.maximum.reduceat(pose[:, 3], begin),
         float(current[3]),
-        machine.c.low - station.c,
-        machine.c.high - station.c,
+        c.low - station.c,
+        c.high - station.c,
         period,
     )
     pose[:, 3] += shift[run]

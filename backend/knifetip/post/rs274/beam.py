@@ -20,7 +20,7 @@ from knifetip.post.rs274 import gcode
 
 
 def switch_beam(
-    text: bytes, source: I32, toolpath: Toolpath, tool: Tool, height: float
+    text: bytes, source: I32, toolpath: Toolpath, tool: Tool, height: float, letter: str
 ) -> tuple[bytes, I32]:
     """Return program text with additional lines that switch the beam, and the toolpath row of each
     line of the new text.
@@ -37,6 +37,8 @@ def switch_beam(
         Laser or plasma torch, with its power and pierce time.
     height : mm
         Offset that the program adds to the tip's Z.
+    letter
+        Letter of the word that moves the head up and down.
     """
     cuts = (toolpath.motion[source] != Motion.RAPID) & (source >= 0)
     edges = np.diff(cuts.astype(np.int8), prepend=0, append=0)
@@ -49,7 +51,7 @@ def switch_beam(
     for begin, end in zip(first.tolist(), last.tolist(), strict=True):
         row = int(source[begin])
         feed = gcode.format_number(float(toolpath.feed[row])).rstrip("0").rstrip(".")
-        start = f"G1 Z{gcode.format_number(float(toolpath.pose[row, 2]) + height)} F{feed}"
+        start = f"G1 {letter}{gcode.format_number(float(toolpath.pose[row, 2]) + height)} F{feed}"
         parts += [
             text[at : ends[begin]],
             _encode([start, *switch_on]),

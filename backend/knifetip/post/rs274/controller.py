@@ -14,8 +14,7 @@ class Dialect:
     """Dialect of RS274/NGC that one controller reads."""
 
     name: str  #: name of the controller language
-    decimals: int  #: number of decimals of X Y Z C I J
-    rotary: str  #: letter of the axis that turns the tool: C, or A in some builds of grbl
+    decimals: int  #: number of decimals of positions and of I J
     tool_table: bool  #: whether Tn M6 G43 adds the datum of a station
     blending: bool  #: whether the controller supports G64 P Q
     inverse_arcs: bool  #: whether G94 counts degrees as mm, so that an arc with C needs G93

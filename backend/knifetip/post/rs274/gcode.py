@@ -19,7 +19,7 @@ from knifetip.errors import ProgramError
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.tolerance import BULGE
-from knifetip.model.machine import Machine
+from knifetip.model.machine import Carriage
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.post.chords import split_moves
 from knifetip.post.digits import Characters, digit_columns
@@ -100,7 +100,7 @@ def format_lines(
     first: int,
     last: int,
     datum: F64,
-    machine: Machine,
+    carriage: Carriage,
     dialect: Dialect,
     blending: float,
 ) -> tuple[bytes, I32]:
@@ -109,7 +109,10 @@ def format_lines(
 
     All rows belong to one station.  The first line has words for all axes, even for an axis whose
     position does not change: the station change has replaced the datum, so the axis must move to
-    reach the same position with the new datum.  A move that rounds to zero length and turn gets no
+    reach the same position with the new datum.  The words have the letters of the axes of the
+    carriage.  Controllers make arcs only in X and Y, so the arcs of a further carriage become
+    chords.  LinuxCNC reads a feed (G94) as the feed along X, Y and Z only, so the feed lines of a
+    further carriage are timed (G93).  A move that rounds to zero length and turn gets no
     line; an arc too large for the controller gets several lines.  Lines that belong to no row have
     row -1.
 
@@ -117,8 +120,8 @@ def format_lines(
     ----------
     datum : (4,) float64, mm and degrees
         Added to the X, Y, Z and C of the program; zeros if the controller's tool table adds it.
-    machine : Machine
-        Contains the velocities and accelerations of the axes.
+    carriage : Carriage
+        Carriage of the station, with the letters, velocities and accelerations of its axes.
     dialect : Dialect
         Dialect of RS274/NGC that the controller reads.
     blending : float, mm
@@ -130,10 +133,11 @@ def format_lines(
         A row with the motion "swivel" moves without a turn of C, or a line is longer than the
         controller can read.
     """
-    moves = _convert_arcs(toolpath, first, last, datum, dialect)
-    words = _compose_words(moves, machine, dialect, blending)
+    largest = dialect.radius if carriage.is_first else 0.0
+    moves = _convert_arcs(toolpath, first, last, datum, largest)
+    words = _compose_words(moves, carriage, dialect, blending)
     texts = [
-        _render_lines(words, slice(at, at + BATCH), dialect)
+        _render_lines(words, slice(at, at + BATCH), carriage.letters, dialect)
         for at in range(0, len(words.row), BATCH)
     ]
     row = np.insert(words.row, np.flatnonzero(words.exact_stop) + 1, np.int32(-1))
@@ -143,21 +147,19 @@ def format_lines(
     return b"".join(texts), row
 
 
-def _convert_arcs(
-    toolpath: Toolpath, first: int, last: int, datum: F64, dialect: Dialect
-) -> _Moves:
+def _convert_arcs(toolpath: Toolpath, first: int, last: int, datum: F64, largest: float) -> _Moves:
     """Return the moves of rows ``first … last - 1`` of a toolpath, with arcs that the controller
     can follow.
 
-    Flat and tiny arcs become lines, too large arcs become chords.  ``datum``, (4,), is added to the
-    X, Y, Z and C of all poses (mm and degrees).
+    Flat and tiny arcs become lines.  Arcs whose radius is larger than ``largest`` (mm) become
+    chords.  ``datum``, (4,), is added to the X, Y, Z and C of all poses (mm and degrees).
     """
     pose = toolpath.pose[first : last + 1] + datum
     bulge = np.array(toolpath.bulge[first:last])
     start, end = pose[:-1, :2], pose[1:, :2]
     bow = np.abs(bulge) * np.hypot(*(end - start).T) / 2.0
     radius = arc.radius(start, end, bulge)
-    large = radius > dialect.radius
+    large = radius > largest
     straight = large | (bow < MIN_SAGITTA) | (radius < MIN_RADIUS)
     # The sagitta of a part of an arc is proportional to the square of its length.
     pieces = np.where(large, np.ceil(np.sqrt(bow / CHORD_DEVIATION)), 1.0).astype(np.int64).clip(1)
@@ -174,7 +176,7 @@ def _convert_arcs(
 
 
 def _compose_words(
-    moves: _Moves, machine: Machine, dialect: Dialect, blending: float
+    moves: _Moves, carriage: Carriage, dialect: Dialect, blending: float
 ) -> _LineWords:
     """Return the G-code words of the program lines for n moves.
 
@@ -205,11 +207,13 @@ def _compose_words(
         row = moves.row[np.argmax(without_turn)]
         raise ProgramError("toolpath.swivel-without-turn", row=row)
     inverse = ~rapid & turns & (~is_arc | swivel | dialect.inverse_arcs)
+    if not carriage.is_first:
+        inverse = ~rapid
     degrees = np.abs(pose[1:, 3] - pose[:-1, 3])
     travel = np.hypot(arc.length(start, end, bulge), pose[1:, 2] - pose[:-1, 2])
     feed_of_move = np.where(rapid, 1.0, moves.feed)
     minutes = np.where(swivel, degrees, travel) / feed_of_move
-    minutes = np.maximum(minutes, degrees / (60.0 * machine.c.velocity))
+    minutes = np.maximum(minutes, degrees / (60.0 * carriage.axes[3].velocity))
     minutes = np.maximum(minutes, MIN_MINUTES)
     feed = np.where(inverse, 1.0 / minutes, moves.feed)
 
@@ -218,7 +222,7 @@ def _compose_words(
     counts = _feed_units(feed[keep])
     if dialect.blending:
         turn = np.radians(pose[1:, 3] - pose[:-1, 3])[keep]
-        exact_stop = _exact_stops(turn, travel[keep], minutes[keep], rapid, machine, blending)
+        exact_stop = _exact_stops(turn, travel[keep], minutes[keep], rapid, carriage, blending)
     else:
         exact_stop = np.zeros(len(keep), np.bool_)
     return _LineWords(
@@ -236,7 +240,7 @@ def _compose_words(
 
 
 def _exact_stops(
-    turn: F64, travel: F64, minutes: F64, rapid: Bool, machine: Machine, blending: float
+    turn: F64, travel: F64, minutes: F64, rapid: Bool, carriage: Carriage, blending: float
 ) -> Bool:
     """Return the mask of the n moves that must end at rest because LinuxCNC would leave the path,
     (n,).
@@ -262,7 +266,7 @@ def _exact_stops(
         Time of each move; ignored for rapids.
     rapid : (n,)
         Mask of the rapids.
-    machine
+    carriage
         Contains the accelerations of the axes.
     blending : float, mm
         Greatest deviation that is permitted without a stop.
@@ -272,8 +276,8 @@ def _exact_stops(
     speed = travel / (60.0 * minutes)
     change = np.abs(np.diff(bend))
     fastest = np.maximum(speed[1:], speed[:-1])
-    thrust = min(machine.x.acceleration, machine.y.acceleration)
-    twist = np.radians(machine.c.acceleration)
+    x, y, _, c = (axis.acceleration for axis in carriage.axes)
+    thrust, twist = min(x, y), np.radians(c)
     time = np.maximum(fastest / thrust, fastest * change / twist)
     deviation = change * (fastest * time) ** 2 / 2.0
     # Above the board deviations do not matter, but a tool must be turned before it plunges.
@@ -319,8 +323,10 @@ def _feed_words(feed: I64, inverse: Bool, rapid: Bool) -> Bool:
     return emit
 
 
-def _render_lines(words: _LineWords, rows: slice, dialect: Dialect) -> bytes:
+def _render_lines(words: _LineWords, rows: slice, letters: str, dialect: Dialect) -> bytes:
     """Return the text of those program lines that the slice ``rows`` selects from ``words``.
+
+    ``letters`` are the letters of the words of the four axes.
 
     Raises
     ------
@@ -335,7 +341,7 @@ def _render_lines(words: _LineWords, rows: slice, dialect: Dialect) -> bytes:
         (code + np.uint8(ord("0")))[:, None],
     ]
     axes, emit, centre = words.axes[rows], words.emit[rows], words.centre[rows]
-    for column, letter in enumerate(f"XYZ{dialect.rotary}"):
+    for column, letter in enumerate(letters):
         blocks.extend(_word_columns(letter, axes[:, column], emit[:, column], dialect.decimals))
     for column, letter in enumerate("IJ"):
         blocks.extend(_word_columns(letter, centre[:, column], curved, dialect.decimals))

@@ -11,7 +11,6 @@ from knifetip.post.rs274.program import write_program
 DIALECT: Final = Dialect(
     name="grblhal",
     decimals=4,
-    rotary="C",
     tool_table=False,
     blending=False,
     inverse_arcs=True,

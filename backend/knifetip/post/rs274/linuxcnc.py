@@ -11,7 +11,6 @@ from knifetip.post.rs274.program import write_program
 DIALECT: Final = Dialect(
     name="linuxcnc",
     decimals=4,
-    rotary="C",
     tool_table=True,
     blending=True,
     inverse_arcs=False,

@@ -8,7 +8,8 @@ same input gives the same bytes: a program contains no dates or host names.
 A cancelled job may have left a station lowered, its tool in the board and the spindle on.  Every
 program therefore starts and ends with these steps: lift straight up, wait until the head is at
 rest, release all outputs, stop the spindle.  The lift comes first, while the spindle still runs: a
-tool that is released or stopped in the board tears it.
+tool that is released or stopped in the board tears it.  If the machine has several carriages, the
+header then parks all of them.
 """
 
 from __future__ import annotations
@@ -83,13 +84,14 @@ def write_program(
     previous: Station | None = None
     for first, last in pairwise(edges):
         station = _station_at(toolpath, machine, first)
+        carriage = machine.carriage_of(station)
         append_lines(_station_change(previous, station, machine, dialect))
         text, source = gcode.format_lines(
-            toolpath, first, last, _datum(station, dialect), machine, dialect, blending
+            toolpath, first, last, _datum(station, dialect), carriage, dialect, blending
         )
         if station.is_beam:
-            height = _datum(station, dialect)[2]
-            text, source = switch_beam(text, source, toolpath, station.tool, height)
+            height, letter = _datum(station, dialect)[2], carriage.letters[2]
+            text, source = switch_beam(text, source, toolpath, station.tool, height, letter)
         texts.append(text)
         sources.append(source)
         previous = station
@@ -133,10 +135,33 @@ def _header(
     if machine.has_beam:
         # A beam that was left on would burn the board during the lift.
         yield "M5"
-    # It is unknown which station is still lowered: lift high enough for each of them.
-    highest = machine.travel_z + max(station.z for station in machine.stations)
-    yield f"G0 Z{gcode.format_number(min(highest, machine.z.high))}"
+    yield f"G0 {_highest_lift(machine)}"
     yield from _release_outputs(machine, dialect)
+    if machine.gantry:
+        # The stations rise before the heads travel; a machine with a beam dwells only to pierce.
+        if machine.settle > 0.0 and not machine.has_beam:
+            yield gcode.dwell_line(machine.settle)
+        # All carriages at once: each moves to its own end, so that they do not approach each other.
+        parks = (
+            f"{carriage.letters[1]}{gcode.format_number(carriage.park)}"
+            for carriage in machine.carriages
+        )
+        yield f"G0 {' '.join(parks)}"
+
+
+def _highest_lift(machine: Machine) -> str:
+    """Return the words that lift all heads high enough for each of their stations.
+
+    It is unknown which station is still lowered.
+    """
+    datum: dict[str, list[float]] = {one.letters[2]: [] for one in machine.carriages}
+    for station in machine.stations:
+        datum[machine.carriage_of(station).letters[2]].append(station.z)
+    words = []
+    for letter, offsets in datum.items():
+        lift = min(machine.travel_z + max(offsets, default=0.0), machine.axes[letter].high)
+        words.append(f"{letter}{gcode.format_number(lift)}")
+    return " ".join(words)
 
 
 def _release_outputs(machine: Machine, dialect: Dialect) -> Iterator[str]:
@@ -186,7 +211,7 @@ def _footer(station: Station, machine: Machine, dialect: Dialect) -> Iterator[st
     ``station`` is the last station.
     """
     up = machine.travel_z + _datum(station, dialect)[2]
-    yield f"G0 Z{gcode.format_number(up)}"
+    yield f"G0 {machine.carriage_of(station).letters[2]}{gcode.format_number(up)}"
     yield from _release_outputs(machine, dialect)
     yield "G49"
     yield dialect.end
