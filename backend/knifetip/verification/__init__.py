@@ -20,7 +20,7 @@ kind        modules
 program     readers in ``reading``, ``output_checks`` (unset outputs, early switching),
             ``motion_checks`` (outputs in the board, unknown positions), ``verify``
             (placement)
-travel      ``motion_checks``
+travel      ``motion_checks``, ``carriage_check``
 feed        ``motion_checks``
 heading     ``check_base`` (along edges), ``motion_checks`` (turns in the board)
 deviation   ``check_base`` (knives, wheels, V-cutters), ``milling_check``,
@@ -68,6 +68,7 @@ verify.comes-out-short             checks.track_ends
 verify.crease-too-short            checks.crease_check
 verify.cuts-part                   checks.milling_check
 verify.cutter-at-rest              tools
+verify.feed-of-other-axis          checks.motion_checks
 verify.flank-inside                checks.groove_check
 verify.flank-outside               checks.groove_check
 verify.flank-through-cut           checks.groove_check
@@ -76,6 +77,9 @@ verify.goes-in-anywhere            checks.track_ends
 verify.groove-arc                  checks.groove_check
 verify.groove-past-ends            checks.groove_check
 verify.groove-shallower            checks.groove_check
+verify.head-not-located            checks.carriage_check
+verify.heads-too-near              checks.carriage_check
+verify.idle-head-low               checks.carriage_check
 verify.inside-part                 checks.milling_check
 verify.knife-at-rest               tools
 verify.laser-off                   tools
@@ -113,7 +117,7 @@ verify.turn-in-board               checks.motion_checks
 verify.turn-off-path               checks.motion_checks
 verify.two-lowered                 checks.motion_checks
 verify.unclassified                verify
-verify.unknown-position            checks.motion_checks
+verify.unknown-position            checks.carriage_check, checks.motion_checks
 verify.unreached                   checks.milling_shortfalls
 verify.where-from-start            checks.check_base, checks.milling_check
 verify.where-past-end              checks.check_base

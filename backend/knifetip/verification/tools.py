@@ -13,8 +13,11 @@ from dataclasses import dataclass
 from enum import IntEnum
 from typing import Any, Final
 
+import numpy as np
+
 from knifetip.model.machine import Machine
 from knifetip.model.tool import CreaseWheel, Cutter, Knife, Laser, Tool, VCutter
+from knifetip.verification.columns import I64
 
 #: Greatest turn of C in place in the board for tools without a swivel angle (degrees).
 MAX_TURN: Final = 1.01
@@ -168,6 +171,32 @@ def extra_outputs(machine: Machine) -> tuple[int, ...]:
     return tuple(
         sorted({one for station in machine.stations for one in expected_tool(station.tool).outputs})
     )
+
+
+def carriage_columns(machine: Machine) -> I64:
+    """Return the columns of ``Machine.axes`` with the X, Y, Z and C of each station's carriage.
+
+    The shape is (stations + 1, 4).  The last row, index -1, is that of the first carriage, for
+    moves without a station.
+    """
+    letters = list(machine.axes)
+    carriages = [machine.carriages[station.carriage - 1] for station in machine.stations]
+    rows = [carriage.letters for carriage in (*carriages, machine.carriages[0])]
+    return np.array([[letters.index(letter) for letter in row] for row in rows])
+
+
+def travel_heights(machine: Machine) -> dict[str, float]:
+    """Return the joint position of each Z axis at which all its stations are at travel height."""
+    carriages, heights = machine.carriages, {}
+    for letter in dict.fromkeys(carriage.letters[2] for carriage in carriages):
+        own = [
+            station.z
+            for station in machine.stations
+            if carriages[station.carriage - 1].letters[2] == letter
+        ]
+        highest = machine.travel_z + max(own, default=0.0)
+        heights[letter] = min(highest, machine.axes[letter].high)
+    return heights
 
 
 def has_beam(machine: Machine) -> bool:

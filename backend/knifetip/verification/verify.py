@@ -20,6 +20,7 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
 from knifetip.model.verdict import Samples, Verdict
 from knifetip.verification.checks import motion_checks
+from knifetip.verification.checks.carriage_check import check_carriages
 from knifetip.verification.checks.check_context import CheckContext, EdgeFigures
 from knifetip.verification.checks.edge_checks import check_edges
 from knifetip.verification.checks.output_checks import check_switching
@@ -141,6 +142,7 @@ def _trace(
     findings.add_faults(faults)
     tip = tip_poses(moves, machine, board)
     usable = motion_checks.check_travel(moves, machine, findings)
+    check_carriages(moves, machine, findings)
     motion_checks.check_feeds(moves, tip, machine, findings)
     motion_checks.check_outputs(moves, tip, machine, findings)
     check_switching(moves, machine, board, findings)

@@ -45,8 +45,40 @@ def check_travel(moves: Moves, machine: Machine, findings: Findings) -> Bool:
     Adds a finding for each move that leaves these limits or continues outside them.
     """
     good = np.ones(len(moves.line), np.bool_)
+    rotary = {carriage.letters[3] for carriage in machine.carriages}
     # Report the move that leaves the travel, not those that start or stay outside.
-    low, high = moves.end.copy(), moves.end.copy()
+    low, high = axis_ranges(moves)
+    round_ = moves.sweep != 0.0
+    for column, (name, axis) in enumerate(machine.axes.items()):
+        start, end = moves.axes_start[:, column], moves.axes_end[:, column]
+        below = np.nan_to_num(axis.low - low[:, column])
+        above = np.nan_to_num(high[:, column] - axis.high)
+        past = np.maximum(below, above)
+        good &= past <= TRAVEL_TOLERANCE
+        good &= ~(start < axis.low - TRAVEL_TOLERANCE)
+        good &= ~(start > axis.high + TRAVEL_TOLERANCE)
+        goes = round_ | (start != end)
+        for row in np.flatnonzero((past > TRAVEL_TOLERANCE) & goes)[:MAX_FINDINGS]:
+            reached = low[row, column] if below[row] > above[row] else high[row, column]
+            message = Message(
+                "verify.beyond-rotation" if name in rotary else "verify.beyond-travel",
+                joint=name,
+                position=reached,
+                low=axis.low,
+                high=axis.high,
+            )
+            findings.add("travel", message, past[row], line=moves.line[row])
+    return good
+
+
+def axis_ranges(moves: Moves) -> tuple[F64, F64]:
+    """Return the least and the greatest position of each axis after the start of each move, (n,
+    axes) each; NaN if it is unknown.
+
+    On a line they are the position at its end.  On an arc, X and Y (the first two columns) also
+    reach the extremes of the arc.
+    """
+    low, high = moves.axes_end.copy(), moves.axes_end.copy()
     round_ = moves.sweep != 0.0
     centre = moves.centre
     radius = np.hypot(*(moves.start[:, :2] - centre).T)
@@ -58,26 +90,7 @@ def check_travel(moves: Moves, machine: Machine, findings: Findings) -> Bool:
         extreme = centre + radius[:, None] * np.array([np.cos(angle), np.sin(angle)])
         low[hit, :2] = np.minimum(low[hit, :2], extreme[hit])
         high[hit, :2] = np.maximum(high[hit, :2], extreme[hit])
-    for column, name in enumerate("XYZC"):
-        axis = getattr(machine, name.lower())
-        below = np.nan_to_num(axis.low - low[:, column])
-        above = np.nan_to_num(high[:, column] - axis.high)
-        past = np.maximum(below, above)
-        good &= past <= TRAVEL_TOLERANCE
-        good &= ~(moves.start[:, column] < axis.low - TRAVEL_TOLERANCE)
-        good &= ~(moves.start[:, column] > axis.high + TRAVEL_TOLERANCE)
-        goes = round_ | (moves.start[:, column] != moves.end[:, column])
-        for row in np.flatnonzero((past > TRAVEL_TOLERANCE) & goes)[:MAX_FINDINGS]:
-            reached = low[row, column] if below[row] > above[row] else high[row, column]
-            message = Message(
-                "verify.beyond-rotation" if name == "C" else "verify.beyond-travel",
-                joint=name,
-                position=reached,
-                low=axis.low,
-                high=axis.high,
-            )
-            findings.add("travel", message, past[row], line=moves.line[row])
-    return good
+    return low, high
 
 
 def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, findings: Findings) -> None:
@@ -86,7 +99,7 @@ def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, findings: Finding
     A move at constant height must have the tool's feed, and a move that changes the height must
     have the tool's plunge feed.  A turn of C alone may run at the greatest speed of C.  The
     duration of a timed move (G93) must be the time of its travel at the tool's feed or the time of
-    its turn, whichever is longer.
+    its turn, whichever is longer.  The feed moves of a further carriage must be timed.
     """
     own = np.full(len(moves.line), np.nan)
     level = np.abs(moves.end[:, 2] - moves.start[:, 2]) <= LEVEL
@@ -97,7 +110,10 @@ def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, findings: Finding
     degrees = np.abs(moves.end[:, 3] - moves.start[:, 3])
     # If the tip rests while C turns, the move is a swivel, even if the head moves round the tip.
     swivel = level & _resting_tips(moves, tip, machine) & (degrees > 0.0)
-    least = np.maximum(np.where(swivel, 0.0, length / own), degrees / (60.0 * machine.c.velocity))
+    carriages = [machine.carriages[station.carriage - 1] for station in machine.stations]
+    turning = np.array([*(one.axes[3].velocity for one in carriages), machine.c.velocity])
+    turn_minutes = degrees / (60.0 * turning[moves.station])
+    least = np.maximum(np.where(swivel, 0.0, length / own), turn_minutes)
     minutes = np.where(moves.inverse, 1.0 / moves.feed, length / moves.feed)
     feeding = (moves.code > 0) & ~np.isnan(own) & ~np.isnan(length) & ~np.isnan(moves.feed)
     is_wrong = np.abs(minutes - least) > TIME_TOLERANCE * least + np.where(
@@ -126,6 +142,11 @@ def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, findings: Finding
     for row in np.flatnonzero(mixed)[:MAX_FINDINGS]:
         message = Message("verify.turn-at-feed", degrees=degrees[row])
         findings.add("feed", message, degrees[row], line=moves.line[row])
+    # LinuxCNC applies F to the travel along X, Y and Z alone if one of them moves.
+    further = np.array([*(not one.is_first for one in carriages), False])[moves.station]
+    for row in np.flatnonzero(feeding & plain & further & (length > 0.0))[:MAX_FINDINGS]:
+        message = Message("verify.feed-of-other-axis", station=_number(moves, machine, row))
+        findings.add("feed", message, length[row], line=moves.line[row])
 
 
 def _resting_tips(moves: Moves, tip: TipPoses, machine: Machine) -> Bool:
@@ -302,8 +323,9 @@ def nominal_seconds(moves: Moves, machine: Machine) -> float:
     velocities, and of dwells.
     """
     length = move_lengths(moves)
-    velocity = np.array([getattr(machine, axis).velocity for axis in "xyzc"])
-    rapid = np.max(np.nan_to_num(np.abs(moves.end - moves.start)) / velocity, axis=1, initial=0.0)
+    velocity = np.array([axis.velocity for axis in machine.axes.values()])
+    travel = np.nan_to_num(np.abs(moves.axes_end - moves.axes_start))
+    rapid = np.max(travel / velocity, axis=1, initial=0.0)
     minutes = np.where(moves.inverse, 1.0 / moves.feed, length / moves.feed)
     working = np.where(np.isfinite(minutes), minutes, 0.0) * 60.0
     return float(np.where(moves.code == 0, rapid, working).sum() + moves.dwell)

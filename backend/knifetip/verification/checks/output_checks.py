@@ -16,10 +16,16 @@ import numpy as np
 from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine
-from knifetip.verification.columns import F64, Bool
+from knifetip.verification.columns import Bool
 from knifetip.verification.findings import MAX_FINDINGS, Findings
 from knifetip.verification.reading.moves import Moves
-from knifetip.verification.tools import expected_tool, extra_outputs, has_beam
+from knifetip.verification.tools import (
+    carriage_columns,
+    expected_tool,
+    extra_outputs,
+    has_beam,
+    travel_heights,
+)
 
 #: Half of the last printed digit of a height (mm).
 PRINT_ROUNDING: Final = 5e-5
@@ -31,23 +37,24 @@ def check_switching(moves: Moves, machine: Machine, board: Board, findings: Find
     The program must set all outputs and the spindle before the first move, switch them at a safe
     height, and never have two stations lowered at the same time.
     """
-    datum = np.array([station.z for station in machine.stations])
-    # While the states are unknown any station may be lowered: clear the board with each.
-    highest = min(machine.travel_z + float(datum.max()), machine.z.high)
-    _check_stated(moves, machine, highest, findings)
+    _check_stated(moves, machine, findings)
     if len(moves.switches.line):
-        _check_heights(moves, machine, board, highest, datum, findings)
+        _check_heights(moves, machine, board, findings)
         _check_lowered_alone(moves, machine, findings)
 
 
-def _check_stated(moves: Moves, machine: Machine, highest: float, findings: Findings) -> None:
+def _check_stated(moves: Moves, machine: Machine, findings: Findings) -> None:
     """Check that the program sets each output and the spindle before it moves the head; add
     findings.
 
-    Before that, only a straight lift to the height ``highest`` (mm) is permitted, at which every
-    station clears the board.
+    Before that, only a straight lift to the height is permitted at which every station clears the
+    board.
     """
-    lift = _is_upright(moves) & (moves.code == 0) & (moves.end[:, 2] >= highest - PRINT_ROUNDING)
+    heights = _z_heights(machine)
+    highest = max(heights.values())
+    lift = _is_upright(moves, list(heights)) & (moves.code == 0)
+    for column, height in heights.items():
+        lift &= moves.axes_end[:, column] >= height - PRINT_ROUNDING
     things = {
         index: Message("verify.output", output=station.output)
         for index, station in enumerate(machine.stations)
@@ -74,36 +81,53 @@ def _check_stated(moves: Moves, machine: Machine, highest: float, findings: Find
             findings.add("program", Message("verify.never-stated", thing=thing), 0.0)
 
 
-def _is_upright(moves: Moves) -> Bool:
-    """Return the mask of the n moves that do not change X, Y or C, shape (n,)."""
-    start, end = moves.start[:, [0, 1, 3]], moves.end[:, [0, 1, 3]]
+def _z_heights(machine: Machine) -> dict[int, float]:
+    """Return the position of each Z axis at which all its stations clear the board (mm).
+
+    The keys are the columns of the Z axes in ``Machine.axes``.
+    """
+    letters = list(machine.axes)
+    return {letters.index(letter): height for letter, height in travel_heights(machine).items()}
+
+
+def _is_upright(moves: Moves, z_columns: list[int]) -> Bool:
+    """Return the mask of the n moves that change no axis except the Z axes, shape (n,).
+
+    ``z_columns`` are the columns of the Z axes in ``Machine.axes``.
+    """
+    start, end = (np.delete(axes, z_columns, 1) for axes in (moves.axes_start, moves.axes_end))
     same = (start == end) | (np.isnan(start) & np.isnan(end))
     result: Bool = same.all(axis=1)
     return result
 
 
-def _check_heights(
-    moves: Moves, machine: Machine, board: Board, highest: float, datum: F64, findings: Findings
-) -> None:
+def _check_heights(moves: Moves, machine: Machine, board: Board, findings: Findings) -> None:
     """Check the height of the head at each program line that switches an output or the spindle.
 
-    Adds one finding for the first of several lines that switch too low after the same move.
-
-    Parameters
-    ----------
-    highest : mm
-        Height of the head at which every station clears the board.
-    datum : (stations,) mm
-        Offset of each station along Z from the head's reference point.
+    Adds one finding for the first of several lines that switch too low after the same move.  As
+    long as no station is selected, any station may be lowered: every head must clear the board with
+    each of its stations.
     """
     switches = moves.switches
+    datum = np.array([station.z for station in machine.stations])
+    own_z, rows = carriage_columns(machine)[:, 2], np.arange(len(switches.line))
     # Before the first move the height is unknown, and no station has moved.
-    height = np.append(moves.end[:, 2], np.nan)[switches.move]
+    position = np.vstack([moves.axes_end, np.full((1, len(machine.axes)), np.nan)])[switches.move]
     station = np.append(moves.station, -1)[switches.move]
-    needed = np.where(station >= 0, machine.travel_z + datum[station], highest)
+    height = np.where(station >= 0, position[rows, own_z[station]], np.inf)
+    needed = np.where(station >= 0, machine.travel_z + datum[station], -np.inf)
+    for column, highest in _z_heights(machine).items():
+        open_ = (station < 0) & ~(position[:, column] >= highest - PRINT_ROUNDING)
+        height = np.where(open_, position[:, column], height)
+        needed = np.where(open_, highest, needed)
     # The station that is lowered may extend lower than the previous one.
+    lowers = switches.lowers >= 0
     longer = datum[switches.lowers] + board.caliper + machine.clearance
-    needed = np.where(switches.lowers >= 0, np.maximum(needed, longer), needed)
+    same = own_z[station] == own_z[switches.lowers]
+    needed = np.where(lowers & same, np.maximum(needed, longer), needed)
+    lowered = position[rows, own_z[switches.lowers]]
+    other = lowers & ~same & ~(lowered >= longer - PRINT_ROUNDING)
+    height, needed = np.where(other, lowered, height), np.where(other, longer, needed)
     low = ~(height >= needed - PRINT_ROUNDING)
     # A beam does not touch the board, so it may be switched at any height.
     beams = np.array(

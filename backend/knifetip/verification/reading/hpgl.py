@@ -396,6 +396,9 @@ def _make_moves(
             at_end=np.ones(len(stations) + 1, np.bool_),
             spindle=np.zeros(0, np.bool_),
         ),
+        # A machine that reads HPGL has one carriage.
+        axes_start=start,
+        axes_end=end,
         programmed="XY",
         resolution=math.hypot(0.5, 0.5) / device.units,
     )

@@ -34,7 +34,9 @@ class Moves:
 
     line: I32  #: (n,) 1-based line of the program
     code: U8  #: (n,) 0 rapid, 1 line, 2 arc clockwise, 3 arc counter-clockwise
-    start: F64  #: (n, 4) joints X Y Z in mm, C in degrees
+    #: (n, 4) joints X Y Z in mm, C in degrees, of the carriage of the selected station; of the
+    #: first carriage if no station is selected
+    start: F64
     end: F64  #: (n, 4)
     centre: F64  #: (n, 2) mm, of arcs, in joints
     sweep: F64  #: (n,) radians, counter-clockwise positive, 0 for lines
@@ -50,6 +52,10 @@ class Moves:
     uses_tool_table: bool  #: the controller has a tool table: T words select stations
     dwell: float  #: sum of all dwells (s)
     switches: Switches
+    #: joints of all axes of the machine, in the order of ``Machine.axes``, before and after each
+    #: move: (n, axes), mm and degrees
+    axes_start: F64
+    axes_end: F64
     #: axes that the program moves; the machine controls depth (Z) and heading (C) itself otherwise
     programmed: str = "XYZC"
     #: greatest shift of a point by the rounding of coordinates (mm); 0 if it is negligible

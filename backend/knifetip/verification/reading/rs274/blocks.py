@@ -14,9 +14,8 @@ from knifetip.verification.reading.rs274.parse import ProgramWords
 
 #: Greatest number of lines with words.
 MAX_BLOCKS: Final = 2_000_000
-#: Letters of the four axes, in the order of the columns of positions.
-AXES: Final = "XYZC"
-_LETTERS: Final = "CFIJNPQSTXYZ"
+#: Letters of the words with numbers, besides those of the axes.
+_LETTERS: Final = "FIJNPQST"
 
 
 class Group(IntEnum):
@@ -71,9 +70,14 @@ _M: Final = {
 
 
 class ProgramBlocks:
-    """The words of a program in columns: one row for each block (program line with words)."""
+    """The words of a program in columns: one row for each block (program line with words).
 
-    def __init__(self, words: ProgramWords, faults: list[tuple[int, Message]]) -> None:
+    ``letters`` are the letters of the axes of the machine; X and Y are the first two.
+    """
+
+    def __init__(
+        self, words: ProgramWords, letters: str, faults: list[tuple[int, Message]]
+    ) -> None:
         self.faults = faults
         new = np.ones(len(words.line), np.bool_)
         new[1:] = words.line[1:] != words.line[:-1]
@@ -84,7 +88,7 @@ class ProgramBlocks:
             raise ProgramUnreadable("program.too-many-lines", lines=count, limit=MAX_BLOCKS)
         self.count = count
         groups = np.full((len(Group), count), -1, np.int32)
-        numbers = {letter: np.full(count, np.nan) for letter in _LETTERS}
+        numbers = {letter: np.full(count, np.nan) for letter in _LETTERS + letters}
         kind = np.zeros(len(words.line), np.int64)
         for letter, known in (("G", _G), ("M", _M)):
             rows = np.flatnonzero(words.letter == ord(letter))
@@ -115,9 +119,10 @@ class ProgramBlocks:
         self.group = groups
         self.number = numbers
         if len(words_used):
-            self.axes: Bool = ~np.isnan(np.stack([numbers[letter] for letter in AXES], axis=1))
+            self.position = np.stack([numbers[letter] for letter in letters], axis=1)
         else:
-            self.axes = np.zeros((count, 4), np.bool_)
+            self.position = np.full((count, len(letters)), np.nan)
+        self.axes: Bool = ~np.isnan(self.position)
 
     def _fault(self, block: int, message: Message) -> None:
         self.faults.append((int(self.line[block]), message))

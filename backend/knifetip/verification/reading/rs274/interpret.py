@@ -19,9 +19,10 @@ from knifetip.model.machine import Machine
 from knifetip.verification.columns import F64, I64, U8, Bool
 from knifetip.verification.reading.moves import Moves, Switches
 from knifetip.verification.reading.rs274.block_faults import PRINT_ROUNDING, check_blocks
-from knifetip.verification.reading.rs274.blocks import AXES, Group, ProgramBlocks, value_in_force
+from knifetip.verification.reading.rs274.blocks import Group, ProgramBlocks, value_in_force
 from knifetip.verification.reading.rs274.modal_state import ModalState
 from knifetip.verification.reading.rs274.parse import ProgramWords
+from knifetip.verification.tools import carriage_columns
 
 #: Greatest difference between the radii at both ends of an arc (mm).
 ARC_TOLERANCE: Final = 0.002
@@ -36,22 +37,29 @@ def interpret(words: ProgramWords, machine: Machine) -> tuple[Moves, list[tuple[
         The program has more than two million lines with words.
     """
     faults: list[tuple[int, Message]] = list(words.faults)
-    blocks = ProgramBlocks(words, faults)
+    blocks = ProgramBlocks(words, "".join(machine.axes), faults)
     state = ModalState(blocks, machine)
     check_blocks(blocks, state, machine)
-    return _make_moves(blocks, state), sorted(faults, key=itemgetter(0))
+    return _make_moves(blocks, state, machine), sorted(faults, key=itemgetter(0))
 
 
-def _make_moves(blocks: ProgramBlocks, state: ModalState) -> Moves:
+def _make_moves(blocks: ProgramBlocks, state: ModalState, machine: Machine) -> Moves:
     ended = np.cumsum(blocks.has_code(Group.END)) > 0
     any_axis: Bool = np.logical_or.reduce(blocks.axes, axis=1)
     rows = np.flatnonzero(blocks.has_code(Group.MOTION) & any_axis & ~ended)
-    stated = np.stack([blocks.number[letter][rows] for letter in AXES], axis=1)
-    joints = stated + state.offset[rows]
-    end = np.stack(
-        [value_in_force(joints[:, axis], ~np.isnan(joints[:, axis])) for axis in range(4)], axis=1
-    ).reshape(-1, 4)
-    start = np.vstack([np.full((min(1, len(rows)), 4), np.nan), end[:-1]])
+    joints = blocks.position[rows] + state.offset[rows]
+    known = ~np.isnan(joints)
+    count = joints.shape[1]
+    axes_end = np.stack(
+        [value_in_force(joints[:, axis], known[:, axis]) for axis in range(count)], axis=1
+    ).reshape(-1, count)
+    axes_start = np.vstack([np.full((min(1, len(rows)), count), np.nan), axes_end[:-1]])
+    if machine.gantry:
+        own = carriage_columns(machine)[state.station[rows]]
+        start, end = (np.take_along_axis(axes, own, axis=1) for axes in (axes_start, axes_end))
+        _check_carriages(blocks, rows, own)
+    else:
+        start, end = axes_start, axes_end
     code = (blocks.group[Group.MOTION][rows] // 10).astype(np.uint8)
     centre, sweep = _make_arcs(blocks, rows, code, start, end)
     return Moves(
@@ -59,6 +67,8 @@ def _make_moves(blocks: ProgramBlocks, state: ModalState) -> Moves:
         code=code,
         start=start,
         end=end,
+        axes_start=axes_start,
+        axes_end=axes_end,
         centre=centre,
         sweep=sweep,
         feed=state.feed[rows],
@@ -74,6 +84,32 @@ def _make_moves(blocks: ProgramBlocks, state: ModalState) -> Moves:
         dwell=state.dwell,
         switches=_switching_lines(blocks, state, rows),
     )
+
+
+def _check_carriages(blocks: ProgramBlocks, moving: I64, own: I64) -> None:
+    """Add a fault for each feed line that moves another carriage than that of its station, and for
+    each arc of a carriage other than the first.
+
+    Parameters
+    ----------
+    moving : (n,)
+        Indices of the blocks that contain moves.
+    own : (n, 4)
+        Columns of the axes of the carriage of the selected station, for each of these moves.
+    """
+    feeding = ~blocks.has_code(Group.MOTION, 0)[moving]
+    foreign = blocks.axes[moving]
+    np.put_along_axis(foreign, own, np.bool_(False), axis=1)
+    curved = blocks.has_code(Group.MOTION, 20) | blocks.has_code(Group.MOTION, 30)
+    # X and Y are the first two columns.
+    wrong_plane = curved[moving] & (own[:, 1] != 1)
+    for mask, message in (
+        (feeding & foreign.any(axis=1) & ~wrong_plane, Message("rs274.moves-other-carriage")),
+        (wrong_plane, Message("rs274.arc-of-other-carriage")),
+    ):
+        wrong = np.zeros(blocks.count, np.bool_)
+        wrong[moving[mask]] = True
+        blocks.fault(wrong, message)
 
 
 def _switching_lines(blocks: ProgramBlocks, state: ModalState, moving: I64) -> Switches:

@@ -15,7 +15,7 @@ from knifetip.verification.reading.rs274.blocks import (
     latest_block,
     value_in_force,
 )
-from knifetip.verification.tools import extra_outputs
+from knifetip.verification.tools import carriage_columns, extra_outputs
 
 
 class ModalState:
@@ -76,8 +76,12 @@ class ModalState:
         self.offset_of = value_in_force(
             np.where(with_table, by_table, -1).astype(np.float64), length, -1.0
         )
-        datum = np.array([(s.x, s.y, s.z, s.c) for s in stations]).reshape(-1, 4)
-        self.offset = np.vstack([datum, np.zeros((1, 4))])[self.offset_of.astype(np.int64)]
+        # The last row is for blocks without an offset.
+        datum = np.zeros((len(stations) + 1, len(machine.axes)))
+        columns = carriage_columns(machine)
+        for index, station in enumerate(stations):
+            datum[index, columns[index]] = station.x, station.y, station.z, station.c
+        self.offset = datum[self.offset_of.astype(np.int64)]
 
         mode = blocks.has_code(Group.FEED)
         self.inverse: Bool = (
