@@ -52,11 +52,17 @@ def _machine_out(machine: Machine, connected: bool, job: str | None) -> MachineO
             "into_mat": machine.into_mat,
             "offset_cuts": machine.offset_cuts,
             "feed": machine.feed,
-            "axes": {axis: asdict(getattr(machine, axis)) for axis in "xyzc"},
+            "axes": {letter.lower(): asdict(axis) for letter, axis in machine.axes.items()},
+            "carriages": [
+                {"number": number, "letters": carriage.letters, "park": carriage.park}
+                for number, carriage in enumerate(machine.carriages, 1)
+            ],
+            "min_distance": machine.gantry.min_distance if machine.gantry else None,
             "stations": [
                 {
                     "number": station.number,
                     "name": station.name,
+                    "carriage": station.carriage,
                     "datum": {axis: getattr(station, axis) for axis in "xyzc"},
                     "output": station.output,
                     "tool": {

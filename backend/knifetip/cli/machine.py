@@ -10,7 +10,7 @@ import typer
 from knifetip.cli.drawing import Json
 from knifetip.cli.terminal import print_json
 from knifetip.library import load
-from knifetip.model.machine import Machine, Station
+from knifetip.model.machine import Gantry, Machine, Station
 from knifetip.model.tool import kind_of
 from knifetip.post.rs274.tool_table import tool_table
 
@@ -29,7 +29,12 @@ def machine_json(machine: Machine) -> dict[str, Any]:
         "into_mat": machine.into_mat,
         "settle": machine.settle,
         "feed": machine.feed,
-        "axes": {axis: asdict(getattr(machine, axis)) for axis in "xyzc"},
+        "axes": {letter.lower(): asdict(axis) for letter, axis in machine.axes.items()},
+        "carriages": [
+            {"number": number, "letters": carriage.letters, "park": carriage.park}
+            for number, carriage in enumerate(machine.carriages, 1)
+        ],
+        "min_distance": machine.gantry.min_distance if machine.gantry else None,
         "stations": [_station_json(station) for station in machine.stations],
     }
 
@@ -39,10 +44,22 @@ def _station_json(station: Station) -> dict[str, Any]:
     return {
         "number": station.number,
         "name": station.name,
+        "carriage": station.carriage,
         "datum": {"x": station.x, "y": station.y, "z": station.z, "c": station.c},
         "output": station.output,
         "tool": {"kind": kind_of(tool).name, **tool.dimensions, **tool.derived},
     }
+
+
+def _print_carriages(machine: Machine, gantry: Gantry) -> None:
+    """Print the carriages of a machine with the letters of their axes and their stations."""
+    typer.echo(f"  carriages at least {gantry.min_distance:g} mm apart")
+    for number, carriage in enumerate(gantry.carriages, 1):
+        stations = [str(one.number) for one in machine.stations if one.carriage == number]
+        typer.echo(
+            f"  carriage {number}: axes {' '.join(carriage.letters)}, parks at "
+            f"{carriage.letters[1]}{carriage.park:g}, stations {', '.join(stations) or 'none'}"
+        )
 
 
 def register(app: typer.Typer) -> None:
@@ -75,6 +92,8 @@ def register(app: typer.Typer) -> None:
             print_json(data)
             return
         typer.echo(f"{chosen.title} ({chosen.name}), language {chosen.dialect}, {chosen.feed} feed")
+        if chosen.gantry:
+            _print_carriages(chosen, chosen.gantry)
         for row in data["stations"]:
             tool = dict(row["tool"])
             datum = ", ".join(f"{axis} {value:g}" for axis, value in row["datum"].items())

@@ -1,4 +1,4 @@
-/** The machine: connection and the tool in each station. */
+/** The machine: connection, carriages if there are several, and the tool in each station. */
 
 import type { Machine } from "../api/client";
 import { useMachines } from "../state/queries";
@@ -25,6 +25,9 @@ const dimensionText = ({ dimensions }: Machine["stations"][number]["tool"]): str
     .map(([name, value]) => `${DIMENSIONS[name]} ${value}${ANGLES.has(name) ? "°" : "\u202fmm"}`)
     .join(" · ");
 
+const carriageText = ({ number, letters, park }: Machine["carriages"][number]): string =>
+  `Carriage ${number}: axes ${[...letters].join(", ")} · parks at ${letters[1]} ${park}\u202fmm`;
+
 export function MachinePanel() {
   const { data: machines } = useMachines();
   const chosen = useUiStore((ui) => ui.machine);
@@ -35,11 +38,22 @@ export function MachinePanel() {
       <div style={{ padding: "0 8px 6px" }} className={css.note}>
         {machine.title || machine.name}, controller language {machine.dialect}
       </div>
-      {machine.stations.map((station) => (
-        <div key={station.number} className={jobCss.station}>
-          <span className={jobCss.stationNumber}>{station.number}</span>
-          <span>{station.name}</span>
-          <span className={jobCss.stationTool}>{dimensionText(station.tool)}</span>
+      {machine.carriages.map((carriage) => (
+        <div key={carriage.number}>
+          {machine.carriages.length > 1 && (
+            <div style={{ padding: "4px 8px 2px" }} className={css.note}>
+              {carriageText(carriage)}
+            </div>
+          )}
+          {machine.stations
+            .filter((station) => station.carriage === carriage.number)
+            .map((station) => (
+              <div key={station.number} className={jobCss.station}>
+                <span className={jobCss.stationNumber}>{station.number}</span>
+                <span>{station.name}</span>
+                <span className={jobCss.stationTool}>{dimensionText(station.tool)}</span>
+              </div>
+            ))}
         </div>
       ))}
     </Section>

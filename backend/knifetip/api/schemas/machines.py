@@ -51,6 +51,17 @@ class ToolOut(BaseModel):
     )
 
 
+class CarriageOut(BaseModel):
+    """A carriage on the gantry of a machine, which carries stations along Y."""
+
+    number: int = Field(description="Number of the carriage, from 1")
+    letters: str = Field(
+        description="Letters of its axes in programs: X, Y, Z and C, or for example X, V, Z and A "
+        "as XVZA"
+    )
+    park: float = Field(description="Position of its Y while another carriage is in use (mm)")
+
+
 class StationOut(BaseModel):
     """A tool station on the head of a machine.
 
@@ -60,6 +71,7 @@ class StationOut(BaseModel):
 
     number: int = Field(description="Number of the station in the T words of programs")
     name: str = Field(description="Name of the station, such as the tool's name on the machine")
+    carriage: int = Field(description="Number of the carriage that carries the station")
     datum: dict[str, float] = Field(
         description="Offset of the tool by axis: x, y, z (mm) and c (degrees)"
     )
@@ -91,9 +103,13 @@ class MachineOut(BaseModel):
         "starts without confirmation"
     )
     axes: dict[str, dict[str, float]] = Field(
-        description="Limits of the axes x, y, z and c: `low` and `high` are the lowest and "
-        "highest joint position (mm or degrees), `velocity` (mm/s or degrees/s) and "
-        "`acceleration` (mm/s² or degrees/s²) are maxima"
+        description="Limits of the axes x, y, z and c, and of those of further carriages, such as "
+        "v and a: `low` and `high` are the lowest and highest joint position (mm or degrees), "
+        "`velocity` (mm/s or degrees/s) and `acceleration` (mm/s² or degrees/s²) are maxima"
+    )
+    carriages: list[CarriageOut] = Field(description="Carriages of the machine, usually one")
+    min_distance: float | None = Field(
+        description="Least distance of two carriages along Y (mm); null for one carriage"
     )
     stations: list[StationOut] = Field(description="Tool stations on the head of the machine")
     gateway: Literal["connected", "absent"] = Field(
