@@ -4,7 +4,8 @@
 
 It shares no code with the product: moves are those that LinuxCNC interprets, tools are literals in
 the tests, and distances are measured to the lines and arcs of the dieline.  rs274 prints positions
-with 4 decimals and without the tool offset, which it reads as inches.
+with 4 decimals and without the tool offset, whose linear part it reads as inches.  It has the axes
+XYZABC only: the word V of a second carriage is written as B for it, which is moved in the same way.
 """
 
 from __future__ import annotations
@@ -70,6 +71,7 @@ class TipTool:
     trail: float = 0.0
     overrun: float = 0.0  #: permitted distance of the tip past the end of an edge
     reach: float = 0.0  #: distance along an edge within which a tip makes the edge
+    letters: str = "XYZC"  #: letters of the axes that move the tool, as rs274 has them
 
 
 @dataclass(frozen=True)
@@ -86,6 +88,7 @@ class Moves:
     outputs: NDArray[np.int64]  #: (n,) one bit per digital output
     oscillates: NDArray[np.bool_]  #: (n,)
     feed: F64  #: (n,) mm or degrees per minute, as printed by rs274
+    joints: F64  #: (n, 6) X Y Z A B C after each move, with the active tool offset
 
     def __len__(self) -> int:
         return len(self.kind)
@@ -117,10 +120,14 @@ class Report:
 def read_program(program: bytes, tools: Mapping[int, TipTool] | None = None) -> Reading:
     """Return the result of rs274 for a program, with the datums of ``tools`` in its tool table."""
     assert RS274 is not None, ABSENT
+    stations = tools or {}
     table = "".join(
-        f"T{number} P{number} X{tool.datum[0]} Y{tool.datum[1]} Z{tool.datum[2]} C{tool.datum[3]}\n"
-        for number, tool in (tools or {}).items()
+        f"T{number} P{number}"
+        + "".join(f" {word}{value}" for word, value in zip(tool.letters, tool.datum, strict=True))
+        + "\n"
+        for number, tool in stations.items()
     )
+    program = re.sub(rb"V(?=-?\d)", b"B", program)
     with tempfile.TemporaryDirectory() as folder:
         directory = Path(folder)
         (directory / "program.ngc").write_bytes(program)
@@ -138,25 +145,41 @@ def read_program(program: bytes, tools: Mapping[int, TipTool] | None = None) -> 
             check=False,
         )
     ended = "PROGRAM_END" in completed.stdout
-    return Reading(completed.returncode == 0 and ended, completed.stderr, _moves(completed.stdout))
+    return Reading(
+        completed.returncode == 0 and ended, completed.stderr, _moves(completed.stdout, stations)
+    )
 
 
-def _moves(canon: str) -> Moves:
+def _moves(canon: str, tools: Mapping[int, TipTool]) -> Moves:
     rows = []
-    position = np.zeros(4)
-    selected, station, offset, outputs, oscillates, feed = 0, 0, np.zeros(3), 0, False, 0.0
+    position = np.zeros(6)
+    selected, station, offset, outputs, oscillates, feed = 0, 0, np.zeros(6), 0, False, 0.0
     for word, inside in re.findall(r"^\s*\d+ \S+\s+([A-Z_0-9]+)\((.*)\)$", canon, re.M):
         if word in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "ARC_FEED"):
             values = [float(value) for value in inside.split(",")]
             end, centre, turns = position.copy(), np.full(2, np.nan), 0
             if word == "ARC_FEED":
-                end[:] = values[0], values[1], values[5], values[8]
+                end[:] = *values[:2], *values[5:9]
                 centre, turns = np.array(values[2:4]), int(values[4])
             else:
-                end[:] = values[0], values[1], values[2], values[5]
+                end[:] = values
             kind = ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "ARC_FEED").index(word)
+            letters = tools[station].letters if station in tools else "XYZC"
+            own = ["XYZABC".index(letter) for letter in letters]
             rows.append(
-                (kind, position, end, centre, turns, station, offset, outputs, oscillates, feed)
+                (
+                    kind,
+                    position[own],
+                    end[own],
+                    centre,
+                    turns,
+                    station,
+                    offset[own[:3]],
+                    outputs,
+                    oscillates,
+                    feed,
+                    end + offset,
+                )
             )
             position = end
         elif word == "USE_LENGTH_UNITS":
@@ -167,7 +190,11 @@ def _moves(canon: str) -> Moves:
             # The argument is the index in the tool table, not the tool number.
             station = selected
         elif word == "USE_TOOL_LENGTH_OFFSET":
-            offset = np.array(inside.split(",")[0].split(), float) / 25.4
+            linear, rotary = (np.array(part.split(), float) for part in inside.split(",")[:2])
+            # The same joints have the new positions of the program.
+            changed = np.concatenate([linear / 25.4, rotary])
+            position = position + offset - changed
+            offset = changed
         elif word == "SET_AUX_OUTPUT_BIT":
             outputs |= 1 << int(inside)
         elif word == "CLEAR_AUX_OUTPUT_BIT":
@@ -176,7 +203,7 @@ def _moves(canon: str) -> Moves:
             oscillates = word.startswith("START")
         elif word == "SET_FEED_RATE":
             feed = float(inside)
-    columns = list(zip(*rows, strict=True)) or [[]] * 10
+    columns = list(zip(*rows, strict=True)) or [[]] * 11
     n = len(rows)
     return Moves(
         kind=np.array(columns[0], np.int64),
@@ -189,6 +216,7 @@ def _moves(canon: str) -> Moves:
         outputs=np.array(columns[7], np.int64),
         oscillates=np.array(columns[8], bool),
         feed=np.array(columns[9], float),
+        joints=np.array(columns[10], float).reshape(n, 6),
     )
 
 
