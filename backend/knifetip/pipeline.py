@@ -41,12 +41,15 @@ from knifetip.model.operation import Operation
 from knifetip.model.profile import LineRules
 from knifetip.model.program import Program
 from knifetip.model.question import Question
+from knifetip.model.sheet import Sheet
 from knifetip.model.stage import Progress, Stage, no_progress
 from knifetip.model.toolpath import Toolpath
 from knifetip.model.verdict import Finding, Severity, Verdict
+from knifetip.planning.boundary import BoardOutline
 from knifetip.planning.placement import placement
 from knifetip.planning.plan import plan
 from knifetip.planning.questions import tool_questions
+from knifetip.planning.sheet_outline import sheet_outline
 from knifetip.post.emit import process
 from knifetip.sequencing.air_moves import with_full_retracts
 from knifetip.sequencing.duration import duration
@@ -165,6 +168,7 @@ def compile(
     board: Board,
     *,
     corners: Corners | None = None,
+    sheet: Sheet | None = None,
     dialect: str = "",
     notes: Sequence[str] = (),
     progress: Progress = no_progress,
@@ -180,6 +184,9 @@ def compile(
     corners
         How the cutter moves round outer corners: on an arc (type B), on straight lines (C), or on a
         line, an arc and a line (D).  None chooses the types that are fastest on the machine.
+    sheet
+        The sheet, if it was cut to size: the tool turns without a lift beside it.  None if there
+        may be board everywhere on the table.
     dialect
         Name of a controller language; "" for the machine's own.
     notes
@@ -202,7 +209,8 @@ def compile(
     cleaned = clean(dieline)
     offset = placement(cleaned.dieline, machine)
     try:
-        toolpath = _toolpath(cleaned, offset, machine, board, corners, progress)
+        target = _Target(machine, board, corners, sheet)
+        toolpath = _toolpath(cleaned, offset, target, progress)
     except (PlanError, CompensationError) as error:
         raise _located(error, drawing, cleaned.dieline.source) from None
     progress(Stage.PROCESS, 0.5)
@@ -210,11 +218,12 @@ def compile(
         f"machine {machine.name}",
         f"board {board.name} caliper {board.caliper:g}",
         f"placement X{offset[0]:.4f} Y{offset[1]:.4f}",
+        *([sheet.note] if sheet else []),
         *notes,
     )
     program = process(toolpath, machine, tolerance=TOLERANCE, notes=head)
     progress(Stage.VERIFY, 0.7)
-    verdict = _verdict(program.text, dieline, cleaned, offset, machine, board)
+    verdict = _verdict(program.text, dieline, cleaned, offset, machine, board, sheet=sheet)
     planned = (Finding("planned", note, 0.0, severity=Severity.NOTE) for note in toolpath.notes)
     verdict = replace(verdict, findings=(*verdict.findings, *planned))
     progress(Stage.DONE, 1.0)
@@ -229,6 +238,7 @@ def verify(
     machine: Machine,
     board: Board,
     *,
+    sheet: Sheet | None = None,
     tolerance: float = TOLERANCE,
 ) -> Verdict:
     """Verify a program against the drawn edges.
@@ -241,6 +251,8 @@ def verify(
         The edges of the drawing, before cleaning.
     placement : mm
         Shift (x, y) that moves the drawing to its position on the machine's table.
+    sheet
+        The sheet, if it was cut to size; None if there may be board everywhere on the table.
     tolerance : mm
         Maximum distance of the tool's tip from the drawn line.
 
@@ -257,16 +269,30 @@ def verify(
     DrawingTooLarge
         Too many edges overlap.
     """
-    return _verdict(text, dieline, clean(dieline), placement, machine, board, tolerance)
+    return _verdict(
+        text,
+        dieline,
+        clean(dieline),
+        placement,
+        machine,
+        board,
+        sheet=sheet,
+        tolerance=tolerance,
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _Target:
+    """The machine and the board of a compile, and the choices of the user."""
+
+    machine: Machine
+    board: Board
+    corners: Corners | None  #: path of the cutter at outer corners; None: the fastest
+    sheet: Sheet | None  #: the sheet if it was cut to size
 
 
 def _toolpath(
-    cleaned: Cleaned,
-    offset: tuple[float, float],
-    machine: Machine,
-    board: Board,
-    corners: Corners | None,
-    progress: Progress,
+    cleaned: Cleaned, offset: tuple[float, float], target: _Target, progress: Progress
 ) -> Toolpath:
     """Return the tool path for cleaned edges.
 
@@ -277,20 +303,32 @@ def _toolpath(
     ----------
     offset
         Shift (x, y) in mm that moves the drawing to its position on the machine's table.
-    corners
-        How the cutter moves round outer corners: on an arc (type B), on straight lines (C), or on a
-        line, an arc and a line (D).  None chooses the types that are fastest on the machine.
+    target
+        The machine, the board, and the choices of the user.
     progress
         Called at the start of each stage with the completed fraction of the compile, 0 … 1.
+
+    Raises
+    ------
+    PlanError, CompensationError
+        The drawing cannot be made on this machine, board and sheet.
     """
+    machine, corners = target.machine, target.corners
     shifted = replace(cleaned.dieline, ends=cleaned.dieline.ends + np.array(offset))
     progress(Stage.PLAN, 0.05)
     chosen = None if corners is None else replace(corners, placement=offset)
-    operations: Sequence[Operation] = plan(shifted, machine, board, chosen)
-    progress(Stage.COMPENSATE, 0.2)
-    toolpaths = [compensate(operation) for operation in operations]
-    progress(Stage.SEQUENCE, 0.4)
-    toolpath = sequence(toolpaths, machine)
+    outlines: list[BoardOutline | None] = [None]
+    if target.sheet is not None:
+        outlines.append(sheet_outline(target.sheet, shifted, machine))
+    found = []
+    for outline in outlines:
+        operations: Sequence[Operation] = plan(shifted, machine, target.board, chosen, outline)
+        progress(Stage.COMPENSATE, 0.2)
+        toolpaths = [compensate(operation) for operation in operations]
+        progress(Stage.SEQUENCE, 0.4)
+        found.append(sequence(toolpaths, machine, None if outline is None else outline.edges))
+    # Leaving the sheet takes time, too: it does not pay for each drawing.
+    toolpath = min(found, key=lambda one: duration(one, machine)) if len(found) > 1 else found[0]
     source = cleaned.dieline.source[np.maximum(toolpath.source, 0)]
     return replace(toolpath, source=np.where(toolpath.source < 0, -1, source))
 
@@ -302,6 +340,8 @@ def _verdict(
     offset: tuple[float, float],
     machine: Machine,
     board: Board,
+    *,
+    sheet: Sheet | None = None,
     tolerance: float = TOLERANCE,
 ) -> Verdict:
     """Return the verdict on a program for the drawn edges.
@@ -316,11 +356,13 @@ def _verdict(
         The drawn edges, and the result of cleaning them.
     offset
         Shift (x, y) in mm that moves the drawing to its position on the machine's table.
+    sheet
+        The sheet, if it was cut to size.
     tolerance
         Maximum distance of the tool's tip from the drawn line (mm).
     """
     verdict = verification.verify(
-        text, cleaned.dieline, offset, machine, board, tolerance=tolerance
+        text, cleaned.dieline, offset, machine, board, sheet=sheet, tolerance=tolerance
     )
     mapped = map_to_drawn(verdict, cleaned, dieline)
     lost = check_cleaning(dieline, cleaned)

@@ -173,16 +173,17 @@ on a headless LinuxCNC took 12 to 21 % longer than computed (23.2, 46.3 and 22.4
 
 ## Outside the board
 
-If the outline of the board is given (`sequence(toolpaths, machine, outline)`), a tool whose tip
-circle is off the board, and remains off it during the move, turns without a lift; it only keeps
-clear of the mat. Ten V-grooves that run out on both sides of a pre-cut board:
+If a job states that its sheet was cut to size (`sheet`, `--sheet`), a tool that is off the sheet
+by the machine's clearance, and remains so during the move, turns without a lift; it only keeps
+clear of the mat ([decision 62](decisions/0062-turning.md)). Ten V-grooves that run out by 20 mm on
+both sides of a pre-cut board:
 
 | turns | s | saved |
 |---|---|---|
 {grooves}
 
-The pipeline passes no outline: a drawing shows the blank, which is surrounded by the rest of the
-sheet. The verifier assumes board everywhere too.
+Without a stated sheet there may be board everywhere, for the verifier too: a drawing shows the
+blank, which is surrounded by the rest of the sheet.
 
 ## Order of tracks
 

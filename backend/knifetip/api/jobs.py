@@ -45,6 +45,7 @@ from knifetip.jobs.tables import Drawing, Job
 from knifetip.messages import hint, render
 from knifetip.model.corners import Corners
 from knifetip.model.interpretation import Interpretation
+from knifetip.model.sheet import Sheet
 from knifetip.presentation.columns import unpack_columns
 from knifetip.presentation.verdict import EDGE_COLUMNS, areas_json, unpack_areas
 
@@ -101,15 +102,15 @@ def _ordered(service: ServiceDep, order: JobIn, key: str | None, request: str) -
 def _interpretation(service: Service, order: JobIn, drawing: Drawing) -> Interpretation:
     """Return the interpretation of a drawing that applies to a new job.
 
-    It is the stored interpretation (unit, profile, line types of edges, corner types), with the
-    changes that the request contains.
+    It is the stored interpretation (unit, profile, line types of edges), with the changes that the
+    request contains.
 
     Parameters
     ----------
     service
         The server.
     order
-        The request; it can contain a profile, line types of edges, and corner types.
+        The request; it can contain a profile, line types of edges, corner types, and a sheet.
     drawing
         The stored drawing.
     """
@@ -123,6 +124,8 @@ def _interpretation(service: Service, order: JobIn, drawing: Drawing) -> Interpr
     if order.corners is not None:
         corners = Corners.from_json(order.corners.model_dump())
         interpretation = replace(interpretation, corners=corners)
+    if order.sheet is not None:
+        interpretation = replace(interpretation, sheet=Sheet.from_json(order.sheet.model_dump()))
     return interpretation
 
 

@@ -38,6 +38,7 @@ from knifetip.model.board import Board
 from knifetip.model.corners import CornerAt, Corners
 from knifetip.model.drawing import Drawing
 from knifetip.model.machine import Machine
+from knifetip.model.sheet import Sheet
 from knifetip.model.verdict import Verdict
 from knifetip.planning.plan import check_corners
 from knifetip.presentation.verdict import verdict_json
@@ -48,6 +49,7 @@ _CORNER = re.compile(
     rf"\s*(?P<x>{_NUMBER})\s*,\s*(?P<y>{_NUMBER})\s*=\s*(?P<type>\w+)\s*(?::\s*(?P<k>{_NUMBER})\s*)?",
     re.ASCII,
 )
+_SHEET = re.compile(rf"\s*({_NUMBER})\s*[xX×]\s*({_NUMBER})\s*(?::\s*({_NUMBER})\s*)?", re.ASCII)
 
 
 class CornerType(Enum):
@@ -168,6 +170,49 @@ class CornerOptions:
         return corners
 
 
+def parse_sheet(text: str) -> Sheet | None:
+    """Return the sheet that the option ``--sheet`` describes; None for an empty text.
+
+    Parameters
+    ----------
+    text
+        ``outline``, ``WIDTHxHEIGHT`` or ``WIDTHxHEIGHT:MARGIN``, in mm.
+
+    Raises
+    ------
+    PlanError
+        The text does not have one of these forms, or a size is 0 or negative.
+    """
+    if not text:
+        return None
+    if text == "outline":
+        return Sheet()
+    match = _SHEET.fullmatch(text)
+    sheet = Sheet(*(float(each or 0.0) for each in match.groups())) if match else Sheet()
+    if not (min(sheet.width, sheet.height) > 0.0 and sheet.margin >= 0.0):
+        raise PlanError("sheet.bad-size", text=text)
+    return sheet
+
+
+@dataclass(frozen=True, slots=True)
+class SheetOptions:
+    """The command-line option that describes the sheet on the table."""
+
+    sheet: Annotated[
+        str,
+        typer.Option(
+            metavar="WxH[:MARGIN]",
+            help="The sheet was cut to this size, in mm, and the drawing lies MARGIN from its left "
+            "and lower edge; or outline: the sheet was cut to the outline of the drawing. Tools "
+            "turn without a lift beside such a sheet. Default: a sheet of unknown size.",
+        ),
+    ] = ""
+
+    def record(self) -> Sheet | None:
+        """Return the sheet that the option describes; None if it is not given."""
+        return parse_sheet(self.sheet)
+
+
 def print_verdict(verdict: Verdict) -> None:
     """Print the measurements and the first findings of a verdict of the verifier."""
     word = "accepted" if verdict.accepted else "refused"
@@ -230,6 +275,7 @@ def program(
     output: Annotated[Path, typer.Option("-o", "--output", help="File to write the program to.")],
     reading: ReadingOptions,
     corner_options: CornerOptions,
+    sheet_options: SheetOptions,
     dialect: Annotated[
         str,
         typer.Option(
@@ -253,7 +299,7 @@ def program(
     2 while questions about the drawing are open.
     """
     machine, board = target.load()
-    corners = corner_options.corners(machine)
+    corners, sheet = corner_options.corners(machine), sheet_options.record()
     with progress(file.name) as report_progress:
         loaded = reading.load(file)
         _refuse_questions(loaded, machine)
@@ -263,6 +309,7 @@ def program(
             machine,
             board,
             corners=corners,
+            sheet=sheet,
             dialect=dialect,
             progress=report_progress,
         )
@@ -273,6 +320,7 @@ def program(
             "board": board.name,
             "profile": reading.profile,
             "corners": None if corners is None else corners.as_json(),
+            "sheet": None if sheet is None else sheet.as_json(),
             **_compiled_json(result, loaded.drawing),
         }
         write_bytes(report, json_bytes(data))
@@ -315,6 +363,7 @@ def verify(
     drawing: Annotated[Path, typer.Option(help="Drawing with which the program is compared.")],
     target: TargetOptions,
     reading: ReadingOptions,
+    sheet_options: SheetOptions,
     placement_option: Annotated[
         str,
         typer.Option(
@@ -340,7 +389,9 @@ def verify(
     )
     if placement is None:
         raise ProgramUnreadable("program.no-placement", program=program.name)
-    verdict = pipeline.verify(text, loaded.dieline, placement, machine, board)
+    verdict = pipeline.verify(
+        text, loaded.dieline, placement, machine, board, sheet=sheet_options.record()
+    )
     if json:
         print_json(verdict_json(verdict, loaded.drawing.handles))
     else:

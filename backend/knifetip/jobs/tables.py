@@ -129,6 +129,8 @@ class Job(Base):
     fingerprint: Mapped[str] = mapped_column(sa.String(64))
     #: path of a cutter round outer corners; None: chosen by duration
     corners: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
+    #: size of a sheet that was cut before the job; None: larger than the drawing
+    sheet: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
     overrides: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)
     program: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)
     toolpath: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)

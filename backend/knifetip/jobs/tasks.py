@@ -223,6 +223,7 @@ def compile(
         table,
         load.board(board),
         corners=interpretation.corners,
+        sheet=interpretation.sheet,
         notes=notes,
         progress=progress,
     )

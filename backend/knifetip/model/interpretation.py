@@ -9,6 +9,7 @@ import numpy as np
 
 from knifetip.geometry.columns import U8
 from knifetip.model.corners import Corners
+from knifetip.model.sheet import Sheet
 
 #: In a column of overrides: the edge keeps the line type of its classification.
 NO_OVERRIDE: Final = 255
@@ -16,7 +17,7 @@ NO_OVERRIDE: Final = 255
 
 @dataclass(frozen=True, slots=True)
 class Interpretation:
-    """The user's decisions about a drawing: unit, profile, overrides and corner types.
+    """The user's decisions about a drawing: unit, profile, overrides, corner types and sheet.
 
     An override is a line type that the user has set for one edge.  The record contains only plain
     data, so that it can be stored and sent to another process.
@@ -28,6 +29,7 @@ class Interpretation:
     #: one byte per edge, ``NO_OVERRIDE`` or a LineType; b"" if no edge is overridden
     overrides: bytes = b""
     corners: Corners | None = None  #: corner types; None: the fastest on the machine
+    sheet: Sheet | None = None  #: the sheet if it was cut to size
 
     @property
     def override_column(self) -> U8 | None:

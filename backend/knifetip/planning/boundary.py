@@ -64,9 +64,14 @@ class BoardOutline:
         bent = np.where(back[:, 0], -bulge[rows], bulge[rows])
         return cls(np.where(back, end, start), np.where(back, start, end), bent)
 
+    @property
+    def edges(self) -> Paths:
+        """The edges as one path, which is not continuous."""
+        return Paths(self.start, self.end, self.bulge, np.array([0, len(self.bulge)]))
+
 
 @dataclass(frozen=True, eq=False, slots=True)
-class _Contacts:
+class Contacts:
     """k contacts: pairs of an end of a groove and a cut of the outline on which that end lies."""
 
     end: I64  #: (k,) index of the end
@@ -105,7 +110,7 @@ def run_out_lengths(
     FlankOutside
         A groove meets the board's edge at less than 5°, or its run-out would enter the board again.
     """
-    contacts = _find_contacts(points, outline)
+    contacts = find_contacts(points, outline)
     u, m = ahead[contacts.end], contacts.normal
     sine = (u * m).sum(axis=1)
     leaves = np.flatnonzero(sine > _ALONG)
@@ -138,12 +143,12 @@ def ends_at_waste(points: F64, ahead: F64, outline: BoardOutline) -> Bool:
     outline
         Outlines of the board and of its holes.
     """
-    contacts = _find_contacts(points, outline)
+    contacts = find_contacts(points, outline)
     sine = (ahead[contacts.end] * contacts.normal).sum(axis=1)
     return _leaving_ends(contacts, sine, len(points))[0]
 
 
-def _leaving_ends(contacts: _Contacts, sine: F64, count: int) -> tuple[Bool, Bool]:
+def _leaving_ends(contacts: Contacts, sine: F64, count: int) -> tuple[Bool, Bool]:
     """Return the masks of the ends at which a line leaves the board, and of the ends at an outer
     corner of the outline, (count,) each.
 
@@ -168,7 +173,7 @@ def _check_run_outs(
     ahead: F64,
     size: F64,
     width: float,
-    contacts: _Contacts,
+    contacts: Contacts,
     outline: BoardOutline,
     source: I32,
 ) -> None:
@@ -214,7 +219,7 @@ def _check_run_outs(
         )
 
 
-def _check_angles(contacts: _Contacts, sine: F64, source: I32) -> None:
+def _check_angles(contacts: Contacts, sine: F64, source: I32) -> None:
     """Raise ``FlankOutside`` if a groove ends on one edge of the board, not at a corner, and the
     angle between the two is less than 5°.
 
@@ -229,7 +234,7 @@ def _check_angles(contacts: _Contacts, sine: F64, source: I32) -> None:
         raise FlankOutside("groove.along-edge", edge=edge, angle=angle, source=[str(edge)])
 
 
-def _find_contacts(points: F64, outline: BoardOutline) -> _Contacts:
+def find_contacts(points: F64, outline: BoardOutline) -> Contacts:
     """Return the contacts of n points, (n, 2) mm, with cuts of the outline.
 
     A point and a cut are in contact if their distance is at most ``GAP`` mm.
@@ -245,7 +250,7 @@ def _find_contacts(points: F64, outline: BoardOutline) -> _Contacts:
     tangent = unit_vectors(arc.tangent_at(start, finish, bulge, along))
     near_end = np.hypot(*(finish - point).T) <= GAP
     near_start = np.hypot(*(start - point).T) <= GAP
-    return _Contacts(
+    return Contacts(
         end[touch],
         cut[touch],
         left_normal(tangent)[touch],
@@ -257,7 +262,7 @@ def _find_contacts(points: F64, outline: BoardOutline) -> _Contacts:
     )
 
 
-def _corner_turns(contacts: _Contacts, count: int) -> F64:
+def _corner_turns(contacts: Contacts, count: int) -> F64:
     """Return the sine of the angle by which the outline turns at each end of a groove, (count,).
 
     The sine is positive in a notch, negative at an outer corner (a right turn, since the waste is

@@ -18,15 +18,25 @@ from knifetip.planning.boundary import BoardOutline, run_out_lengths
 from knifetip.planning.flank_check import check_flanks
 from knifetip.planning.path_ends import end_directions, end_points
 from knifetip.planning.setup import Setup
+from knifetip.planning.sheet_outline import sheet_run_outs
 
 
-def plan_grooves(outline: BoardOutline, dieline: Dieline, rows: I32, setup: Setup) -> Operation:
+def plan_grooves(
+    outline: BoardOutline,
+    sheet: BoardOutline | None,
+    dieline: Dieline,
+    rows: I32,
+    setup: Setup,
+) -> Operation:
     """Return the operation that cuts the V-grooves of a dieline.
 
     Parameters
     ----------
     outline
         Outline of the board, beyond which grooves run out.
+    sheet
+        Outline of a sheet that was cut to size: the blade leaves the sheet entirely at grooves that
+        end on its edge.  None if the sheet is larger than the drawing by an unknown width.
     rows : (m,)
         Indices of the V-grooves in the dieline.
     setup
@@ -64,5 +74,9 @@ def plan_grooves(outline: BoardOutline, dieline: Dieline, rows: I32, setup: Setu
     )
     kinds = np.where(on_edge, End.MEETS, np.where(joined, End.CONTINUED, End.FREE))
     start, finish = np.split(kinds.astype(np.uint8), 2)
+    if sheet is not None:
+        blade = (cutter.half_width, reach)
+        leaving = sheet_run_outs(points, -inward, blade, setup.machine.clearance, sheet)
+        run_out = np.maximum(run_out, np.where(on_edge, leaving, 0.0).reshape(2, -1).T)
     operation = setup.operation(LineType.V_GROOVE, paths, source, depth, (start, finish))
     return replace(operation, run_out=run_out)

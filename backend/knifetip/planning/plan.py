@@ -58,7 +58,11 @@ def check_corners(corners: Corners, machine: Machine) -> None:
 
 
 def plan(
-    dieline: Dieline, machine: Machine, board: Board, corners: Corners | None = None
+    dieline: Dieline,
+    machine: Machine,
+    board: Board,
+    corners: Corners | None = None,
+    sheet: BoardOutline | None = None,
 ) -> list[Operation]:
     """Return the operations that make a dieline, in working order.
 
@@ -71,6 +75,8 @@ def plan(
     corners
         How a milling cutter goes round corners; None for the type of corner that is fastest on this
         machine.
+    sheet
+        Outline of the sheet if it was cut to size (``sheet_outline``), else None.
 
     Raises
     ------
@@ -106,7 +112,7 @@ def plan(
     )
     planners: Mapping[Planner, Callable[..., Operation | list[Operation]]] = {
         Planner.CREASES: plan_creases,
-        Planner.GROOVES: partial(plan_grooves, outline),
+        Planner.GROOVES: partial(plan_grooves, outline, sheet),
         Planner.HALF_CUTS: partial(plan_half_cuts, borders),
         Planner.PERFORATIONS: plan_perforations,
         Planner.BLADE_CUTS: partial(plan_blade_cuts, sides, borders),

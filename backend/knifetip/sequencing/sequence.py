@@ -11,8 +11,9 @@ position.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Final
 
 import numpy as np
@@ -67,8 +68,8 @@ def sequence(
         The machine that runs the toolpaths.
     outline : closed Paths, holes included
         Outline of the whole board that lies on the table (a blank is only a part of it).  With an
-        outline, a tool that has left the board turns without a lift; with None, every turn is
-        lifted.
+        outline, a tool that is off the board by the machine's clearance turns without a lift; with
+        None, every turn is lifted.
 
     Raises
     ------
@@ -275,8 +276,8 @@ def _lower_turns(toolpath: Toolpath, machine: Machine, outline: Paths | None) ->
 
     A turn is a rapid between a lift and a plunge; in ``toolpath`` it is above the board's top face
     by the machine's clearance.  A turn that is entirely outside ``outline``, the outline of the
-    board, is lowered further, because the tool only has to clear the mat under the board.  If
-    ``outline`` is None, all turns clear the board.
+    board, by the machine's clearance is lowered further, because the tool only has to clear the mat
+    under the board.  If ``outline`` is None, all turns clear the board.
     """
     rapid = np.flatnonzero(toolpath.motion[1:-1] == Motion.RAPID) + 1
     turns = rapid[
@@ -296,7 +297,10 @@ def _lower_turns(toolpath: Toolpath, machine: Machine, outline: Paths | None) ->
         low, high = toolpath.pose[own - 1], toolpath.pose[own + 2]
         depth = face - float(min(low[:, 2].min(), high[:, 2].min()))
         circle = station.tool.tip_circle(depth)
-        clear = _has_own_lift(toolpath, own) & turns_outside_board(low, high, circle, outline)
+        # A tilted tool below the top face is beside its tip circle by up to depth · tan(tilt).
+        beside = depth * math.tan(math.radians(circle.tilt))
+        wide = replace(circle, radius=math.hypot(circle.radius, beside) + machine.clearance)
+        clear = _has_own_lift(toolpath, own) & turns_outside_board(low, high, wide, outline)
         for end, untouched in ((own[clear], low[clear]), (own[clear] + 1, high[clear])):
             over = np.minimum(pose[end, 2], machine.clearance)
             rise = np.where(untouched[:, 2] < 0.0, over - untouched[:, 2], 0.0)

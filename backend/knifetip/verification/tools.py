@@ -162,6 +162,37 @@ _EXPECTED: Final[Mapping[type[Tool], Callable[[Any], ExpectedTool]]] = {
 }
 
 
+def footprint_corners(tool: Tool, depth: float) -> tuple[tuple[float, float], ...]:
+    """Return the corners of the area that a tool can occupy below the board's top face (mm).
+
+    The area is seen from above.  Each corner is a pair: its distance ahead of the head's axis, in
+    the direction of C, and its distance to the right of it.
+
+    Parameters
+    ----------
+    tool
+        The tool.  Which way a knife's blade points from its tip is unknown, so it counts twice.
+    depth : mm
+        Greatest depth of the tip below the top face.
+    """
+    match tool:
+        case Knife():
+            return ((-tool.trail - tool.blade_width, 0.0), (tool.blade_width - tool.trail, 0.0))
+        case VCutter():
+            # The blade leans to the right, where it leaves the board beside its cutting edge.
+            lean = max(depth, 0.0) * math.tan(math.radians(tool.tilt))
+            back, front = -tool.half_width, tool.half_width
+            left, right = -tool.back, lean - tool.back
+            return ((back, left), (front, left), (front, right), (back, right))
+        case CreaseWheel():
+            sunk = min(max(depth, 0.0), tool.radius)
+            half, side = math.sqrt(sunk * (2.0 * tool.radius - sunk)), 0.5 * tool.width
+        case _:
+            disc = expected_tool(tool).disc
+            half = side = disc.radius if disc else 0.0
+    return ((-half, -side), (half, -side), (half, side), (-half, side))
+
+
 def extra_outputs(machine: Machine) -> tuple[int, ...]:
     """Return the numbers of the outputs that tools need besides the outputs of their stations,
     ascending.

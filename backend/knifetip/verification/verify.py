@@ -18,6 +18,7 @@ from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
+from knifetip.model.sheet import Sheet
 from knifetip.model.verdict import Samples, Verdict
 from knifetip.verification.checks import motion_checks
 from knifetip.verification.checks.carriage_check import check_carriages
@@ -27,6 +28,7 @@ from knifetip.verification.checks.output_checks import check_switching
 from knifetip.verification.checks.unreached_areas import merge_unreached
 from knifetip.verification.checks.work_order import check_work_order
 from knifetip.verification.expectation.edges import place_edges
+from knifetip.verification.expectation.sheet_area import SheetArea, place_sheet
 from knifetip.verification.findings import MAX_FINDINGS, Findings
 from knifetip.verification.kinematics import TipPaths, TipPoses, tip_paths, tip_poses
 from knifetip.verification.reading.moves import Moves, ProgramReader
@@ -44,6 +46,7 @@ def verify(
     machine: Machine,
     board: Board,
     *,
+    sheet: Sheet | None = None,
     tolerance: float = 0.01,
 ) -> Verdict:
     """Return the verdict on a program: findings, figures for each edge, and the nominal time.
@@ -58,6 +61,8 @@ def verify(
         Offset from the drawing's coordinates to the sheet's coordinates.
     machine, board
         Machine and board that the program is made for.
+    sheet : Sheet, optional
+        The sheet if it was cut to size; None if there may be board everywhere on the table.
     tolerance : float, mm
         Greatest distance of the tip from its edge, including the controller's rounding of corners
         (G64).  The rounding of coarse coordinates is added; the verdict contains the sum.
@@ -82,12 +87,21 @@ def verify(
     edges = place_edges(dieline, placement)
     figures = EdgeFigures.zeros(len(dieline))
     findings = Findings()
-    moves, _, paths = _trace(text, machine, board, tolerance, findings)
+    area = None if sheet is None else place_sheet(sheet, edges)
+    moves, _, paths = _trace(text, machine, board, tolerance, findings, area)
     _check_placement(text, placement, machine, findings)
     _check_unclassified(dieline, findings)
     tolerance += moves.resolution
     context = CheckContext(
-        edges, machine, board, tolerance, figures, findings, moves.programmed, moves.resolution
+        edges,
+        machine,
+        board,
+        tolerance,
+        figures,
+        findings,
+        moves.programmed,
+        moves.resolution,
+        area,
     )
     check_edges(context, paths)
     check_work_order(context, paths)
@@ -136,7 +150,12 @@ def trace_program(text: bytes, machine: Machine, board: Board) -> tuple[Moves, T
 
 
 def _trace(
-    text: bytes, machine: Machine, board: Board, tolerance: float, findings: Findings
+    text: bytes,
+    machine: Machine,
+    board: Board,
+    tolerance: float,
+    findings: Findings,
+    sheet: SheetArea | None = None,
 ) -> tuple[Moves, TipPoses, TipPaths]:
     moves, faults = _reader(machine).read(text, machine, board)
     findings.add_faults(faults)
@@ -147,7 +166,7 @@ def _trace(
     motion_checks.check_outputs(moves, tip, machine, findings)
     check_switching(moves, machine, board, findings)
     motion_checks.check_board_moves(
-        moves, tip, machine, board, tolerance + moves.resolution, findings
+        moves, tip, machine, board, tolerance + moves.resolution, sheet, findings
     )
     usable &= ~np.isnan(tip.start).any(axis=1) & ~np.isnan(tip.end).any(axis=1)
     return moves, tip, tip_paths(moves, tip, usable, machine, board)

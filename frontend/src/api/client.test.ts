@@ -50,6 +50,7 @@ describe("an error", () => {
         board: "b",
         copies: 1,
         corners: null,
+        sheet: null,
       }),
     ).rejects.toMatchObject({ problem: { questions: [question] } });
   });

@@ -27,6 +27,7 @@ export type JobOrder = Pick<Schemas["JobIn"], "drawing" | "machine" | "board"> &
   revision: number | null;
   copies: number;
   corners: Corners | null;
+  sheet: Sheet | null;
 };
 export type JobState = Job["state"];
 export type ImportReportRow = Schemas["ImportReportRow"];
@@ -40,6 +41,7 @@ export type ReportGroup = Schemas["ReportGroup"];
 export type Retyped = Schemas["ChangeOut"];
 export type Rule = Schemas["RuleOut"];
 export type Question = Schemas["QuestionOut"];
+export type Sheet = Schemas["Sheet"];
 export type ServiceStatus = Schemas["ServiceOut"];
 export type Unit = NonNullable<Drawing["unit"]>;
 export type Verdict = Schemas["VerdictOut"];

@@ -33,6 +33,7 @@ export const VIEWER_COLOURS: ViewerColours = {
   table: CANVAS.table,
   ground: rgba(CANVAS.table),
   tableEdge: rgba(CANVAS.tableEdge),
+  sheetEdge: rgba(CANVAS.sheetEdge),
   gridMinor: rgba(CANVAS.gridMinor, 0.045),
   gridMajor: rgba(CANVAS.gridMajor, 0.07),
   axisX: rgba("#ff6b61", 0.75),

@@ -22,6 +22,7 @@ import {
   useVerdictColumns,
 } from "../state/queries";
 import { layerKey, layerOf } from "../state/rows";
+import { sheetBox } from "../state/sheet";
 import { useUiStore } from "../state/store";
 import { verdictMapOf } from "../state/verdictMap";
 import type { Viewer } from "../viewer/viewer";
@@ -125,16 +126,19 @@ function useShownTable(viewer: MaybeViewer): void {
   const { data: timeline } = useTimeline();
   const open = useUiStore((ui) => ui.drawing);
   const machine = useShownMachine();
+  const sheet = useUiStore((ui) => ui.sheet);
   const placement = timeline?.toolpath.placement;
   useEffect(() => {
     if (machine === undefined || drawing === undefined || open === null) {
       viewer?.showTable(null);
+      viewer?.showSheet(null);
       return;
     }
     const x = placement?.[0] ?? machine.origin[0] - drawing.bounds[0];
     const y = placement?.[1] ?? machine.origin[1] - drawing.bounds[1];
     viewer?.showTable([-x, -y, machine.width - x, machine.height - y]);
-  }, [viewer, machine, drawing, placement, open]);
+    viewer?.showSheet(sheetBox(sheet, { x: machine.origin[0] - x, y: machine.origin[1] - y }));
+  }, [viewer, machine, drawing, placement, sheet, open]);
 }
 
 function useShownPath(viewer: MaybeViewer, edges: Edges | null, tools: Tools): void {

@@ -931,6 +931,10 @@ export const TEXTS = {
     "text": "{path} has the numbers {numbers:, }; each number may occur only once",
     "hint": ""
   },
+  "field.sheet-size": {
+    "text": "{path} must have both width and height, or none of width, height and margin",
+    "hint": ""
+  },
   "field.spacing": {
     "text": "{path} is {value:g} mm, but must be either 0 or at least {least:g} mm",
     "hint": ""
@@ -3067,6 +3071,22 @@ export const TEXTS = {
     "text": "The server was started with both --key and --key-file.",
     "hint": "Give only one of the two options."
   },
+  "sheet.bad-size": {
+    "text": "{text!r} is not a size of a sheet.",
+    "hint": "Give the width and the height in mm as WIDTHxHEIGHT, with the distance of the drawing from the left and lower edge as WIDTHxHEIGHT:MARGIN, or outline for a sheet that was cut to the outline of the drawing."
+  },
+  "sheet.off-table": {
+    "text": "The sheet would lie from X {x:.1f}, Y {y:.1f} to X {right:.1f}, Y {top:.1f} mm, but the table of {machine} reaches from 0 to {width:.0f} × {height:.0f} mm.",
+    "hint": "Choose a smaller margin or sheet, or correct the origin in the machine file."
+  },
+  "sheet.smaller-than-drawing": {
+    "text": "The sheet of {width:.1f} × {height:.1f} mm is too small: with its margin of {margin:.1f} mm the drawing needs {needed_x:.1f} × {needed_y:.1f} mm.",
+    "hint": "Enter the size and the margin of the sheet on the table, or check the unit of the drawing."
+  },
+  "sheet.without-outline": {
+    "text": "The cuts of the drawing form no closed outline, so the outline of the sheet is not known.",
+    "hint": "Enter the width and the height of the sheet, or close the outline of the drawing."
+  },
   "store.no-column": {
     "text": "The {kind} {id} has no {column} yet.",
     "hint": "Wait until the {kind} is compiled. If the compilation failed, the fields state and reason of the {kind} show why."
@@ -3694,6 +3714,10 @@ export const TEXTS = {
   "verify.rapid-in-board": {
     "text": "A rapid move of station {station} is {depth:.3f} mm below the top face of the board.",
     "hint": "Lift the tool above the board before the rapid move."
+  },
+  "verify.rapid-near-sheet": {
+    "text": "A rapid move of station {station} is {depth:.3f} mm below the top face of the board, and it is over the sheet, too close to the sheet, or in the mat.",
+    "hint": "Lift the tool above the board before the rapid move, or keep the tool beside the sheet by the clearance of the machine."
   },
   "verify.slanted": {
     "text": "Station {station} moves {distance:.3f} mm sideways (away from the axis of its tool) while the tool enters or leaves the board.",

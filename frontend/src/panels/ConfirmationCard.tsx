@@ -6,6 +6,7 @@ import type { Job } from "../api/client";
 import { renderHint, renderText } from "../messages/render";
 import { command } from "../state/actions";
 import { useBoards } from "../state/queries";
+import { sheetText } from "../state/sheet";
 import { useUiStore } from "../state/store";
 import jobCss from "./job.module.css";
 import css from "./panels.module.css";
@@ -49,6 +50,7 @@ export function ConfirmationCard({ job }: { job: Job }) {
         <dd>
           {board?.title || job.board}
           {job.copies > 1 && ` · copy ${job.copies_done + 1} of ${job.copies}`}
+          {job.sheet && <div data-testid="confirm-sheet">Sheet {sheetText(job.sheet)}</div>}
         </dd>
         {job.tools.length > 0 && (
           <>

@@ -12,6 +12,7 @@ import { useUiStore } from "../state/store";
 import { CornersForm } from "./CornersForm";
 import css from "./panels.module.css";
 import { Section } from "./Section";
+import { SheetForm } from "./SheetForm";
 
 export function OrderPanel() {
   const { data: drawing } = useDrawing();
@@ -33,7 +34,12 @@ export function OrderPanel() {
   // biome-ignore lint/correctness/useExhaustiveDependencies: once per job, not on each update
   useEffect(() => {
     if (job !== undefined) {
-      set({ machine: job.machine, board: job.board, corners: job.corners ?? DEFAULT_CORNERS });
+      set({
+        machine: job.machine,
+        board: job.board,
+        corners: job.corners ?? DEFAULT_CORNERS,
+        sheet: job.sheet ?? null,
+      });
     }
   }, [job?.id, set]);
 
@@ -68,6 +74,10 @@ export function OrderPanel() {
           allowDeselect={false}
           onChange={(value) => set({ board: value })}
           data-testid="board-select"
+        />
+        <SheetForm
+          width={drawing.bounds[2] - drawing.bounds[0]}
+          height={drawing.bounds[3] - drawing.bounds[1]}
         />
         <div
           style={{ display: "grid", gridTemplateColumns: "72px 1fr", gap: 8, alignItems: "end" }}

@@ -176,7 +176,7 @@ export function redo(): Promise<void> {
 
 export function compile(machine: string, board: string): Promise<void> {
   return enqueue(async () => {
-    const { drawing, copies } = useUiStore.getState();
+    const { drawing, copies, sheet } = useUiStore.getState();
     if (drawing === null) return;
     useUiStore.getState().set({ pickingCorners: false });
     const machines = queryClient.getQueryData(queries.machines().queryKey);
@@ -184,7 +184,8 @@ export function compile(machine: string, board: string): Promise<void> {
     const corners = milled ? useUiStore.getState().corners : null;
     try {
       const revision = displayedRevision(drawing);
-      const job = await service.compile({ drawing, revision, machine, board, copies, corners });
+      const order = { drawing, revision, machine, board, copies, corners, sheet };
+      const job = await service.compile(order);
       upsertJob(job);
       useUiStore.getState().openJob(job.id);
     } catch (cause) {

@@ -89,6 +89,7 @@ export const CANVAS = {
   backdrop: "#0e1116",
   table: "#151a21",
   tableEdge: "#3a4554",
+  sheetEdge: "#c9b48a",
   gridMinor: "#ffffff",
   gridMajor: "#ffffff",
   hover: "#ffffff",

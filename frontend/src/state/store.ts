@@ -5,7 +5,7 @@
  */
 
 import { create } from "zustand";
-import type { Corners, Question } from "../api/client";
+import type { Corners, Question, Sheet } from "../api/client";
 import type { ConnectionState } from "../api/events";
 import type { Box, LineType } from "../geometry/records";
 import { DEFAULT_CORNERS } from "./corners";
@@ -73,6 +73,8 @@ export interface UiState {
   readonly copies: number;
   /** How a router goes round corners; unused on other machines. */
   readonly corners: Corners;
+  /** The sheet if it was cut to size; null if it may be larger than the drawing. */
+  readonly sheet: Sheet | null;
   /** A click on the canvas selects a corner instead of an edge. */
   readonly pickingCorners: boolean;
   /** Questions that the last compile request was refused with. */
@@ -118,6 +120,7 @@ type UiValues = Pick<
   | "copies"
   | "corners"
   | "pickingCorners"
+  | "sheet"
   | "compileQuestions"
   | "retypePreviews"
   | "editedProfile"
@@ -168,6 +171,7 @@ export const useUiStore = create<UiState>()((set) => ({
   copies: 1,
   corners: DEFAULT_CORNERS,
   pickingCorners: false,
+  sheet: null,
   compileQuestions: [],
   retypePreviews: [],
   editedProfile: null,
@@ -190,6 +194,8 @@ export const useUiStore = create<UiState>()((set) => ({
             compileQuestions: [],
             retypePreviews: [],
             pickingCorners: false,
+            // The sheet belongs to the drawing that was open, too.
+            sheet: null,
             // Single corners belong to the drawing that was open.
             corners: { ...page.corners, at: [] },
           },

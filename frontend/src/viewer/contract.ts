@@ -16,6 +16,8 @@ export interface ViewerColours extends PathColours {
   /** Colour towards which faint lines are mixed. */
   readonly ground: Rgba;
   readonly tableEdge: Rgba;
+  /** Colour of the edge of a sheet that was cut to size. */
+  readonly sheetEdge: Rgba;
   readonly gridMinor: Rgba;
   readonly gridMajor: Rgba;
   readonly axisX: Rgba;

@@ -16,6 +16,8 @@ export class Surroundings {
   readonly table: Mesh<PlaneGeometry, MeshBasicMaterial>;
   /** The table as a box in drawing coordinates. */
   box: Box | null = null;
+  /** A rectangular sheet as a box in drawing coordinates. */
+  sheet: Box | null = null;
   /** Corners that have a type of their own. */
   corners: readonly Point[] = [];
   /** The box that a pin marks. */
@@ -23,12 +25,14 @@ export class Surroundings {
 
   private readonly gridLayer = new LineLayer(1, ORDER.grid);
   private readonly frameLayer = new LineLayer(1.25, ORDER.frame);
+  private readonly sheetLayer = new LineLayer(1.5, ORDER.sheet);
   private readonly datumLayer = new LineLayer(2, ORDER.datum);
   private readonly cornerLayer = new LineLayer(2, ORDER.corners);
   private readonly pinLayer = new LineLayer(2.5, ORDER.pin);
   readonly layers = [
     this.gridLayer,
     this.frameLayer,
+    this.sheetLayer,
     this.datumLayer,
     this.cornerLayer,
     this.pinLayer,
@@ -45,7 +49,8 @@ export class Surroundings {
 
   /** Rebuild the table after a change of the table or of the origin. */
   updateTable(origin: Point): void {
-    const { box } = this;
+    const { box, sheet } = this;
+    this.sheetLayer.show(sheet === null ? null : frameLines(sheet, origin, this.colours.sheetEdge));
     this.table.visible = box !== null;
     this.frameLayer.show(box === null ? null : frameLines(box, origin, this.colours.tableEdge));
     if (box === null) return;

@@ -165,6 +165,13 @@ export class Viewer {
     this.draw();
   }
 
+  /** Show a rectangular sheet, given as a box in drawing coordinates; null hides it. */
+  showSheet(box: Box | null): void {
+    this.surroundings.sheet = box;
+    this.surroundings.updateTable(this.origin);
+    this.draw();
+  }
+
   showLayers(shown: VisibleLayers): void {
     this.shown = shown;
     if (shown.swept) this.travel.buildSwept(this.tools, this.origin);

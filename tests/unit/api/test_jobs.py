@@ -330,3 +330,36 @@ def test_the_time_saved_by_least_lifts_is_reported(
 ) -> None:
     for job in (ready, window):
         assert job["verdict"]["seconds"] < job["verdict"]["seconds_retracted"]
+
+
+@pytest.mark.parametrize(
+    ("sheet", "state"),
+    [
+        ({"width": 120.0, "height": 110.0, "margin": 4.0}, "ready"),
+        ({"width": None, "height": None, "margin": 0.0}, "ready"),
+        ({"width": 50.0, "height": 110.0, "margin": 0.0}, "refused"),
+    ],
+)
+def test_a_sheet_is_kept_with_the_job_and_must_hold_the_drawing(
+    client: httpx.Client, sheet: dict[str, float | None], state: str
+) -> None:
+    drawing = upload_drawing(client, square())["id"]
+    order = {"drawing": drawing, "board": "greyboard-2.0", "sheet": sheet}
+    answer = client.post("/api/jobs", json=order)
+    assert answer.status_code == 201, answer.text
+    job = wait_for_state(client, answer.json()["id"], "ready", "refused")
+    assert (job["state"], job["sheet"]) == (state, sheet)
+    if state == "refused":
+        assert job["message"]["code"] == "sheet.smaller-than-drawing"
+
+
+@pytest.mark.parametrize(
+    "sheet", [{"width": 100.0}, {"height": 100.0}, {"margin": 3.0}, {"width": 0.0, "height": 9.0}]
+)
+def test_half_a_sheet_is_refused_on_order(client: httpx.Client, sheet: dict[str, float]) -> None:
+    drawing = upload_drawing(client, square())["id"]
+    order = {"drawing": drawing, "board": "greyboard-2.0", "sheet": sheet}
+    answer = client.post("/api/jobs", json=order)
+    assert answer.status_code == 422
+    assert answer.headers["content-type"] == "application/problem+json"
+    assert "sheet" in answer.json()["detail"]

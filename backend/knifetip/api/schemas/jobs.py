@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, TypeAlias
 
-from pydantic import BaseModel, Field, computed_field
+from pydantic import BaseModel, Field, computed_field, model_validator
 
 from knifetip.api.schemas.common import Name, QuestionOut, Strict
 from knifetip.api.schemas.drawings import Override
 from knifetip.api.schemas.messages import MessageOut
-from knifetip.fields import LISTED
+from knifetip.fields import LISTED, field_error
 from knifetip.jobs.operator_actions import OperatorAction
 from knifetip.model.stage import Stage
 from knifetip.model.verdict import Severity
@@ -34,6 +34,7 @@ CornerType = Annotated[Literal["auto", "B", "C", "D"], LISTED]
 CornerParameter = Annotated[
     float, Field(gt=0.0, lt=1.0, description="Parameter k of type D: 0 is like B, 1 is like C")
 ]
+SheetSize = Annotated[float, Field(gt=0.0, le=10_000.0)]
 
 
 class CornerAt(Strict):
@@ -84,6 +85,36 @@ class Corners(Strict):
     )
 
 
+class Sheet(Strict):
+    """A sheet that was cut to size before the job.
+
+    No board lies outside it, so tools turn without a lift beside it.  The sheet is a rectangle if
+    it has a size.  Without a size, it was cut to the outline of the drawing.
+    """
+
+    width: SheetSize | None = Field(
+        default=None,
+        description="Size along X (mm); null for a sheet that was cut to the outline of the "
+        "drawing",
+    )
+    height: SheetSize | None = Field(
+        default=None, description="Size along Y (mm); null exactly if `width` is null"
+    )
+    margin: float = Field(
+        default=0.0,
+        ge=0.0,
+        le=10_000.0,
+        description="Distance of the drawing from the left and from the lower edge of the sheet "
+        "(mm); 0 for a sheet without a size",
+    )
+
+    @model_validator(mode="after")
+    def _whole(self) -> Sheet:
+        if (self.width is None) != (self.height is None) or (self.width is None and self.margin):
+            raise field_error("field.sheet-size")
+        return self
+
+
 class JobIn(Strict):
     """A new job: a drawing, a machine and a board."""
 
@@ -117,6 +148,11 @@ class JobIn(Strict):
     corners: Corners | None = Field(
         default=None,
         description="Corner types, for routers and lasers only; null for the fastest types",
+    )
+    sheet: Sheet | None = Field(
+        default=None,
+        description="Sheet that was cut to size before the job; null if the sheet may be larger "
+        "than the drawing",
     )
     release: bool = Field(
         default=False,
@@ -270,6 +306,10 @@ class JobOut(BaseModel):
     )
     corners: Corners | None = Field(
         description="Corner types of the job; null for the fastest types"
+    )
+    sheet: Sheet | None = Field(
+        description="Sheet that was cut to size before the job; the operator must load this "
+        "sheet. Null if the sheet may be larger than the drawing",
     )
     program_sha256: str = Field(
         description="SHA-256 of the program (64 hexadecimal digits); empty before the job is "

@@ -187,6 +187,10 @@ MESSAGES: Final[Entries] = {
         path="text",
         numbers="texts",
     ),
+    "field.sheet-size": entry(
+        "{path} must have both width and height, or none of width, height and margin",
+        path="text",
+    ),
     "field.spacing": entry(
         "{path} is {value:g} mm, but must be either 0 or at least {least:g} mm",
         path="text",

@@ -385,6 +385,14 @@ MESSAGES: Final[Entries] = {
         station="count",
         depth="number",
     ),
+    "verify.rapid-near-sheet": entry(
+        "A rapid move of station {station} is {depth:.3f} mm below the top face of the board, and "
+        "it is over the sheet, too close to the sheet, or in the mat.",
+        "Lift the tool above the board before the rapid move, or keep the tool beside the sheet "
+        "by the clearance of the machine.",
+        station="count",
+        depth="number",
+    ),
     "verify.slanted": entry(
         "Station {station} moves {distance:.3f} mm sideways (away from the axis of its tool) "
         "while the tool enters or leaves the board.",

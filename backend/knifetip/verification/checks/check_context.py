@@ -12,6 +12,7 @@ from knifetip.model.machine import Machine
 from knifetip.model.verdict import Unreached
 from knifetip.verification.columns import F64, I32
 from knifetip.verification.expectation.edges import Edges
+from knifetip.verification.expectation.sheet_area import SheetArea
 from knifetip.verification.findings import Findings
 
 #: A depth that differs from the planned depth by more than this is wrong (mm).
@@ -74,6 +75,7 @@ class CheckContext:
     findings: Findings
     programmed: str = "XYZC"  #: the axes that the program moves
     resolution: float = 0.0  #: greatest shift of a printed point by rounding (mm)
+    sheet: SheetArea | None = None  #: the sheet if it was cut to size
     #: rows of the dieline, positions (fraction of the edge), distances to the left of it (mm)
     samples: list[tuple[I32, F64, F64]] = field(default_factory=list)
     unreached: list[Unreached] = field(

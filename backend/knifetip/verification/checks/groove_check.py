@@ -93,9 +93,10 @@ class GrooveCheck(StationCheck):
         run-outs and the tolerance.
 
         The V-cutter must cut the required run-out.  It must not go past the lengthened groove,
-        because there may be an obstacle beside the board.  Returns the mask of the ends at which
-        a groove leaves the board, (n, 2): the start and the end of each of n grooves.  ``blade``
-        is the V-cutter.
+        because there may be an obstacle beside the board.  On the edge of a sheet that was cut to
+        size it may continue until the blade can turn beside the sheet.  Returns the mask of the
+        ends at which a groove leaves the board, (n, 2): the start and the end of each of n grooves.
+        ``blade`` is the V-cutter.
         """
         half = self.context.board.groove_depth * blade.slope
         required = run_outs(self.edges, self.context.edges.with_types(LineType.CUT), half)
@@ -105,6 +106,11 @@ class GrooveCheck(StationCheck):
         straight_on = self.edges.curve[:, 0] == 0.0
         boundary &= straight_on[:, None]
         self.spare = np.where(boundary, self.tolerance, 0.0)
+        if self.context.sheet is not None and len(self.context.sheet.start):
+            leaves = self.context.sheet.touches(self.edges.ends).reshape(-1, 2) & boundary
+            # At 30° to the edge the blade is off the sheet after twice its extent and clearance.
+            extent = 2.0 * blade.half_width + half + self.context.machine.clearance
+            self.spare += np.where(leaves, 2.0 * extent, 0.0)
         more = least + self.spare
         curve = self.edges.curve.copy()
         # A row of a straight edge contains its start, direction and length.

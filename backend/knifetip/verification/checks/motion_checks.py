@@ -9,7 +9,9 @@ import numpy as np
 from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine
+from knifetip.verification.checks.sheet_check import stays_beside_sheet
 from knifetip.verification.columns import F64, Bool
+from knifetip.verification.expectation.sheet_area import SheetArea
 from knifetip.verification.findings import MAX_FINDINGS, Findings
 from knifetip.verification.kinematics import LEVEL, TipPoses, beam_moves
 from knifetip.verification.reading.moves import Moves
@@ -220,23 +222,38 @@ def check_board_moves(
     machine: Machine,
     board: Board,
     tolerance: float,
+    sheet: SheetArea | None,
     findings: Findings,
 ) -> None:
     """Check the moves of a tool in the board.
 
     Adds a finding for each rapid in the board, each plunge or lift that is slanted, and each turn
     of C in the board that is too large.  A feed move from or to an unknown position gives a finding
-    too.  ``tolerance`` is the greatest sideways deviation of the tip in a plunge or lift (mm).
+    too.
+
+    Parameters
+    ----------
+    tolerance : mm
+        Greatest sideways deviation of the tip in a plunge or lift.
+    sheet
+        The sheet if it was cut to size; None if there may be board everywhere on the table.
     """
     lowest = np.fmin(tip.start[:, 2], tip.end[:, 2])
     beam = beam_moves(moves, machine)
     _check_beam(moves, tip, beam, findings)
-    for row in np.flatnonzero(tip.inside & ~beam & (moves.code == 0))[:MAX_FINDINGS]:
+    unknown = np.isnan(moves.end).any(axis=1) | np.isnan(moves.start).any(axis=1)
+    rapids = np.flatnonzero(tip.inside & ~beam & (moves.code == 0))
+    if sheet is not None:
+        known = np.flatnonzero(tip.inside & ~beam & (moves.code == 0) & ~unknown)
+        beside = stays_beside_sheet(moves, known, machine, board, sheet)
+        rapids = np.setdiff1d(rapids, known[beside])
+    for row in rapids[:MAX_FINDINGS]:
         depth = board.caliper - lowest[row]
         number = _number(moves, machine, row)
-        message = Message("verify.rapid-in-board", station=number, depth=depth)
-        findings.add("stray", message, depth, line=moves.line[row])
-    unknown = np.isnan(moves.end).any(axis=1) | np.isnan(moves.start).any(axis=1)
+        code = "verify.rapid-in-board" if sheet is None else "verify.rapid-near-sheet"
+        findings.add(
+            "stray", Message(code, station=number, depth=depth), depth, line=moves.line[row]
+        )
     still = (moves.end == moves.start) | (np.isnan(moves.end) & np.isnan(moves.start))
     sideways = np.isnan(moves.start[:, 2]) & ~still[:, [0, 1, 3]].all(axis=1)
     for row in np.flatnonzero((unknown & (moves.code > 0)) | sideways)[:MAX_FINDINGS]:

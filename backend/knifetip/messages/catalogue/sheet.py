@@ -1,0 +1,44 @@
+"""sheet: messages about the sheet on the table of a machine."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from knifetip.messages.entry import Entries, entry
+
+MESSAGES: Final[Entries] = {
+    "sheet.bad-size": entry(
+        "{text!r} is not a size of a sheet.",
+        "Give the width and the height in mm as WIDTHxHEIGHT, with the distance of the drawing "
+        "from the left and lower edge as WIDTHxHEIGHT:MARGIN, or outline for a sheet that was cut "
+        "to the outline of the drawing.",
+        text="text",
+    ),
+    "sheet.off-table": entry(
+        "The sheet would lie from X {x:.1f}, Y {y:.1f} to X {right:.1f}, Y {top:.1f} mm, but the "
+        "table of {machine} reaches from 0 to {width:.0f} × {height:.0f} mm.",
+        "Choose a smaller margin or sheet, or correct the origin in the machine file.",
+        x="number",
+        y="number",
+        right="number",
+        top="number",
+        machine="text",
+        width="number",
+        height="number",
+    ),
+    "sheet.smaller-than-drawing": entry(
+        "The sheet of {width:.1f} × {height:.1f} mm is too small: with its margin of "
+        "{margin:.1f} mm the drawing needs {needed_x:.1f} × {needed_y:.1f} mm.",
+        "Enter the size and the margin of the sheet on the table, or check the unit of the "
+        "drawing.",
+        width="number",
+        height="number",
+        margin="number",
+        needed_x="number",
+        needed_y="number",
+    ),
+    "sheet.without-outline": entry(
+        "The cuts of the drawing form no closed outline, so the outline of the sheet is not known.",
+        "Enter the width and the height of the sheet, or close the outline of the drawing.",
+    ),
+}

@@ -1,0 +1,70 @@
+/** The sheet on the table: of unknown size, or cut to size before the job. */
+
+import { NumberInput, Select } from "@mantine/core";
+import type { Sheet } from "../api/client";
+import { OUTLINE_SHEET, sheetSize } from "../state/sheet";
+import { useUiStore } from "../state/store";
+import css from "./panels.module.css";
+
+const CHOICES = [
+  { value: "unknown", label: "Larger than the drawing" },
+  { value: "outline", label: "Cut to the outline of the drawing" },
+  { value: "size", label: "Cut to a rectangle" },
+];
+
+const choiceOf = (sheet: Sheet | null): string => {
+  if (sheet === null) return "unknown";
+  return sheetSize(sheet) === null ? "outline" : "size";
+};
+
+const FIELDS = [
+  { name: "width", label: "Width (mm)", min: 1 },
+  { name: "height", label: "Height (mm)", min: 1 },
+  { name: "margin", label: "Margin (mm)", min: 0 },
+] as const;
+
+/** Choice of the sheet, and its size; `width` and `height` are those of the drawing (mm). */
+export function SheetForm({ width, height }: { width: number; height: number }) {
+  const sheet = useUiStore((ui) => ui.sheet);
+  const set = useUiStore((ui) => ui.set);
+  const choose = (choice: string | null) => {
+    if (choice === "outline") set({ sheet: OUTLINE_SHEET });
+    else if (choice === "size") set({ sheet: { ...OUTLINE_SHEET, width, height } });
+    else set({ sheet: null });
+  };
+  return (
+    <div style={{ display: "grid", gap: 6 }}>
+      <Select
+        label="Sheet"
+        data={CHOICES}
+        value={choiceOf(sheet)}
+        allowDeselect={false}
+        onChange={choose}
+        data-testid="sheet-select"
+      />
+      {sheet !== null && sheetSize(sheet) !== null && (
+        <div style={{ display: "grid", gridTemplateColumns: "1fr 1fr 1fr", gap: 8 }}>
+          {FIELDS.map(({ name, label, min }) => (
+            <NumberInput
+              key={name}
+              label={label}
+              min={min}
+              max={10000}
+              decimalScale={2}
+              value={sheet[name] ?? min}
+              onChange={(value) => set({ sheet: { ...sheet, [name]: Number(value) || min } })}
+              data-testid={`sheet-${name}`}
+            />
+          ))}
+        </div>
+      )}
+      {sheet !== null && (
+        <p className={css.note} style={{ margin: 0 }}>
+          {sheetSize(sheet) === null
+            ? "Beside the sheet, tools turn without a lift. Load only a sheet that was cut to this outline."
+            : "Beside the sheet, tools turn without a lift. The margin is the distance of the drawing from the left and lower edge of the sheet. Load only a sheet of this size."}
+        </p>
+      )}
+    </div>
+  );
+}

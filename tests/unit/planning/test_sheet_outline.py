@@ -1,0 +1,89 @@
+"""The outline of a sheet that was cut to size, and the run-out of grooves past its edge."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from knifetip.errors import PlanError
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.sheet import Sheet
+from knifetip.planning.plan import plan
+from knifetip.planning.sheet_outline import sheet_outline, sheet_run_outs
+from tests.support.shapes import BOARD, MACHINE, closed, dieline, edges
+
+BLANK = closed((0, 0), (300, 0), (300, 200), (0, 200))
+
+
+def grooved(*grooves: tuple[tuple[float, float], tuple[float, float]]) -> Dieline:
+    return dieline((LineType.CUT, BLANK), (LineType.V_GROOVE, edges(*grooves)))
+
+
+def run_outs(drawn: Dieline, sheet: Sheet | None) -> list[list[float]]:
+    outline = None if sheet is None else sheet_outline(sheet, drawn, MACHINE)
+    operation = plan(drawn, MACHINE, BOARD, sheet=outline)[0]
+    result: list[list[float]] = np.round(operation.run_out, 3).tolist()
+    return result
+
+
+@pytest.mark.parametrize("sheet", [Sheet(), Sheet(300, 200)])
+def test_a_groove_to_the_edge_of_the_sheet_runs_out_until_the_blade_can_turn(sheet: Sheet) -> None:
+    # Half the blade 1.5, and beyond it its extent √(1.5² + 1²), the clearance 2 and 0.05 to spare.
+    far = round(1.5 + math.hypot(1.5, 1.0) + 2.0 + 0.05, 3)
+    assert run_outs(grooved(((0, 50), (300, 50))), sheet) == [[far, far]]
+    assert run_outs(grooved(((0, 50), (300, 50))), None) == [[0.0, 0.0]]
+
+
+def test_a_groove_to_an_edge_inside_the_sheet_runs_out_as_without_a_sheet() -> None:
+    drawn = grooved(((0, 50), (300, 50)))
+    placed = replace(drawn, ends=drawn.ends + 20.0)
+    assert run_outs(placed, Sheet(340, 240, 20.0)) == [[0.0, 0.0]]
+
+
+def test_the_run_out_is_longer_at_a_slanted_edge_and_absent_along_it() -> None:
+    outline = sheet_outline(Sheet(), grooved(), MACHINE)
+    points = np.array([(300.0, 50.0), (300.0, 60.0), (300.0, 200.0)])
+    angle = np.radians([30.0, 70.0, 0.0])
+    ahead = np.column_stack([np.cos(angle), np.sin(angle)])
+    found = sheet_run_outs(points, ahead, (1.5, 1.0), 2.0, outline)
+    extent = math.hypot(1.5, 1.0) + 2.05
+    # The last point is a corner of the sheet.
+    assert found == pytest.approx([1.5 + extent / math.cos(math.radians(30.0)), 0.0, 0.0])
+
+
+def test_a_run_out_into_a_notch_of_the_sheet_is_left_out() -> None:
+    notched = closed((0, 0), (300, 0), (300, 90), (295, 90), (295, 100), (300, 100), (300, 200))
+    drawn = dieline((LineType.CUT, np.concatenate([notched, closed((400, 0), (500, 0), (450, 9))])))
+    outline = sheet_outline(Sheet(), drawn, MACHINE)
+    points, ahead = np.array([(295.0, 95.0), (300.0, 50.0)]), np.array([(1.0, 0.0), (1.0, 0.0)])
+    notch, edge = sheet_run_outs(points, ahead, (1.5, 1.0), 3.5, outline)
+    assert (notch, edge > 0.0) == (0.0, True)
+
+
+def test_parts_in_a_window_are_no_edge_of_the_sheet() -> None:
+    window = closed((50, 50), (150, 50), (150, 150), (50, 150))
+    part = closed((60, 60), (90, 60), (90, 90), (60, 90))
+    drawn = dieline((LineType.CUT, np.concatenate([BLANK, window, part])))
+    assert len(sheet_outline(Sheet(), drawn, MACHINE).bulge) == 4
+
+
+@pytest.mark.parametrize(
+    ("sheet", "expected"),
+    [
+        (Sheet(299, 200), "too small"),
+        (Sheet(310, 205, 10), "310.0 × 210.0 mm"),
+        (Sheet(400, 300, 10), "would lie from X -10.0, Y -10.0"),
+        (Sheet(1601, 300), "the table of Test table reaches from 0 to 1600"),
+    ],
+)
+def test_a_sheet_that_does_not_fit_is_refused(sheet: Sheet, expected: str) -> None:
+    with pytest.raises(PlanError, match=expected):
+        sheet_outline(sheet, grooved(), MACHINE)
+
+
+def test_an_open_outline_is_no_sheet() -> None:
+    with pytest.raises(PlanError, match="no closed outline"):
+        sheet_outline(Sheet(), dieline((LineType.CUT, BLANK[:3])), MACHINE)
