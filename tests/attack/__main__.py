@@ -1,0 +1,41 @@
+"""Attack the judge: count the mutants of correct programs that it accepts although they do harm.
+
+    python -m tests.attack --mutants 5000 --seed 1 [--only NAME] [--keep FOLDER]
+
+Each mutant is a program of one of the ``subjects`` with one or two random changes (``mutation``).
+Harm is measured without the verifier (``harm``), by the tests' own ``controller`` and ``plotter``;
+if rs274 is installed, LinuxCNC's interpreter must agree with ``controller`` on accepted mutants.
+Prints the escapes, a table of all subjects, and the rate; the exit status is 1 if any escaped.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from tests.attack.campaign import Tally, run
+from tests.attack.subjects import subjects
+
+
+def main() -> int:
+    """Run an attack as the command line asks; return the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    parser.add_argument("--mutants", type=int, default=1000)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--only", default="", help="attack only subjects whose names contain this")
+    parser.add_argument("--keep", type=Path, help="folder for the programs that escaped")
+    options = parser.parse_args()
+    chosen = [subject for subject in subjects() if options.only in subject.name]
+    tally = Tally()
+    for escape in run(chosen, options.mutants, options.seed, tally):
+        print(f"ESCAPE {escape}", flush=True)
+        if options.keep:
+            options.keep.mkdir(parents=True, exist_ok=True)
+            (options.keep / f"{escape.number:06}.txt").write_bytes(escape.text)
+    print(tally.table())
+    return 1 if tally.escapes else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,286 @@
+"""The harm of a mutant: what its tips do to the board otherwise than those of the correct program.
+
+A tip's path is compared as a set of points with depth and heading (``effects.BLADE``: 1° counts as
+0.01 mm), station by station.  The order counts only where it does harm: work on a part after its
+outline is cut.  A router or a laser is judged by the board that it leaves, because its path may
+differ in the waste.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Final
+
+import numpy as np
+import shapely
+import shapely.ops
+
+from knifetip.geometry.columns import F64
+from knifetip.model.dieline import LineType
+from knifetip.model.machine import Machine
+from knifetip.model.tool import Cutter, Laser
+from tests.attack.controller import NotExecuted, Run, execute
+from tests.attack.effects import TOLERANCE, Contact, Effect, effect
+from tests.attack.plotter import plot
+from tests.attack.subjects import DIALECTS, Subject
+from tests.controllers.linuxcnc_rs274 import RS274, TipTool, read_program
+from tests.support.programs.line_mutation import chords
+
+#: Distance from the outline within which work after it still belongs to it (mm).
+_MARGIN: Final = 0.5
+#: Spacing of the points at which a router's work is compared (mm).
+_GRID: Final = 2.0
+
+
+@dataclass
+class Oracle:
+    """Measures the harm of mutants of one subject."""
+
+    subject: Subject
+
+    @property
+    def tooled(self) -> bool:
+        """Whether the controller has a tool table (LinuxCNC)."""
+        return self.subject.language == "linuxcnc"
+
+    def run_of(self, text: bytes) -> Run:
+        """Return what a program in a dialect of RS274/NGC makes the machine do."""
+        return execute(text, self.subject.machine, tooled=self.tooled)
+
+    def effect_of(self, text: bytes) -> Effect:
+        """Return what a program does to the board; raises NotExecuted."""
+        machine = self.subject.machine
+        if self.subject.language not in DIALECTS:
+            return plot(text, machine)
+        return effect(self.run_of(text), machine, self.subject.board, tooled=self.tooled)
+
+    @property
+    def _tolerance(self) -> float:
+        """Greatest distance from the path of the correct program (mm).
+
+        A plotter rounds both paths to its units, by up to 0.0177 mm each.
+        """
+        return TOLERANCE if self.subject.language in DIALECTS else TOLERANCE + 2.0 * 0.0177
+
+    @cached_property
+    def base(self) -> Effect:
+        """The effect of the correct program, which has no danger."""
+        base = self.effect_of(self.subject.text)
+        assert not base.dangers, (self.subject.name, base.dangers[:5])
+        assert base.contacts, self.subject.name
+        return base
+
+    @cached_property
+    def _milling(self) -> dict[int, float]:
+        """Radius of the cutter of each station that carries a router or a laser."""
+        if self.subject.language not in DIALECTS:
+            return {}
+        return {
+            index: tool.radius if isinstance(tool, Cutter) else 0.5 * tool.kerf
+            for index, held in enumerate(self.subject.machine.stations)
+            for tool in [held.tool]
+            if isinstance(tool, Cutter | Laser)
+        }
+
+    def harm(self, text: bytes) -> str:
+        """Return what harm a program does, "" if none."""
+        try:
+            mutant = self.effect_of(text)
+        except NotExecuted as fault:
+            return f"not executed: {fault}"
+        if RS274 and self.tooled:
+            run, machine = self.run_of(text), self.subject.machine
+            if difference := interpreter_difference(run, text, machine):
+                return difference
+        if mutant.dangers:
+            return mutant.dangers[0]
+        if reason := self._misplaced(mutant):
+            return reason
+        return self._released_early(mutant)
+
+    def _misplaced(self, mutant: Effect) -> str:
+        for station in {each.station for each in (*self.base.contacts, *mutant.contacts)}:
+            old, new = (
+                [each for each in found.contacts if each.station == station]
+                for found in (self.base, mutant)
+            )
+            if station in self._milling:
+                if reason := self._mills_otherwise(old, new, self._milling[station]):
+                    return reason
+                continue
+            for kind, own, others in (("is off by", new, old), ("leaves out", old, new)):
+                far, where = _farthest(own, others)
+                if far > self._tolerance + 1e-6:
+                    x, y, z = where[:3]
+                    return f"station {station} {kind} {far:.4f} mm at ({x:.3f}, {y:.3f}, {z:.3f})"
+        return ""
+
+    # --- routers and lasers ------------------------------------------------------------------
+
+    @cached_property
+    def _edge_points(self) -> F64:
+        return np.vstack(self._cut_chords)
+
+    @cached_property
+    def _cut_chords(self) -> list[F64]:
+        line = self.subject.dieline
+        shift = np.array(self.subject.placement)
+        return [
+            shift + chords(line.ends[row, 0], line.ends[row, 1], float(line.bulge[row]))
+            for row in np.flatnonzero(line.line_type == LineType.CUT)
+        ]
+
+    @cached_property
+    def _faces(self) -> list[Any]:
+        union = shapely.union_all([shapely.linestrings(path) for path in self._cut_chords])
+        return list(shapely.ops.polygonize(shapely.set_precision(union, 1e-6)))
+
+    @cached_property
+    def _inner_points(self) -> F64:
+        """Points of the parts: of all faces, without those inside a hole."""
+        edges = self._edge_points
+        x, y = (
+            np.arange(low, high, _GRID)
+            for low, high in zip(edges.min(axis=0), edges.max(axis=0), strict=True)
+        )
+        grid: F64 = np.stack(np.meshgrid(x + 0.7, y + 0.3), axis=-1).reshape(-1, 2)
+        rings = [shapely.Polygon(face.exterior) for face in self._faces]
+        spots = shapely.points(grid)
+        inside = sum(shapely.contains(ring, spots).astype(int) for ring in rings)
+        points: F64 = grid[inside % 2 == 1]
+        return points
+
+    def _mills_otherwise(self, old: list[Contact], new: list[Contact], radius: float) -> str:
+        if [each.points.tobytes() for each in old] == [each.points.tobytes() for each in new]:
+            return ""
+        places = np.vstack([self._edge_points, self._inner_points])
+        shallow = [_distances(places, contacts, math.inf) for contacts in (old, new)]
+        nearer = np.where(shallow[1] < radius + 0.05, shallow[0] - shallow[1], 0.0)
+        low = min(each.points[:, 2].min() for each in old) + TOLERANCE
+        through = [
+            np.minimum(_distances(self._edge_points, contacts, low), radius + 0.5)
+            for contacts in (old, new)
+        ]
+        moved = np.abs(through[1] - through[0])
+        if nearer.max() > TOLERANCE:
+            x, y = places[int(nearer.argmax())]
+            return f"mills {nearer.max():.4f} mm nearer at ({x:.2f}, {y:.2f})"
+        if moved.max() > TOLERANCE:
+            x, y = self._edge_points[int(moved.argmax())]
+            return f"mills otherwise by {moved.max():.4f} mm at ({x:.2f}, {y:.2f})"
+        return ""
+
+    # --- order -------------------------------------------------------------------------------
+
+    @cached_property
+    def _outlines(self) -> list[tuple[Any, F64]]:
+        """The outline of each piece of the cut figure, with points along it."""
+        union = shapely.union_all(self._faces)
+        outlines = []
+        for piece in getattr(union, "geoms", [union]):
+            ring = piece.exterior
+            steps = np.arange(0.25, ring.length, 1.0)
+            points = shapely.get_coordinates(shapely.line_interpolate_point(ring, steps))
+            outlines.append((shapely.Polygon(ring), points))
+        return outlines
+
+    def _released_early(self, mutant: Effect) -> str:
+        keys = [[each.points.tobytes() for each in run.contacts] for run in (self.base, mutant)]
+        if keys[0] == keys[1]:
+            return ""
+        for outline, points in self._outlines:
+            done = self._completion(points, mutant)
+            if done < 0:
+                continue
+            for contact in mutant.contacts:
+                reach = self._milling.get(contact.station, 0.0)
+                way = shapely.linestrings(_way(contact))
+                if contact.track > done and outline.buffer(-_MARGIN - reach).intersects(way):
+                    return f"line {contact.line} works on the part after its outline"
+        return ""
+
+    def _completion(self, points: F64, run: Effect) -> int:
+        """Return the track that completes an outline as far as the correct program cuts it."""
+        wanted = self._cut_at(points, self.base) >= 0
+        tracks = self._cut_at(points, run)[wanted]
+        return -1 if not len(tracks) or (tracks < 0).any() else int(tracks.max())
+
+    def _cut_at(self, points: F64, run: Effect) -> Any:
+        """Return the first track that cuts through the board at each point, -1 for none."""
+        first = np.full(len(points), -1)
+        for contact in run.contacts:
+            if contact.points[:, 2].max() > 1e-3 and contact.station not in self._milling:
+                continue
+            if self.subject.language not in DIALECTS and contact.station != 1:
+                continue
+            reach = self._milling.get(contact.station, 0.0) + 0.3
+            near = (first < 0) & (
+                shapely.distance(shapely.linestrings(_way(contact)), shapely.points(points)) < reach
+            )
+            first[near] = contact.track
+        return first
+
+
+def _way(contact: Contact) -> F64:
+    way = contact.points[:, :2]
+    return way if len(way) > 1 else np.vstack([way, way])
+
+
+def _distances(places: F64, contacts: list[Contact], low: float) -> F64:
+    """Return the distance of each place to the paths that are nowhere above ``low``, (n,) mm."""
+    ways = [_way(each) for each in contacts if each.points[:, 2].max() <= low]
+    result = np.full(len(places), 1e3)
+    if not ways:
+        return result
+    pieces = np.concatenate([np.stack([way[:-1], way[1:]], axis=1) for way in ways])
+    tree = shapely.STRtree(shapely.linestrings(pieces))
+    found, far = tree.query_nearest(shapely.points(places), return_distance=True, all_matches=False)
+    result[found[0]] = far
+    return result
+
+
+def _farthest(own: list[Contact], others: list[Contact]) -> tuple[float, F64]:
+    """Return the greatest distance of the points of some paths from other paths, and where (mm)."""
+    known = {each.points.tobytes() for each in others}
+    fresh = [each for each in own if each.points.tobytes() not in known]
+    worst, where = 0.0, np.zeros(5)
+    if not fresh:
+        return worst, where
+    if not others:
+        return math.inf, fresh[0].points[0]
+    start = np.vstack([each.points[:-1] for each in others])
+    step = np.vstack([np.diff(each.points, axis=0) for each in others])
+    size = np.maximum((step**2).sum(axis=1), 1e-18)
+    for contact in fresh:
+        for one, other in zip(contact.points[:-1], contact.points[1:], strict=True):
+            pieces = 2 + min(200, int(np.hypot(*(other - one)[:2]) / 0.5))
+            points = one + (other - one) * np.linspace(0.0, 1.0, pieces)[:, None]
+            to = points[:, None] - start
+            along = np.clip((to * step).sum(axis=2) / size, 0.0, 1.0)
+            far = np.linalg.norm(to - along[..., None] * step, axis=2).min(axis=1)
+            if far.max() > worst:
+                worst, where = float(far.max()), points[int(far.argmax())]
+    return worst, where
+
+
+def interpreter_difference(run: Run, text: bytes, machine: Machine) -> str:
+    """Return where LinuxCNC's interpreter moves otherwise than ``execute``, "" if nowhere."""
+    # rs274 reads the offsets of the tool table as inches.
+    tools = {
+        held.number: TipTool("", 0.0, datum=(held.x / 25.4, held.y / 25.4, held.z / 25.4, held.c))
+        for held in machine.stations
+    }
+    reading = read_program(text, tools)
+    if not reading.accepted:
+        return f"rs274 refuses it: {reading.stderr[-200:]!r}"
+    ends = [np.subtract(motion.end, motion.offset) for motion in run.motions]
+    if len(ends) != len(reading.moves):
+        return f"rs274 makes {len(reading.moves)} moves instead of {len(ends)}"
+    for motion, end, other in zip(run.motions, ends, reading.moves.end, strict=True):
+        # Without a machine, rs274 forgets the positions at a tool change.
+        known = [letter in motion.given for letter in "XYZC"]
+        if np.abs(end - other)[known].max(initial=0.0) > 2e-4:
+            return f"line {motion.line}: rs274 moves to {other.tolist()}, not {end.tolist()}"
+    return ""

@@ -1,0 +1,119 @@
+"""The correct programs that are attacked: every tool and operation in every controller language."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cache
+
+from knifetip import compensate, pipeline, plan, process, sequence
+from knifetip.library import load
+from knifetip.model.board import Board
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.machine import Machine
+from knifetip.model.verdict import Verdict
+from knifetip.verification.verify import verify
+from tests.support.programs import laser
+from tests.support.programs.engines import BLANK, ENGINES, MILLED, ROUTER, THICK
+from tests.support.programs.mixed_carton import mixed_carton
+from tests.support.shapes import dieline, edges, with_dimensions
+
+#: Controller languages that are dialects of RS274/NGC.
+DIALECTS = ("linuxcnc", "grblhal")
+
+
+@dataclass(frozen=True)
+class Subject:
+    """A correct program with the job that it is made from."""
+
+    name: str
+    text: bytes
+    dieline: Dieline
+    placement: tuple[float, float]
+    machine: Machine
+    board: Board
+
+    @property
+    def language(self) -> str:
+        """Name of the controller language of the program."""
+        return self.machine.dialect
+
+    def verdict_of(self, text: bytes) -> Verdict:
+        """Return the verdict on a program for the same job."""
+        return verify(text, self.dieline, self.placement, self.machine, self.board)
+
+
+@cache
+def subjects() -> tuple[Subject, ...]:
+    """Return all subjects, each of which the verifier accepts."""
+    found = [*_of_engines(), *_of_routers(), *_of_lasers(), _of_plotter()]
+    for subject in found:
+        verdict = subject.verdict_of(subject.text)
+        assert verdict.accepted, (subject.name, verdict.findings[:3])
+    return tuple(found)
+
+
+def _made(
+    name: str, line: Dieline, machine: Machine, board: Board, corner: str = "B"
+) -> list[Subject]:
+    result = []
+    for dialect in DIALECTS:
+        driven = replace(machine, dialect=dialect)
+        operations = [replace(each, corner=corner) for each in plan(line, driven, board)]
+        path = sequence([compensate(each) for each in operations], driven)
+        text = process(path, driven, dialect, notes=["placement X0.0000 Y0.0000"]).text
+        result.append(Subject(f"{name}, {dialect}", text, line, (0.0, 0.0), driven, board))
+    return result
+
+
+def _of_engines() -> list[Subject]:
+    return [
+        subject
+        for engine in ENGINES.values()
+        for subject in _made(engine.name, engine.line, engine.machine, engine.board, engine.corner)
+    ]
+
+
+def _of_routers() -> list[Subject]:
+    """Return programs of a router that leaves bridges, and of one with shallow leads."""
+    bridged = replace(THICK, bridge_width=1.0, bridge_spacing=100.0)
+    stations = tuple(
+        replace(held, tool=with_dimensions(held.tool, approach=30.0))
+        if held.name == "Router"
+        else held
+        for held in ROUTER.stations
+    )
+    folded = dieline(BLANK, (LineType.CREASE, edges(((160, 100), (160, 180)))))
+    return [
+        *_made("router with bridges", dieline(BLANK), ROUTER, bridged),
+        *_made("router, shallow leads", MILLED, replace(ROUTER, stations=stations), THICK),
+        *_made("router and wheel", folded, ROUTER, THICK, "auto"),
+    ]
+
+
+def _of_lasers() -> list[Subject]:
+    return [
+        Subject(
+            f"laser, {dialect}",
+            laser.program(dialect).text,
+            laser.LINE,
+            (0.0, 0.0),
+            replace(laser.LASER, dialect=dialect),
+            laser.BOARD,
+        )
+        for dialect in DIALECTS
+    ]
+
+
+def _of_plotter() -> Subject:
+    machine, board = load.machine("flat-cutter-hpgl"), load.board("fbb-0.4")
+    drawing = pipeline.read(mixed_carton())
+    line = pipeline.classify(drawing, load.profile("default"))
+    made = pipeline.compile(drawing, line, machine, board)
+    return Subject(
+        "flat cutter, hpgl",
+        made.program.text,
+        line,
+        made.placement,
+        machine,
+        board,
+    )

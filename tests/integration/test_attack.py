@@ -1,0 +1,49 @@
+"""A short attack on the verifier: no mutant that does harm is accepted.
+
+``python -m tests.attack`` runs longer ones.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.attack.campaign import Tally, run
+from tests.attack.harm import Oracle
+from tests.attack.subjects import Subject, subjects
+
+
+@pytest.mark.parametrize("seed", [11, 12])
+def test_no_harmful_mutant_is_accepted(seed: int) -> None:
+    tally = Tally()
+    escaped = [str(escape) for escape in run(subjects(), 300, seed, tally)]
+    assert escaped == []
+    fates = sum((fates for fates in tally.fates.values()), start=tally.kinds["none"])
+    assert fates["harmless"] > 10
+    assert fates["refused"] > 150
+
+
+def _named(name: str) -> Subject:
+    return next(subject for subject in subjects() if subject.name == name)
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new", "harm"),
+    [
+        ("knife, grblhal", b"G4 P0\nM65 P0", b"M65 P0", "switches while the head moves"),
+        ("knife, linuxcnc", b"G4 P0\nG3", b"G3", "without a stop"),
+        ("knife, linuxcnc", b"M65 P1\n", b"", "beside [1]"),
+        ("knife, linuxcnc", b"G21 ", b"", "units"),
+        ("knife, linuxcnc", b"G1 Z-0.3000", b"G1 Z-0.3200", "0.0200 mm"),
+        ("knife, linuxcnc", b"M2\n", b"G91\nM2\n", "not supported"),
+        ("crease, linuxcnc", b"M64 P1", b"M64 P2", "beside [2]"),
+        ("V-groove, grblhal", b"C0.0000", b"C2.0000", "is off by"),
+        ("router B, linuxcnc", b"S18000", b"S9000", "spindle at 9000"),
+        ("flat cutter, hpgl", b"FS12;", b"FS30;", "force 30"),
+    ],
+)
+def test_the_measure_of_harm_sees_harm(name: str, old: bytes, new: bytes, harm: str) -> None:
+    subject = _named(name)
+    assert old in subject.text
+    oracle = Oracle(subject)
+    assert oracle.harm(subject.text) == ""
+    assert harm in oracle.harm(subject.text.replace(old, new, 1))
