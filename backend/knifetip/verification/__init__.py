@@ -22,10 +22,12 @@ program     readers in ``reading``, ``output_checks`` (unset outputs, early swit
             (placement)
 travel      ``motion_checks``, ``carriage_check``
 feed        ``motion_checks``
-heading     ``check_base`` (along edges), ``motion_checks`` (turns in the board)
+heading     ``check_base`` (along edges), ``motion_checks`` (turns in the board),
+            ``overlap_check`` (turns in place)
 deviation   ``check_base`` (knives, wheels, V-cutters), ``milling_check``,
             ``groove_check`` (flanks), ``stray_work`` (beside an edge),
-            ``bridge_check`` (near corners), ``motion_checks`` (slanted plunges)
+            ``bridge_check`` (near corners), ``motion_checks`` (slanted plunges),
+            ``overlap_check`` (LinuxCNC without exact stops)
 depth       ``check_base``, ``groove_check`` and ``milling_check`` (passes),
             ``motion_checks`` (focus of a beam)
 uncut       ``check_base``, ``crease_check`` (short creases), ``knife_check``
@@ -86,6 +88,7 @@ verify.laser-off                   tools
 verify.loose-piece                 checks.work_order
 verify.lowers-second               checks.output_checks
 verify.moves-before-stated         checks.output_checks
+verify.moves-overlap               checks.overlap_check
 verify.moves-with-beam             checks.output_checks
 verify.never-stated                checks.output_checks
 verify.no-station                  checks.motion_checks
@@ -102,6 +105,7 @@ verify.past-stop                   checks.stray_work
 verify.perforation-bridge          checks.knife_check
 verify.perforation-cut             checks.knife_check
 verify.perforation-gap             checks.knife_check
+verify.plunge-without-move         checks.check_base
 verify.rapid-in-board              checks.motion_checks
 verify.slanted                     checks.motion_checks
 verify.spindle                     checks.output_checks
@@ -115,6 +119,7 @@ verify.too-few-bridges             checks.bridge_check
 verify.turn-at-feed                checks.motion_checks
 verify.turn-in-board               checks.motion_checks
 verify.turn-off-path               checks.motion_checks
+verify.turn-overlaps               checks.overlap_check
 verify.two-lowered                 checks.motion_checks
 verify.unclassified                verify
 verify.unknown-position            checks.carriage_check, checks.motion_checks

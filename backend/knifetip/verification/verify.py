@@ -25,6 +25,7 @@ from knifetip.verification.checks.carriage_check import check_carriages
 from knifetip.verification.checks.check_context import CheckContext, EdgeFigures
 from knifetip.verification.checks.edge_checks import check_edges
 from knifetip.verification.checks.output_checks import check_switching
+from knifetip.verification.checks.overlap_check import check_overlaps
 from knifetip.verification.checks.unreached_areas import merge_unreached
 from knifetip.verification.checks.work_order import check_work_order
 from knifetip.verification.expectation.edges import place_edges
@@ -168,6 +169,7 @@ def _trace(
     motion_checks.check_board_moves(
         moves, tip, machine, board, tolerance + moves.resolution, sheet, findings
     )
+    check_overlaps(moves, tip, machine, tolerance, findings)
     usable &= ~np.isnan(tip.start).any(axis=1) & ~np.isnan(tip.end).any(axis=1)
     return moves, tip, tip_paths(moves, tip, usable, machine, board)
 

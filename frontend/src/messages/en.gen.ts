@@ -1503,6 +1503,10 @@ export const TEXTS = {
     "text": "Download the program and send it with the software of the cutting machine. Stay at the machine while it cuts, so that you can stop it.",
     "hint": ""
   },
+  "hpgl.sets-while-down": {
+    "text": "The program line sets the speed (VS) or the force (FS) while the tool is down.",
+    "hint": "Lift the tool (PU) before the speed or the force is set."
+  },
   "hpgl.slanted-plunge": {
     "text": "{place} lowers or lifts the tool along a slope, which HPGL cannot express.",
     "hint": "Choose a tool that enters the board vertically."
@@ -2775,6 +2779,10 @@ export const TEXTS = {
     "text": "The method {method} is not supported at {path}.",
     "hint": "Choose a method that /api/openapi.json describes for this URL."
   },
+  "rs274.active-comment": {
+    "text": "LinuxCNC executes the comment in the program line.",
+    "hint": "Remove the comma from the comment, or delete the comment."
+  },
   "rs274.after-end": {
     "text": "The program line comes after the end of the program (M2 or M30).",
     "hint": "Delete the program line."
@@ -2800,7 +2808,7 @@ export const TEXTS = {
     "hint": "Give a feed greater than 0."
   },
   "rs274.bad-line-number": {
-    "text": "The program line number (N) in the program line is negative or not an integer.",
+    "text": "The program line number (N) in the program line is negative, not an integer, or not at the start of the line.",
     "hint": "Correct or delete the line number."
   },
   "rs274.centre-without-arc": {
@@ -2942,6 +2950,10 @@ export const TEXTS = {
   "rs274.stray-q": {
     "text": "The Q word belongs to no command of the program line.",
     "hint": "Delete the Q word."
+  },
+  "rs274.switches-while-moving": {
+    "text": "The program line switches an output while the head may still be moving: the controller switches outputs (M64, M65) as soon as it reads them.",
+    "hint": "Add a dwell (G4 P0) after the last move and before this program line."
   },
   "rs274.timed-without-f": {
     "text": "The program line moves in inverse time mode (G93), but has no F word.",
@@ -3647,6 +3659,10 @@ export const TEXTS = {
     "text": "The program moves the head before it switches off {thing}.",
     "hint": "Switch off {thing} before the first move. Only a lift straight up, to Z {height:.3f} mm or higher, may come earlier."
   },
+  "verify.moves-overlap": {
+    "text": "The controller starts this move before the move in front of it has ended. Axis C turns differently in the two moves, so the tip leaves the path by up to {distance:.3f} mm (tolerance {tolerance:.3f} mm).",
+    "hint": "Add an exact stop (G4 P0) before this program line."
+  },
   "verify.moves-with-beam": {
     "text": "The program moves the head before it switches off the spindle (M5), so a laser beam may still be on.",
     "hint": "Write M5 before the first move."
@@ -3711,6 +3727,10 @@ export const TEXTS = {
     "text": "A gap of the perforation, which begins {place:.3f} mm from the start of the edge, is {length:.3f} mm long, but the board needs gaps of {planned:g} mm.",
     "hint": "Compile the job again for this board."
   },
+  "verify.plunge-without-move": {
+    "text": "The {tool:tool} enters the board at X{x:.3f} Y{y:.3f} (coordinates of the sheet) and leaves it without a move.",
+    "hint": "Delete the plunge, or compile the job again."
+  },
   "verify.rapid-in-board": {
     "text": "A rapid move of station {station} is {depth:.3f} mm below the top face of the board.",
     "hint": "Lift the tool above the board before the rapid move."
@@ -3766,6 +3786,10 @@ export const TEXTS = {
   "verify.turn-off-path": {
     "text": "Axis C turns by {degrees:.3f}° in the board, although the path of the tool turns by {path:.3f}°.",
     "hint": "Turn the tool by the same angle as the path."
+  },
+  "verify.turn-overlaps": {
+    "text": "The controller does not wait between the turn of axis C by {degrees:.2f}° in the board and the move next to it, so the tool turns while it moves.",
+    "hint": "Add an exact stop (G4 P0) before this program line."
   },
   "verify.two-lowered": {
     "text": "Station {station} processes the board while station {other} is also lowered (output {output} is on).",

@@ -75,11 +75,11 @@ def test_the_verdict_has_width_web_and_flanks_of_a_groove() -> None:
 
 
 def test_a_flank_error_widens_the_groove_by_the_same_length() -> None:
-    # 0.004 to the right and 0.003 too deep: at 45° the flank is out by 0.007.
-    verdict = verdict_of(cutter_program(*groove_passes(20, 60, 30, 1.303, aside=0.004)), INSIDE)
+    # 0.004 to the right: the flank is out by as much.
+    verdict = verdict_of(cutter_program(*groove_passes(20, 60, 30, 1.3, aside=0.004)), INSIDE)
     assert verdict.findings == ()
-    np.testing.assert_allclose([verdict.flank[0], verdict.width[0]], [0.007, 2.61], atol=1e-9)
-    # 0.005 and 0.0049 are each accepted alone; together they are 0.0109, more than 0.01.
+    np.testing.assert_allclose([verdict.flank[0], verdict.width[0]], [0.004, 2.604], atol=1e-9)
+    # 0.006 to the right is accepted alone, but not with 0.0049 too deep: together 0.0109.
     far = verdict_of(
         cutter_program(*groove_passes(20, 60, 30, 1.3049, aside=0.006)), INSIDE
     ).findings

@@ -70,6 +70,8 @@ def test_a_centred_device_has_its_own_zero() -> None:
         ("SP1;", "SP4;", "4: hpgl.unknown-pen"),
         ("SP1;\n", "", "7: hpgl.no-pen-selected"),
         ("PU;\nSP0;", "SP0;", "14: hpgl.selects-while-down"),
+        ("PD4800,800;", "PD4800,800;FS12;", "9: hpgl.sets-while-down"),
+        ("PD4800,800;", "VS30;PD4800,800;", "9: hpgl.sets-while-down"),
         ("SP0;\n", "", "14: hpgl.ends-with-pen"),
         ("SP0;", "SP0", "15: hpgl.no-terminator"),
         ("VS40;\n", "", "8: hpgl.no-speed"),

@@ -139,7 +139,7 @@ def test_everything_must_be_off_at_the_end() -> None:
 
 def test_nothing_moves_after_the_end() -> None:
     moves, faults = moves_of(LINUXCNC.decode() + "G0 X500\n")
-    assert (73, Message("rs274.after-end")) in faults
+    assert (81, Message("rs274.after-end")) in faults
     assert moves.end[-1, 0] == 70.3527
 
 
@@ -152,3 +152,19 @@ def test_a_tool_table_without_a_bound_for_rounded_corners_is_a_fault() -> None:
 
 def test_an_empty_text_is_a_fault() -> None:
     assert faults_of("") == ["1: rs274.no-end"]
+
+
+def test_outputs_are_switched_at_rest_without_a_tool_table() -> None:
+    start = HEADER + "G0 Z20\nG4 P0\nM65 P0\nM65 P1\nM65 P2\nM5\n"
+    assert faults_of(start + "G49\nM30\n") == []
+    assert faults_of(start.replace("G4 P0\n", "") + "G49\nM30\n") == [
+        f"{line}: rs274.switches-while-moving" for line in (3, 4, 5)
+    ]
+    # LinuxCNC ends the moves before it switches an output.
+    table = start.replace("G0 Z20\nG4 P0\n", "G64 P0.005 Q0.005\nG0 Z20\n") + "T1 M6\nG49\nM2\n"
+    assert faults_of(table) == []
+
+
+def test_a_line_number_is_the_first_word() -> None:
+    assert faults_of(HEADER + "N5 G0 X1\nM2\n") == []
+    assert faults_of(HEADER + "G0 N5 X1\nM2\n") == ["2: rs274.bad-line-number"]

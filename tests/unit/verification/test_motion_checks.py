@@ -51,7 +51,7 @@ def test_a_feed_that_is_not_the_tools_own_is_found(
 def test_a_timed_arc_that_takes_another_time_is_found() -> None:
     arc = "X120.0000 Y30.0000 C90.0000 I0.0000 J10.0000 F1527.887"
     found = findings(changed(GRBLHAL, arc, arc.replace("1527", "1627")))
-    assert [(finding.kind, finding.line) for finding in found] == [("feed", 49)]
+    assert [(finding.kind, finding.line) for finding in found] == [("feed", 52)]
     # 15.708 mm at 24,000 mm/min
     assert "takes 0.0369 s instead of 0.0393 s" in found[0].text
 
@@ -60,7 +60,7 @@ def test_c_must_not_share_a_feed_in_mm_per_minute() -> None:
     arc = "G93 G3 X120.0000 Y30.0000 C90.0000 I0.0000 J10.0000 F1527.887\nG94 G1 Y70.0000 F24000"
     plain = "G3 X120.0000 Y30.0000 C90.0000 I0.0000 J10.0000\nG1 Y70.0000"
     found = findings(changed(GRBLHAL, arc, plain))
-    assert [(finding.kind, finding.line) for finding in found] == [("feed", 49)]
+    assert [(finding.kind, finding.line) for finding in found] == [("feed", 52)]
     assert "C turns by 90.0000°" in found[0].text
 
 
@@ -101,7 +101,9 @@ def test_a_knife_may_turn_in_the_board_by_its_swivel_angle_and_no_more() -> None
             "G0 X41.5 Y44 Z20 C0",
             "G0 Z4",
             "G1 Z-0.3 F6000",
+            "G4 P0",
             f"G93 G1 C{degrees} F{216000.0 / degrees:.4f}",
+            "G4 P0",
             "G94 G1 Z4 F6000",
         )
         return [
@@ -268,7 +270,9 @@ def test_a_knife_turns_by_at_most_half_a_turn_in_the_board() -> None:
             "G0 X40 Y40 Z20 C0",
             "G0 Z4",
             "G1 Z-0.3 F6000",
+            "G4 P0",
             f"G93 G1 C{degrees} F{216000.0 / abs(degrees):.4f}",
+            "G4 P0",
             "G94 G1 Z20 F6000",
         )
         return headings(text, machine)
@@ -298,6 +302,57 @@ def test_a_tool_may_turn_along_a_short_line_only_if_it_replaces_a_tiny_arc() -> 
 
 def test_a_first_move_sideways_from_an_unknown_height_is_found() -> None:
     for first in ("G0 X5 Y5 Z20", "G0 C90 Z20", "G0 Y5"):
-        text = changed(GRBLHAL, "G0 Z20.0000\nM65 P0\nM65 P1", f"{first}\nM65 P0\nM65 P1")
+        text = changed(GRBLHAL, "G0 Z20.0000\nG4 P0\nM65 P0\nM65 P1", f"{first}\nM65 P0\nM65 P1")
         found = [finding for finding in findings(text) if finding.line == 3]
         assert any("a position that the program has not set" in finding.text for finding in found)
+
+
+@pytest.mark.parametrize("which", range(8))
+def test_linuxcnc_needs_an_exact_stop_where_c_starts_or_stops_turning(which: int) -> None:
+    lines = LINUXCNC.decode().split("\n")
+    stops = [row for row, line in enumerate(lines) if line == "G4 P0"]
+    assert len(stops) == 8
+    del lines[stops[which]]
+    found = findings("\n".join(lines).encode())
+    assert [(each.message.code, each.line) for each in found] == [
+        ("verify.moves-overlap", stops[which] + 1)
+    ]
+    # On the radius of 10 mm at 400 mm/s C turns at 40 rad/s (2,292°/s) and starts in 0.0637 s.
+    # In this time the head travels 25.46 mm: 25.46² / (2 · 10).
+    assert found[0].measure == pytest.approx(32.42, abs=0.01)
+
+
+def test_a_slow_arc_needs_no_exact_stop() -> None:
+    slow = replace(MACHINE.stations[0], tool=with_dimensions(MACHINE.stations[0].tool, feed=1800.0))
+    machine = replace(MACHINE, stations=(slow, *MACHINE.stations[1:]))
+    text = LINUXCNC.replace(b"F24000", b"F1800").replace(b"G4 P0\n", b"")
+    # 30 mm/s: the overlap is 0.11 mm long, and separates the paths by 0.0006 mm.
+    assert not verify(text, DIELINE, PLACEMENT, machine, BOARD).findings
+
+
+def test_a_turn_in_place_must_not_overlap_a_move() -> None:
+    def codes(*stops: str) -> list[tuple[str, int]]:
+        text = knife_program(
+            "G0 X41.5 Y44 Z20 C0",
+            "G0 Z4",
+            "G1 Z-0.3 F6000",
+            "G1 X50 F24000",
+            *stops[:1],
+            "G93 G1 C15 F14400",
+            *stops[1:],
+            "G94 G1 X60 Y46.6795 F24000",
+            "G1 Z4 F6000",
+        )
+        found = findings_without_dieline(text)
+        return [(each.message.code, each.line) for each in found if each.kind == "heading"]
+
+    assert codes("G4 P0", "G4 P0") == []
+    assert codes() == [("verify.turn-overlaps", 16), ("verify.turn-overlaps", 17)]
+
+
+@pytest.mark.parametrize("program", [knife_program, cutter_program])
+def test_a_blade_does_not_plunge_without_a_move(program: Callable[..., bytes]) -> None:
+    rise = "Y42 " if program is cutter_program else ""
+    text = program("G0 X60 Y42 Z20 C0", "G0 Z4", "G1 Z0.7 F3000", f"G1 {rise}Z4")
+    codes = [each.message.code for each in findings(text)]
+    assert "verify.plunge-without-move" in codes

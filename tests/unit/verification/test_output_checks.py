@@ -31,7 +31,9 @@ def program_findings(text: bytes, machine: Machine = MACHINE, *, drawn: bool = T
 
 
 def with_head(program: bytes, head: str) -> bytes:
-    return changed(program, HEAD, head)
+    # Without a tool table, a dwell must be between the lift and the outputs.
+    rested = HEAD.replace("M65 P0", "G4 P0\nM65 P0")
+    return changed(program, HEAD if program == LINUXCNC else rested, head)
 
 
 @BOTH
@@ -105,7 +107,11 @@ def test_only_lifts_may_come_before_all_states_are_set(
 
 def test_the_first_lift_clears_the_longest_station() -> None:
     long = replace(MACHINE, stations=(replace(MACHINE.stations[0], z=6.0), *MACHINE.stations[1:]))
-    lift = "G21 G90 G91.1 G17 G40 G49 G94 G54\n" + HEAD + "G49\nM2\n"
+    lift = (
+        "G21 G90 G91.1 G17 G40 G49 G94 G54\n"
+        + HEAD.replace("M65 P0", "G4 P0\nM65 P0")
+        + "G49\nM2\n"
+    )
     low = program_findings(lift.encode(), long, drawn=False)
     assert "Only a lift straight up, to Z 26.000 mm or higher, may come earlier" in low[0]
     assert any("while axis Z is at 20.000 mm, which is too low" in line for line in low)

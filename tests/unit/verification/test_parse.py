@@ -8,6 +8,7 @@ from knifetip.messages import render
 from knifetip.verification.reading.rs274.interpret import interpret
 from knifetip.verification.reading.rs274.parse import (
     MAX_BYTES,
+    active_comments,
     comment_placement,
     parse_words,
     realtime_bytes,
@@ -96,3 +97,10 @@ def test_the_placement_is_read_from_the_header() -> None:
 
 def test_realtime_bytes_of_grbl_are_faults_in_comments_too() -> None:
     assert [line for line, _ in realtime_bytes(b"(ok)\n(carton!)\nG0 X1\n(\x85)\n")] == [2, 4]
+
+
+def test_comments_that_linuxcnc_executes_are_faults() -> None:
+    program = (
+        b"(cut, then crease)\nG0 X1 (PY, stop\n; py, stop\n( abort,x)\n(msg, wait)\n(logopen,a)\n"
+    )
+    assert [line for line, _ in active_comments(program)] == [2, 3, 4, 6]

@@ -197,6 +197,10 @@ MESSAGES: Final[Entries] = {
         "Download the program and send it with the software of the cutting machine. Stay at "
         "the machine while it cuts, so that you can stop it.",
     ),
+    "hpgl.sets-while-down": entry(
+        "The program line sets the speed (VS) or the force (FS) while the tool is down.",
+        "Lift the tool (PU) before the speed or the force is set.",
+    ),
     "hpgl.slanted-plunge": entry(
         "{place} lowers or lifts the tool along a slope, which HPGL cannot express.",
         "Choose a tool that enters the board vertically.",

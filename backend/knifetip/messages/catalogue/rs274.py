@@ -7,6 +7,10 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
+    "rs274.active-comment": entry(
+        "LinuxCNC executes the comment in the program line.",
+        "Remove the comma from the comment, or delete the comment.",
+    ),
     "rs274.after-end": entry(
         "The program line comes after the end of the program (M2 or M30).",
         "Delete the program line.",
@@ -37,7 +41,8 @@ MESSAGES: Final[Entries] = {
         "Give a feed greater than 0.",
     ),
     "rs274.bad-line-number": entry(
-        "The program line number (N) in the program line is negative or not an integer.",
+        "The program line number (N) in the program line is negative, not an integer, or not at "
+        "the start of the line.",
         "Correct or delete the line number.",
     ),
     "rs274.centre-without-arc": entry(
@@ -164,6 +169,11 @@ MESSAGES: Final[Entries] = {
     "rs274.stray-q": entry(
         "The Q word belongs to no command of the program line.",
         "Delete the Q word.",
+    ),
+    "rs274.switches-while-moving": entry(
+        "The program line switches an output while the head may still be moving: the controller "
+        "switches outputs (M64, M65) as soon as it reads them.",
+        "Add a dwell (G4 P0) after the last move and before this program line.",
     ),
     "rs274.timed-without-f": entry(
         "The program line moves in inverse time mode (G93), but has no F word.",

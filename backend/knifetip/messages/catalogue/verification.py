@@ -271,6 +271,14 @@ MESSAGES: Final[Entries] = {
         thing="message",
         height="number",
     ),
+    "verify.moves-overlap": entry(
+        "The controller starts this move before the move in front of it has ended. Axis C turns "
+        "differently in the two moves, so the tip leaves the path by up to {distance:.3f} mm "
+        "(tolerance {tolerance:.3f} mm).",
+        "Add an exact stop (G4 P0) before this program line.",
+        distance="number",
+        tolerance="number",
+    ),
     "verify.moves-with-beam": entry(
         "The program moves the head before it switches off the spindle (M5), so a laser beam "
         "may still be on.",
@@ -379,6 +387,14 @@ MESSAGES: Final[Entries] = {
         place="number",
         planned="number",
     ),
+    "verify.plunge-without-move": entry(
+        "The {tool:tool} enters the board at X{x:.3f} Y{y:.3f} (coordinates of the sheet) and "
+        "leaves it without a move.",
+        "Delete the plunge, or compile the job again.",
+        tool="text",
+        x="number",
+        y="number",
+    ),
     "verify.rapid-in-board": entry(
         "A rapid move of station {station} is {depth:.3f} mm below the top face of the board.",
         "Lift the tool above the board before the rapid move.",
@@ -476,6 +492,12 @@ MESSAGES: Final[Entries] = {
         "Turn the tool by the same angle as the path.",
         degrees="number",
         path="number",
+    ),
+    "verify.turn-overlaps": entry(
+        "The controller does not wait between the turn of axis C by {degrees:.2f}° in the board "
+        "and the move next to it, so the tool turns while it moves.",
+        "Add an exact stop (G4 P0) before this program line.",
+        degrees="number",
     ),
     "verify.two-lowered": entry(
         "Station {station} processes the board while station {other} is also lowered (output "

@@ -28,7 +28,7 @@ from knifetip.verification.checks.check_context import (
     CheckContext,
 )
 from knifetip.verification.columns import F64, I32, I64, Bool
-from knifetip.verification.curves.curve import azimuth_at, left_distance
+from knifetip.verification.curves.curve import azimuth_at, left_distance, point_at
 from knifetip.verification.curves.intervals import SHORT, Overlaps, uncovered_curves
 from knifetip.verification.curves.overlap import find_overlaps
 from knifetip.verification.expectation.edges import Edges, angle_between
@@ -231,6 +231,17 @@ class StationCheck(ABC):
             Positions on the edge at which each stretch starts and ends.
         """
         return self.depth[edge], self.depth[edge]
+
+    def check_plunges(self) -> None:
+        """Add a finding for each plunge without a move before the lift.
+
+        No such plunge is planned for a blade.  Its heading has no direction of travel to follow,
+        and where the blade is turned across the edge, it cuts into the panel.
+        """
+        for work in np.flatnonzero(self.curve[:, 5] < 1e-6)[:MAX_FINDINGS]:
+            x, y = point_at(self.curve[work : work + 1], np.zeros(1))[0]
+            message = Message("verify.plunge-without-move", tool=self.operation.tool, x=x, y=y)
+            self.add_finding("stray", -1, message, 0.0, work)
 
     def check_heading(
         self, overlaps: Overlaps, reach: F64, turn: float, chorded: Bool | None = None

@@ -15,8 +15,9 @@ from knifetip.verification.expectation.edges import Edges
 from knifetip.verification.expectation.sheet_area import SheetArea
 from knifetip.verification.findings import Findings
 
-#: A depth that differs from the planned depth by more than this is wrong (mm).
-DEPTH_TOLERANCE: Final = 0.005
+#: A depth that differs from the planned depth by more than this is wrong (mm): one unit of the last
+#: digit of a program.
+DEPTH_TOLERANCE: Final = 1e-4
 #: A tip path farther than this from every edge is stray; a nearer one is a deviation (mm).
 NEAR_EDGE: Final = 2.0
 #: Smallest tolerance for a length that is computed from printed numbers (mm).

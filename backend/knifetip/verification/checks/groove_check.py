@@ -55,6 +55,7 @@ class GrooveCheck(StationCheck):
             overlaps = within_limits(wider, wide, self.curve)
         final = self._deepest_passes(overlaps)
         self._check_pass_steps()
+        self.check_plunges()
         self.check_position(overlaps, final, wide)
         off_board = 0.0
         if blade and curved.any():

@@ -75,6 +75,7 @@ class KnifeCheck(StationCheck):
         has_bridges[solid_rows[rounds[ends.paths.path]]] = True
         if blade and self.operation == OperationKind.CUT:
             self._remove_leads(blade)
+        self.check_plunges()
         overlaps = self.match_edges()
         dashed = np.zeros(int(self.track.max(initial=-1)) + 1, np.bool_)
         dashed[self.track[overlaps.curve[overlaps.best & perforated[overlaps.edge]]]] = True

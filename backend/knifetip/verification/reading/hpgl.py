@@ -279,8 +279,9 @@ def _check_state(
     """Append a fault to ``faults`` for each instruction that the plotter would not accept in its
     state.
 
-    Such faults are a missing IN or PA, an unknown pen, a value or position out of range, and a
-    program that ends with the pen down or selected.
+    Such faults are a missing IN or PA, an unknown pen, a value or position out of range, a pen,
+    speed or force that is set while the tool is down, and a program that ends with the pen down or
+    selected.
     """
     code, device = instructions.code, plotter.device
     if len(code) == 0:
@@ -294,6 +295,8 @@ def _check_state(
         faults.append((int(instructions.line[first[0]]), Message("hpgl.moves-before-pa")))
     down = _value_in_force((code == _PD).astype(np.int64), np.isin(code, (_IN, _PU, _PD)), 0) > 0
     _add_faults(faults, instructions.line[(code == _SP) & down], Message("hpgl.selects-while-down"))
+    sets = np.isin(code, (_VS, _FS)) & down
+    _add_faults(faults, instructions.line[sets], Message("hpgl.sets-while-down"))
     number = np.zeros(len(code), np.int64)
     has = np.diff(instructions.first) > 0
     number[has] = instructions.number[instructions.first[:-1][has]]
@@ -385,6 +388,7 @@ def _make_moves(
         # The device switches its tools itself; after IN they are up and off.
         stated=np.ones((count, len(stations) + 1), np.bool_),
         blend=np.zeros(count),
+        rested=np.ones(count, np.bool_),
         waited=np.full(count, np.inf),
         uses_tool_table=False,
         dwell=0.0,

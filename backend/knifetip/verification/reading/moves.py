@@ -48,6 +48,7 @@ class Moves:
     extra: Bool  #: (n, e) outputs of ``tools.extra_outputs`` that are on
     stated: Bool  #: (n, stations + e + 1) the program has set stations, extra outputs, spindle
     blend: F64  #: (n,) mm, corner rounding: larger of P and Q of G64; inf without a limit
+    rested: Bool  #: (n,) the head is at rest between the move before and this move
     waited: F64  #: (n,) seconds of dwell since the last switching, inf before the first
     uses_tool_table: bool  #: the controller has a tool table: T words select stations
     dwell: float  #: sum of all dwells (s)

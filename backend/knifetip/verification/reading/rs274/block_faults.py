@@ -13,7 +13,7 @@ import numpy as np
 from knifetip.messages import Message
 from knifetip.model.machine import Machine
 from knifetip.verification.columns import F64, Bool
-from knifetip.verification.reading.rs274.blocks import Group, ProgramBlocks
+from knifetip.verification.reading.rs274.blocks import Group, ProgramBlocks, latest_block
 from knifetip.verification.reading.rs274.modal_state import ModalState
 from knifetip.verification.tools import expected_tool, extra_outputs, has_beam
 
@@ -42,6 +42,8 @@ def check_blocks(blocks: ProgramBlocks, state: ModalState, machine: Machine) -> 
     _check_words(blocks, state)
     settle = _settle_times(state, machine)
     _check_values(blocks, state, machine, settle)
+    if not state.uses_tool_table:
+        _check_rest(blocks)
     _check_modes(blocks, state, settle)
     _check_end(blocks, state)
 
@@ -132,6 +134,19 @@ def _check_values(blocks: ProgramBlocks, state: ModalState, machine: Machine, se
     fault(
         has("N") & ((number["N"] < 0.0) | (number["N"] != np.rint(number["N"]))),
         Message("rs274.bad-line-number"),
+    )
+
+
+def _check_rest(blocks: ProgramBlocks) -> None:
+    """Add a fault for each block that switches an output while the head may still move.
+
+    grblHAL switches outputs as soon as it reads M64 or M65, while moves that it has read before are
+    still running.  A dwell (G4), also of 0 s, waits until they have ended.
+    """
+    moved = latest_block(blocks.has_code(Group.MOTION))
+    rested = latest_block(blocks.has_code(Group.DWELL))
+    blocks.fault(
+        blocks.has_code(Group.OUTPUT) & (moved > rested), Message("rs274.switches-while-moving")
     )
 
 

@@ -112,6 +112,8 @@ class ProgramBlocks:
         for row in np.flatnonzero(kind == 0)[:1000]:
             letter = chr(words.letter[row])
             self._fault(block[row], Message("rs274.unknown-letter", letter=letter))
+        for row in np.flatnonzero((words.letter == ord("N")) & ~new)[:1000]:
+            self._fault(block[row], Message("rs274.bad-line-number"))
         words_used = np.flatnonzero(kind >= 100)
         key = np.sort(block[words_used] * 1000 + kind[words_used])
         for twice in np.unique(key[1:][key[1:] == key[:-1]] // 1000)[:1000]:

@@ -79,6 +79,7 @@ def _make_moves(blocks: ProgramBlocks, state: ModalState, machine: Machine) -> M
         oscillating=state.oscillating[rows],
         stated=state.stated[rows],
         blend=state.blend[rows],
+        rested=_rested(blocks, rows),
         waited=state.waited[rows],
         uses_tool_table=state.uses_tool_table,
         dwell=state.dwell,
@@ -110,6 +111,19 @@ def _check_carriages(blocks: ProgramBlocks, moving: I64, own: I64) -> None:
         wrong = np.zeros(blocks.count, np.bool_)
         wrong[moving[mask]] = True
         blocks.fault(wrong, message)
+
+
+def _rested(blocks: ProgramBlocks, moving: I64) -> Bool:
+    """Return the mask of the n moves before which the head comes to rest, (n,).
+
+    A dwell, a tool change, and the switching of an output or the spindle end the moves before them.
+    ``moving`` are the indices of the blocks that contain moves, ascending, (n,).
+    """
+    groups = (Group.DWELL, Group.CHANGE, Group.OUTPUT, Group.SPINDLE)
+    ends = np.cumsum(np.logical_or.reduce([blocks.has_code(group) for group in groups]))
+    result = np.ones(len(moving), np.bool_)
+    result[1:] = np.diff(ends[moving]) > 0
+    return result
 
 
 def _switching_lines(blocks: ProgramBlocks, state: ModalState, moving: I64) -> Switches:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from itertools import islice
 from typing import Any, Final
 
 import numpy as np
@@ -36,6 +37,10 @@ _FAULTS: Final[Mapping[int, Callable[[int], Message]]] = {
     7: lambda _: Message("rs274.number-too-large"),
 }
 _MAX_FAULTS: Final = 1000
+#: Comments that LinuxCNC executes: they run Python, write files, or stop the program.
+_ACTIVE_COMMENT: Final = re.compile(
+    rb"[(;][ \t]*(?:abort|debug|log\w*|print|probe\w*|py)[ \t]*,", re.IGNORECASE
+)
 _PLACEMENT: Final = re.compile(rb"\(placement X(-?\d+\.\d+) Y(-?\d+\.\d+)\)")
 
 
@@ -91,6 +96,18 @@ def realtime_bytes(text: bytes) -> list[tuple[int, Message]]:
     return [
         (int(row), Message("rs274.control-byte", byte=f"{int(byte):#04x}"))
         for row, byte in zip(line, raw[positions], strict=True)
+    ]
+
+
+def active_comments(text: bytes) -> list[tuple[int, Message]]:
+    """Return faults for comments that LinuxCNC executes, such as ``(PY,…)`` and ``(ABORT,…)``.
+
+    Each fault is (1-based line, message), in ascending order, at most ``_MAX_FAULTS``.
+    """
+    matches = islice(_ACTIVE_COMMENT.finditer(text), _MAX_FAULTS)
+    return [
+        (1 + text.count(b"\n", 0, match.start()), Message("rs274.active-comment"))
+        for match in matches
     ]
 
 

@@ -10,7 +10,12 @@ from knifetip.model.board import Board
 from knifetip.model.machine import Machine
 from knifetip.verification.reading.moves import Moves
 from knifetip.verification.reading.rs274.interpret import interpret
-from knifetip.verification.reading.rs274.parse import comment_placement, parse_words, realtime_bytes
+from knifetip.verification.reading.rs274.parse import (
+    active_comments,
+    comment_placement,
+    parse_words,
+    realtime_bytes,
+)
 
 
 class Rs274Reader:
@@ -34,9 +39,8 @@ class Rs274Reader:
         """
         del board  # the program moves every axis
         moves, faults = interpret(parse_words(text), machine)
-        if not moves.uses_tool_table:
-            faults = sorted(faults + realtime_bytes(text), key=itemgetter(0))
-        return moves, faults
+        executed = active_comments(text) if moves.uses_tool_table else realtime_bytes(text)
+        return moves, sorted(faults + executed, key=itemgetter(0))
 
 
 READER: Final = Rs274Reader()
