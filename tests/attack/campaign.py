@@ -85,7 +85,7 @@ def run(subjects: Sequence[Subject], count: int, seed: int, tally: Tally) -> Ite
         if plain(text, subject.language) == plain(subject.text, subject.language):
             tally.add(subject.name, changes, "equal")
             continue
-        if not subject.verdict_of(text).accepted:
+        if not subject.accepts(text):
             tally.add(subject.name, changes, "refused")
             continue
         harm = oracles[subject.name].harm(text)

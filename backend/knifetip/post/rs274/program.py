@@ -147,6 +147,8 @@ def _header(
             for carriage in machine.carriages
         )
         yield f"G0 {' '.join(parks)}"
+        if dialect.eager_outputs:
+            yield WAIT_FOR_REST
 
 
 def _highest_lift(machine: Machine) -> str:

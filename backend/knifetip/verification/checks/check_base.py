@@ -80,6 +80,7 @@ class StationCheck(ABC):
         self.size = edges.curve[:, 5]
         self.low, self.high = np.zeros(len(edges)), self.size.copy()
         self.depth = np.zeros(len(edges))
+        self.depth_tolerance = np.full(len(edges), DEPTH_TOLERANCE)
         #: (n,) mm of each curve before the start of the drawn edge
         self.before = np.zeros(len(edges))
         #: (n, 2) mm at start and end where a tip path is allowed but not required
@@ -205,7 +206,7 @@ class StationCheck(ABC):
         wrong = np.abs(deep - planned)
         if final is not None:
             wrong[~final[best]] = 0.0
-        for row in np.flatnonzero(wrong > DEPTH_TOLERANCE)[:MAX_FINDINGS]:
+        for row in np.flatnonzero(wrong > self.depth_tolerance[edge])[:MAX_FINDINGS]:
             self.add_finding(
                 "depth",
                 edge[row],

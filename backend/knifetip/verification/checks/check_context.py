@@ -18,6 +18,8 @@ from knifetip.verification.findings import Findings
 #: A depth that differs from the planned depth by more than this is wrong (mm): one unit of the last
 #: digit of a program.
 DEPTH_TOLERANCE: Final = 1e-4
+#: The same for a crease along a curve, whose planned depth changes with its direction (mm).
+CURVED_DEPTH_TOLERANCE: Final = 0.005
 #: A tip path farther than this from every edge is stray; a nearer one is a deviation (mm).
 NEAR_EDGE: Final = 2.0
 #: Smallest tolerance for a length that is computed from printed numbers (mm).

@@ -12,6 +12,7 @@ from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import CreaseWheel
 from knifetip.verification.checks.check_base import StationCheck
+from knifetip.verification.checks.check_context import CURVED_DEPTH_TOLERANCE
 from knifetip.verification.checks.stray_work import check_stray_work
 from knifetip.verification.columns import F64, I32
 from knifetip.verification.expectation.crease_depth import depth_range
@@ -60,6 +61,7 @@ class CreaseCheck(StationCheck):
         self.set_edges(single)
         expected = expected_creases(self.edges, self.context.board, wheel, all_creases, parts)
         self.low, self.high, self.depth = expected.low, expected.high, expected.press_depth
+        self.depth_tolerance[self.edges.curve[:, 0] != 0.0] = CURVED_DEPTH_TOLERANCE
         for edge in np.flatnonzero(expected.refused)[:MAX_FINDINGS]:
             self.add_finding("uncut", edge, Message("verify.crease-too-short"), self.size[edge])
         overlaps = self.match_edges()
