@@ -29,7 +29,7 @@ def with_more(
     """
     columns: dict[str, Any] = {
         name: np.concatenate([getattr(drawing, name), getattr(drawing, name)[like]])
-        for name in ("entity", "layer", "colour", "true_colour", "linetype")
+        for name in ("entity", "layer", "colour", "true_colour", "linetype", "fit_error")
     }
     more = replace(
         drawing,
@@ -47,6 +47,7 @@ def with_more(
         confidence=np.concatenate([line.confidence, line.confidence[like]]),
         face=np.concatenate([line.face, line.face[like]]),
         part=np.concatenate([line.part, line.part[like]]),
+        fit_error=np.concatenate([line.fit_error, line.fit_error[like]]),
     )
 
 

@@ -103,7 +103,7 @@ def test_5_an_arc_keeps_its_centre_and_gains_or_loses_r(side: int, size: float) 
 @pytest.mark.parametrize("side", [1, -1])
 def test_5_a_fitted_ellipse_offset_as_arcs_lies_on_the_paper_s_curve(side: int) -> None:
     # Fitted within 0.001 mm, then moved by r: no farther from (5) than the fit, in the normal.
-    start, end, bulge = ELLIPSE.to_segments(0.001)
+    start, end, bulge, _ = ELLIPSE.to_segments(0.001)
     paths = Paths(start, end, bulge, np.array([0, len(bulge)]))
     beside = offset_paths(paths, 3.0, side).paths
     points = arc.points_along(beside.start, beside.end, beside.bulge, 9).reshape(-1, 2)

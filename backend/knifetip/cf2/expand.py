@@ -36,6 +36,7 @@ class ExpandedFile:
     annotations: list[Annotation] = field(default_factory=list)
     ends: list[F64] = field(default_factory=list)
     bulge: list[F64] = field(default_factory=list)
+    fit_error: list[F64] = field(default_factory=list)
     row: list[I64] = field(default_factory=list)
     style: list[I64] = field(default_factory=list)
 
@@ -52,9 +53,11 @@ class ExpandedFile:
             none = np.zeros(0, np.int32)
             return Columns(np.zeros((0, 2, 2)), np.zeros(0), none, none)
         ends, bulge = np.concatenate(self.ends), np.concatenate(self.bulge)
+        fit_error = np.concatenate(self.fit_error)
         row, style = np.concatenate(self.row), np.concatenate(self.style)
         order = np.argsort(row, kind="stable")
-        ends, bulge, row, style = ends[order], bulge[order], row[order], style[order]
+        ends, bulge, fit_error = ends[order], bulge[order], fit_error[order]
+        row, style = row[order], style[order]
         farthest = np.abs(ends).max(axis=(1, 2))
         too_far_ = ~(farthest <= reach) | ~np.isfinite(bulge)
         for one in np.flatnonzero(too_far_).tolist():
@@ -62,7 +65,11 @@ class ExpandedFile:
         # Both segments of an arc are dropped or kept together.
         keep = ~np.isin(row, row[too_far_]) if too_far_.any() else ~too_far_
         return Columns(
-            ends[keep], bulge[keep], row[keep].astype(np.int32), style[keep].astype(np.int32)
+            ends[keep],
+            bulge[keep],
+            row[keep].astype(np.int32),
+            style[keep].astype(np.int32),
+            fit_error[keep],
         )
 
 
@@ -267,7 +274,8 @@ class _Expander:
         """
         if not len(shape.bulge):
             return
-        ends, bulge, origin = place_shape(shape, linear, shift, self._tolerance)
+        ends, bulge, error, origin = place_shape(shape, linear, shift, self._tolerance)
+        self.expanded.fit_error.append(error)
         self.expanded.ends.append(ends)
         self.expanded.bulge.append(bulge)
         self.expanded.row.append(row_of[shape.row[origin]])

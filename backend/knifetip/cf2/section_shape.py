@@ -13,7 +13,7 @@ import numpy as np
 from knifetip.cf2.records import Section
 from knifetip.drawing_builder.columns import Style
 from knifetip.geometry.columns import F64, I64
-from knifetip.geometry.curve import fit_many
+from knifetip.geometry.curve import Segments, fit_many
 from knifetip.geometry.tolerance import BULGE
 from knifetip.messages import Message
 
@@ -120,7 +120,7 @@ def read_shape(section: Section, styles: StyleNumbers) -> SectionShape:
 
 def place_shape(
     shape: SectionShape, linear: F64, shift: F64, tolerance: float
-) -> tuple[F64, F64, I64]:
+) -> tuple[F64, F64, F64, I64]:
     """Return a transformed copy of the segments of a section.
 
     Arcs become elliptic if the scale is not uniform; they are then approximated by circular arcs.
@@ -140,6 +140,9 @@ def place_shape(
         Start and end points of the segments of the copy (file units).
     bulge : (n,)
         Bulges of the segments of the copy.
+    error : (n,)
+        Greatest distance of each segment from the elliptic arc that it approximates (file units); 0
+        for an exact segment.
     origin : (n,)
         For each segment of the copy, the index in ``shape`` of the segment from which it was made.
     """
@@ -149,12 +152,13 @@ def place_shape(
     ends, bulge = shape.ends @ linear.T + shift, side * shape.bulge
     arcs = np.flatnonzero(np.abs(shape.bulge) >= BULGE)
     if not (uneven and arcs.size):
-        return ends, bulge, np.arange(len(bulge))
+        return ends, bulge, np.zeros(len(bulge)), np.arange(len(bulge))
     straight = np.flatnonzero(np.abs(shape.bulge) < BULGE)
-    start, end, fitted, arc = _fit_ellipses(shape, arcs, linear, shift, tolerance)
+    (start, end, fitted, error), arc = _fit_ellipses(shape, arcs, linear, shift, tolerance)
     return (
         np.concatenate([ends[straight], np.stack([start, end], axis=1)]),
         np.concatenate([bulge[straight], fitted]),
+        np.concatenate([np.zeros(len(straight)), error]),
         np.concatenate([straight, arcs[arc]]),
     )
 
@@ -297,7 +301,7 @@ def _split_arcs(arcs: F64, rows: I64, notes: dict[int, list[Message]]) -> tuple[
 
 def _fit_ellipses(
     shape: SectionShape, arcs: I64, linear: F64, shift: F64, tolerance: float
-) -> tuple[F64, F64, F64, I64]:
+) -> tuple[Segments, I64]:
     """Return lines and circular arcs that approximate elliptic arcs.
 
     The arcs of a section become elliptic if ``linear`` scales x and y differently.
@@ -315,10 +319,8 @@ def _fit_ellipses(
 
     Returns
     -------
-    start, end : (n, 2)
-        Start and end points of the n approximating segments (file units).
-    bulge : (n,)
-        Bulges of the approximating segments.
+    segments
+        The n approximating segments (file units).
     arc : (n,)
         Index in ``arcs`` of the arc that each segment approximates.
     """

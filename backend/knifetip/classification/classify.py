@@ -90,6 +90,7 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
         tuple(edges.reasons.alternatives),
         features.sides,
         features.part,
+        drawing.fit_error,
     )
 
 

@@ -305,6 +305,13 @@ def _report(dieline: Dieline, length: F64, at_work: Bool, state: _State) -> Clea
     ends[slot], bulge[slot], kinds[slot] = state.ends, state.bulge, state.kind
     shown = np.arange(total)
     shown[slot] = source
+    order = np.lexsort((state.begin, state.row))
+    row, edge, overlapping = state.row[order], state.edge[order], state.overlapping[order]
+    low, high = state.begin[order], state.end[order]
+    target = np.append(slot, -1)[edge]
+    # A cleaned edge approximates the curves of all drawn edges that it replaces.
+    fit_error = dieline.fit_error[shown]
+    np.maximum.at(fit_error, target[target >= 0], dieline.fit_error[row[target >= 0]])
     cleaned = replace(
         dieline,
         ends=ends,
@@ -316,11 +323,8 @@ def _report(dieline: Dieline, length: F64, at_work: Bool, state: _State) -> Clea
         # A cleaned edge has the direction of the drawn edge that it is shown for.
         face=dieline.face[shown],
         part=dieline.part[shown],
+        fit_error=fit_error,
     )
-    order = np.lexsort((state.begin, state.row))
-    row, edge, overlapping = state.row[order], state.edge[order], state.overlapping[order]
-    low, high = state.begin[order], state.end[order]
-    target = np.append(slot, -1)[edge]
     size = (high - low) * length[row]
 
     def summed(mask: Bool) -> F64:

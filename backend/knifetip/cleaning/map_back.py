@@ -21,6 +21,9 @@ from knifetip.model.verdict import Samples, Verdict
 
 _WORST: Final = (
     "deviation",
+    "path_deviation",
+    "blending",
+    "fit_error",
     "overcut",
     "width",
     "web",

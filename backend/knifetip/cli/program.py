@@ -217,8 +217,11 @@ def print_verdict(verdict: Verdict) -> None:
     """Print the measurements and the first findings of a verdict of the verifier."""
     word = "accepted" if verdict.accepted else "refused"
     print_stderr(
-        f"{word}: deviation {verdict.deviation.max(initial=0.0):.4f} mm "
-        f"(tolerance {verdict.tolerance:g}), overcut {verdict.overcut.max(initial=0.0):.3f} mm, "
+        f"{word}: deviation {verdict.deviation.max(initial=0.0):.4f} mm (tolerance "
+        f"{verdict.tolerance:g}; path {verdict.path_deviation.max(initial=0.0):.4f}, rounding by "
+        f"the controller {verdict.blending.max(initial=0.0):.4f}, curve fit "
+        f"{verdict.fit_error.max(initial=0.0):.4f}), "
+        f"overcut {verdict.overcut.max(initial=0.0):.3f} mm, "
         f"uncut {verdict.uncut.sum():.3f} mm, {verdict.seconds:.1f} s",
         "green" if verdict.accepted else "red",
     )

@@ -98,7 +98,11 @@ def assemble(
         keep = ~(no_length | twice)
         length = length[keep]
         segments = Columns(
-            segments.ends[keep], segments.bulge[keep], segments.row[keep], segments.style[keep]
+            segments.ends[keep],
+            segments.bulge[keep],
+            segments.row[keep],
+            segments.style[keep],
+            segments.fit_error[keep],
         )
     # ``bincount`` adds in file order, so sums are reproducible.
     kept_length: F64 = np.bincount(segments.row, length, minlength=len(outcome)).astype(np.float64)
@@ -109,6 +113,7 @@ def assemble(
     return Drawing(
         ends=_owned(ends),
         bulge=_owned(segments.bulge + 0.0),
+        fit_error=_owned(segments.fit_error * size),
         entity=_owned(segments.row),
         layer=_owned(attributes[:, 0].take(segments.style)),
         colour=_owned(attributes[:, 2].take(segments.style)),

@@ -7,7 +7,7 @@ Bézier curves are approximated by arcs.
 from __future__ import annotations
 
 import time
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 
@@ -113,9 +113,19 @@ def _centre_form(numbers: F64) -> tuple[F64, F64, F64, F64, F64]:
     return middle + centre_x[:, None] * u + centre_y[:, None] * v, u, v, first, turn
 
 
+class FittedSegments(NamedTuple):
+    """n lines and arcs, in the order of the file, that were made from m segments of paths."""
+
+    ends: F64  #: (n, 2, 2) ends (file units)
+    bulge: F64  #: (n,) bulges
+    error: F64  #: (n,) greatest distance from the curve of the file (file units)
+    origin: I64  #: (n,) index of the segment from which each line or arc was made
+    curved: Bool  #: (m,) mask of the segments that were approximated by arcs
+
+
 def fit_segments(
     placed: PlacedSegments, tolerance: float, limits: Limits, format_name: str
-) -> tuple[F64, F64, I64, Bool]:
+) -> FittedSegments:
     """Return the segments of a drawing as n lines and arcs, in the order of the file.
 
     Parameters
@@ -129,24 +139,18 @@ def fit_segments(
     format_name
         Name of the file format in error messages.
 
-    Returns
-    -------
-    ends : (n, 2, 2)
-        Ends of the lines and arcs.
-    bulge : (n,)
-        Bulge of each line or arc.
-    origin : (n,)
-        Index of the segment in ``placed`` from which each line or arc was made.
-    curved : (m,)
-        Mask of the segments in ``placed`` that were approximated by arcs.
+    Raises
+    ------
+    DrawingTooLarge
+        The number of lines and arcs or the time exceeds its limit.
     """
     curved = np.zeros(len(placed.kind), bool)
     straight = np.flatnonzero(placed.kind == LINE)
-    parts = [_lines(placed, straight)]
+    parts = [_lines(placed, straight, 0.0)]
 
     chord = placed.control[:, 3] - placed.control[:, 0]
     is_line = _are_straight(placed.control, chord, _SHAPE_TOLERANCE * tolerance)
-    parts.append(_lines(placed, placed.cubic[is_line]))
+    parts.append(_lines(placed, placed.cubic[is_line], _SHAPE_TOLERANCE * tolerance))
     bent = np.flatnonzero(~is_line)
     curved[placed.cubic[bent]] = True
 
@@ -155,7 +159,7 @@ def fit_segments(
     larger = np.maximum(size_u, size_v)
     off = np.maximum(np.abs(size_u - size_v), dot_product / np.where(larger > 0.0, larger, 1.0))
     circle = off <= _SHAPE_TOLERANCE * tolerance
-    parts.append(_circular(placed, np.flatnonzero(circle)))
+    parts.append(_circular(placed, np.flatnonzero(circle), off))
     oval = np.flatnonzero(~circle)
     curved[placed.arc[oval]] = True
 
@@ -179,14 +183,18 @@ def fit_segments(
             parts.append(part)
     if total > limits.segments:
         raise too_many(limits, format_name)
-    ends, bulge, origin = (np.concatenate(column) for column in zip(*parts, strict=True))
+    ends, bulge, error, origin = (np.concatenate(column) for column in zip(*parts, strict=True))
     order = np.argsort(origin, kind="stable")
-    return ends[order], bulge[order], origin[order], curved
+    return FittedSegments(ends[order], bulge[order], error[order], origin[order], curved)
 
 
-def _lines(placed: PlacedSegments, rows: I64) -> tuple[F64, F64, I64]:
+def _lines(placed: PlacedSegments, rows: I64, error: float) -> tuple[F64, F64, F64, I64]:
+    """Return ends, bulges, errors and segment indices of the segments ``rows`` as lines.
+
+    ``error`` is the greatest distance of a segment from its line (file units).
+    """
     ends = np.stack([placed.start[rows], placed.end[rows]], axis=1)
-    return ends, np.zeros(len(rows)), rows
+    return ends, np.zeros(len(rows)), np.full(len(rows), error), rows
 
 
 def _are_straight(control: F64, chord: F64, tolerance: float) -> Bool:
@@ -217,7 +225,7 @@ def _are_straight(control: F64, chord: F64, tolerance: float) -> Bool:
     return straight | (np.abs(control - control[:, :1]) <= 0.0).all(axis=(1, 2))
 
 
-def _circular(placed: PlacedSegments, indices: I64) -> tuple[F64, F64, I64]:
+def _circular(placed: PlacedSegments, indices: I64, off: F64) -> tuple[F64, F64, F64, I64]:
     """Return the circular arcs among the segments; an arc longer than 180° is split in two.
 
     Parameters
@@ -226,11 +234,14 @@ def _circular(placed: PlacedSegments, indices: I64) -> tuple[F64, F64, I64]:
         Segments of the paths of the file.
     indices
         Indices into ``placed.arc`` of the arcs that are circular.
+    off
+        Distance of each arc of ``placed.arc`` from a circular one (file units).
 
     Returns
     -------
-    ends, bulge : (m, 2, 2) and (m,)
-        Ends (file units) and bulges of m arcs.
+    ends, bulge, error : (m, 2, 2), (m,) and (m,)
+        Ends (file units) and bulges of m arcs, and their distance from the arc of the file (file
+        units).
     source : (m,)
         Index of the segment in ``placed`` from which each arc was made.
     """
@@ -253,7 +264,13 @@ def _circular(placed: PlacedSegments, indices: I64) -> tuple[F64, F64, I64]:
             np.stack([middle, end], axis=1)[two],
         ]
     )
-    return ends, np.concatenate([bulge, bulge[two]]), np.concatenate([rows, rows[two]])
+    error = off[indices]
+    return (
+        ends,
+        np.concatenate([bulge, bulge[two]]),
+        np.concatenate([error, error[two]]),
+        np.concatenate([rows, rows[two]]),
+    )
 
 
 def _bezier(control: F64) -> tuple[EvaluateEach, EvaluateEach]:
@@ -313,7 +330,7 @@ def _fit_arcs(
     point: EvaluateEach,
     tangent: EvaluateEach,
     tolerance: float,
-) -> tuple[F64, F64, I64]:
+) -> tuple[F64, F64, F64, I64]:
     """Approximate curves by circular arcs, and return the arcs.
 
     If the fit of several curves fails, each half of the curves is fitted separately, until the
@@ -336,13 +353,14 @@ def _fit_arcs(
 
     Returns
     -------
-    ends, bulge : (m, 2, 2) and (m,)
-        Ends (file units) and bulges of m arcs.
+    ends, bulge, error : (m, 2, 2), (m,) and (m,)
+        Ends (file units) and bulges of m arcs, and their greatest distance from the curve (file
+        units).
     source : (m,)
         Index in ``placed`` of the curve that each arc approximates.
     """
     try:
-        start, end, bulge, origin = fit_many(
+        (start, end, bulge, error), origin = fit_many(
             lambda k, s: point(indices[k], s),
             lambda k, s: tangent(indices[k], s),
             len(indices),
@@ -351,17 +369,19 @@ def _fit_arcs(
     except GeometryError as reason:
         if len(indices) == 1:
             placed.failed[int(numbers[indices[0]])] = reason.message
-            return np.zeros((0, 2, 2)), np.zeros(0), np.zeros(0, np.int64)
+            return np.zeros((0, 2, 2)), np.zeros(0), np.zeros(0), np.zeros(0, np.int64)
         middle = len(indices) // 2
         halves = [
             _fit_arcs(placed, half, numbers, point, tangent, tolerance)
             for half in (indices[:middle], indices[middle:])
         ]
-        ends, bulge, origin = (np.concatenate(column) for column in zip(*halves, strict=True))
-        return ends, bulge, origin
+        ends, bulge, error, origin = (
+            np.concatenate(column) for column in zip(*halves, strict=True)
+        )
+        return ends, bulge, error, origin
     rows = numbers[indices[origin]]
     # Exact ends, so that the next segment begins where this one ends.
     first = np.flatnonzero(np.diff(origin, prepend=-1))
     last = np.flatnonzero(np.diff(origin, append=len(indices)))
     start[first], end[last] = placed.start[rows[first]], placed.end[rows[last]]
-    return np.stack([start, end], axis=1), bulge, rows
+    return np.stack([start, end], axis=1), bulge, error, rows

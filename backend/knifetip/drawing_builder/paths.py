@@ -1,8 +1,8 @@
 """Convert paths of SVG and PDF files to arrays of lines and arcs.
 
 Curves are approximated by ``path_segments``.  The tolerance of the approximation is
-``tolerance.CURVE`` (0.01 mm).  If the unit of the file is unknown, the tolerance is 1 / 250,000 of
-the diagonal of the drawing, so that it is at most 0.01 mm for drawings smaller than 2.5 m.
+``tolerance.CURVE`` (0.0035 mm).  If the unit of the file is unknown, the tolerance is 1 / 250,000
+of the diagonal of the drawing, so that it is at most 0.0035 mm for drawings smaller than 0.87 m.
 """
 
 from __future__ import annotations
@@ -58,7 +58,8 @@ def columns(
         table = Table(table.kind[good], table.numbers[good], table.path[good])
         placed = PlacedSegments(table, matrix[table.path])
         tolerance = CURVE / scale if scale else _tolerance_without_unit(placed.start, placed.end)
-        ends, bulge, origin, curved = fit_segments(placed, tolerance, limits, format_name)
+        segments = fit_segments(placed, tolerance, limits, format_name)
+    ends, bulge, error, origin = segments.ends, segments.bulge, segments.error, segments.origin
     path_of = table.path[origin]
     if placed.failed:
         lost = np.zeros(len(rows), bool)
@@ -66,25 +67,26 @@ def columns(
             lost[table.path[segment]] = True
             sheet.dropped[int(rows[table.path[segment]])] = reason
         is_kept = ~lost[path_of]
-        ends, bulge, origin, path_of = (
+        ends, bulge, error, origin, path_of = (
             ends[is_kept],
             bulge[is_kept],
+            error[is_kept],
             origin[is_kept],
             path_of[is_kept],
         )
-    fitted = np.bincount(path_of[curved[origin]], minlength=len(rows))
+    fitted = np.bincount(path_of[segments.curved[origin]], minlength=len(rows))
     for one in np.flatnonzero(fitted).tolist():
         sheet.notes.setdefault(int(rows[one]), []).append(
             curves_fitted(int(fitted[one]), tolerance, relative=not scale)
         )
-    return Columns(ends, bulge, rows[path_of], paths.style[path_of])
+    return Columns(ends, bulge, rows[path_of], paths.style[path_of], error)
 
 
 def _tolerance_without_unit(start: F64, end: F64) -> float:
     """Return the fitting tolerance for a drawing whose unit is unknown (file units).
 
-    It is 1 / 250,000 of the diagonal of the drawing, at most 0.01, and 0.01 for a drawing without
-    extent.
+    It is 1 / 250,000 of the diagonal of the drawing, at most ``CURVE``, and ``CURVE`` for a drawing
+    without extent.
 
     Parameters
     ----------

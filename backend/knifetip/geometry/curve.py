@@ -28,8 +28,9 @@ from knifetip.geometry.tolerance import BULGE, CURVE
 Evaluate: TypeAlias = Callable[[F64], F64]
 #: Function from numbers of curves (m,) and their parameters (m,) to points or directions (m, 2).
 EvaluateEach: TypeAlias = Callable[[I64, F64], F64]
-#: Start (n, 2), end (n, 2) and bulge (n,) of n segments.
-Segments: TypeAlias = tuple[F64, F64, F64]
+#: Start (n, 2), end (n, 2) and bulge (n,) of n segments, and their greatest distance from the
+#: curve that they approximate, (n,) in the unit of the coordinates; 0 for an exact segment.
+Segments: TypeAlias = tuple[F64, F64, F64, F64]
 
 #: Parameters of the points of a piece, 0 … 1, at which its biarc is measured.
 _PROBE_FRACTIONS: Final = np.linspace(0.0, 1.0, 26)[1:-1]
@@ -69,6 +70,9 @@ def fit(
     bulge : (n,) float64, |bulge| ≤ 0.5
         The segments, lines or arcs.  The end of segment i and the start of segment i + 1 have equal
         coordinates.
+    error : (n,) float64, mm
+        Greatest distance of the curve from each segment: measured at 24 points of every biarc, and
+        increased by 3 % because the maximum may be between two of them.
 
     Raises
     ------
@@ -82,19 +86,20 @@ def fit(
         raise GeometryError("curve.bad-tolerance", tolerance=tolerance)
     with np.errstate(all="ignore"):
         edges = _spread_breaks(point, tangent, knots, tolerance)
-        begin, _, joints, bulges = _halve_until_fitted(
+        begin, _, joints, bulges, errors = _halve_until_fitted(
             point, tangent, edges[:-1], edges[1:], tolerance
         )
     corners = point(np.append(begin, knots[-1]))
     start = np.stack([corners[:-1], joints], axis=1).reshape(-1, 2)
     end = np.stack([joints, corners[1:]], axis=1).reshape(-1, 2)
     one = np.zeros(len(start), np.int64)
-    return _merge_collinear(start, end, bulges.reshape(-1), one, 1e-6 * tolerance)[:3]
+    segments = start, end, bulges.reshape(-1), np.repeat(errors, 2)
+    return _merge_collinear(segments, one, 1e-6 * tolerance)[0]
 
 
 def fit_many(
     point: EvaluateEach, tangent: EvaluateEach, count: int, tolerance: float = CURVE
-) -> tuple[F64, F64, F64, I64]:
+) -> tuple[Segments, I64]:
     """Return lines and arcs that approximate many smooth curves within a tolerance.
 
     Parameters
@@ -109,10 +114,9 @@ def fit_many(
 
     Returns
     -------
-    start, end : (n, 2) float64, mm
-        Ends of the lines and arcs.
-    bulge : (n,) float64, |bulge| ≤ 0.5
-        Bulge of each line or arc.
+    segments : Segments
+        Ends (mm) of the n lines and arcs, their bulges (|bulge| ≤ 0.5), and the greatest distance
+        of the curve from each of them (mm), as in ``fit``.
     curve : (n,) int64
         Number of the curve that each line or arc belongs to, never decreasing.  A curve without
         length has no line or arc.
@@ -127,14 +131,16 @@ def fit_many(
         for low in range(0, count, _BATCH)
     ]
     if not parts:
-        return np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0), np.zeros(0, np.int64)
-    start, end, bulge, curve = (np.concatenate(column) for column in zip(*parts, strict=True))
-    return start, end, bulge, curve
+        none = np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0), np.zeros(0)
+        return none, np.zeros(0, np.int64)
+    segments, curve = zip(*parts, strict=True)
+    start, end, bulge, error = (np.concatenate(column) for column in zip(*segments, strict=True))
+    return (start, end, bulge, error), np.concatenate(curve)
 
 
 def _fit_block(
     point: EvaluateEach, tangent: EvaluateEach, low: int, count: int, tolerance: float
-) -> tuple[F64, F64, F64, I64]:
+) -> tuple[Segments, I64]:
     """Return lines and arcs that approximate the curves ``low`` … ``low + count - 1``.
 
     The curves are joined into one curve and fitted together: the parameters 2i to 2i + 1 of the
@@ -152,8 +158,8 @@ def _fit_block(
 
     Returns
     -------
-    start, end, bulge, curve : (n, 2) mm, (n, 2) mm, (n,) and (n,)
-        Ends and bulge of each line or arc, and the number of the curve that it approximates.
+    segments, curve
+        The n lines and arcs, and the number of the curve that each of them approximates, (n,).
     """
 
     def curve_and_parameter(t: F64) -> tuple[I64, F64]:
@@ -174,18 +180,19 @@ def _fit_block(
         edges = _spread_breaks(point_at, tangent_at, np.arange(2.0 * count), tolerance)
         first, last = edges[:-1], edges[1:]
         nonempty = first // 1.0 % 2.0 == 0.0
-        begin, finish, joints, bulges = _halve_until_fitted(
+        begin, finish, joints, bulges, errors = _halve_until_fitted(
             point_at, tangent_at, first[nonempty], last[nonempty], tolerance
         )
     start = np.stack([point_at(begin), joints], axis=1).reshape(-1, 2)
     end = np.stack([joints, point_at(finish)], axis=1).reshape(-1, 2)
     curve = np.repeat((begin // 2.0).astype(np.int64), 2) + low
-    return _merge_collinear(start, end, bulges.reshape(-1), curve, 1e-6 * tolerance)
+    segments = start, end, bulges.reshape(-1), np.repeat(errors, 2)
+    return _merge_collinear(segments, curve, 1e-6 * tolerance)
 
 
 def _halve_until_fitted(
     point: Evaluate, tangent: Evaluate, first: F64, last: F64, tolerance: float
-) -> tuple[F64, F64, F64, F64]:
+) -> tuple[F64, F64, F64, F64, F64]:
     """Return pieces of a curve, halved until the biarc of each piece is within the tolerance.
 
     Parameters
@@ -205,6 +212,8 @@ def _halve_until_fitted(
         Point at which the two arcs of each biarc meet.
     bulge : (m, 2)
         Bulges of the two arcs.
+    error : (m,) mm
+        Greatest distance of each biarc from the curve.
 
     Raises
     ------
@@ -212,15 +221,15 @@ def _halve_until_fitted(
         The curve needs too many pieces, or the biarc of a piece exceeds the tolerance after all
         permitted halvings.
     """
-    done: list[tuple[F64, F64, F64, F64]] = []
+    done: list[tuple[F64, F64, F64, F64, F64]] = []
     total = 0
     for _ in range(_MAX_HALVINGS):
         blocks = [
             _biarcs(point, tangent, first[at : at + _BATCH], last[at : at + _BATCH], tolerance)
             for at in range(0, len(first), _BATCH)
         ]
-        joint, bulge, good = (np.concatenate(column) for column in zip(*blocks, strict=True))
-        done.append((first[good], last[good], joint[good], bulge[good]))
+        joint, bulge, error, good = (np.concatenate(column) for column in zip(*blocks, strict=True))
+        done.append((first[good], last[good], joint[good], bulge[good], error[good]))
         total += int(good.sum())
         bad = ~good
         if not bad.any():
@@ -234,26 +243,26 @@ def _halve_until_fitted(
         )
     else:
         raise GeometryError("curve.not-fitted", tolerance=tolerance)
-    first, last, joint, bulge = (np.concatenate(column) for column in zip(*done, strict=True))
-    order = np.argsort(first)
-    return first[order], last[order], joint[order], bulge[order]
+    columns = [np.concatenate(column) for column in zip(*done, strict=True)]
+    order = np.argsort(columns[0])
+    first, last, joint, bulge, error = (column[order] for column in columns)
+    return first, last, joint, bulge, error
 
 
-def _merge_collinear(
-    start: F64, end: F64, bulge: F64, curve: I64, min_length: float
-) -> tuple[F64, F64, F64, I64]:
+def _merge_collinear(segments: Segments, curve: I64, min_length: float) -> tuple[Segments, I64]:
     """Remove segments of at most ``min_length`` mm, then merge neighbouring collinear lines.
 
-    Arguments and results are the start (n, 2), the end (n, 2), the bulge (n,) and the number of the
-    curve, ``curve`` (n,), of each segment.  Segments of different curves are not merged.
+    Arguments and results are segments, and the number of the curve of each segment, ``curve`` (n,).
+    Segments of different curves are not merged.
     """
+    start, end, bulge, error = segments
     # A piece that is a single arc or line has its joint at its end, so its second segment is empty.
     length = np.hypot(*(end - start).T)
     some = length > min_length
     start, end, bulge, length = start[some], end[some], bulge[some], length[some]
-    curve = curve[some]
+    error, curve = error[some], curve[some]
     if not len(bulge):
-        return start, end, bulge, curve
+        return (start, end, bulge, error), curve
     same = curve[1:] == curve[:-1]
     start[1:][same] = end[:-1][same]
     ahead = (end - start) / length[:, None]
@@ -262,7 +271,8 @@ def _merge_collinear(
     collinear &= (bulge[:-1] == 0.0) & (bulge[1:] == 0.0) & same
     first = np.concatenate([[True], ~collinear])
     last = np.concatenate([~collinear, [True]])
-    return start[first], end[last], bulge[first], curve[first]
+    error = np.maximum.reduceat(error, np.flatnonzero(first))
+    return (start[first], end[last], bulge[first], error), curve[first]
 
 
 def _spread_breaks(point: Evaluate, tangent: Evaluate, knots: F64, tolerance: float) -> F64:
@@ -320,8 +330,8 @@ def _spread_breaks(point: Evaluate, tangent: Evaluate, knots: F64, tolerance: fl
 
 def _biarcs(
     point: Evaluate, tangent: Evaluate, first: F64, last: F64, tolerance: float
-) -> tuple[F64, F64, Bool]:
-    """Return the biarc of each of m pieces of a curve, and whether it is good.
+) -> tuple[F64, F64, F64, Bool]:
+    """Return the biarc of each of m pieces of a curve, its error, and whether it is good.
 
     A biarc is good if its distance from the curve is within the tolerance (mm) and the bulges of
     its arcs are at most ``_MAX_BULGE``.  ``point`` and ``tangent`` are functions from parameters of
@@ -334,6 +344,8 @@ def _biarcs(
         Point at which the two arcs of each biarc meet.
     bulge : (m, 2)
         Bulges of the two arcs.
+    error : (m,) mm
+        Greatest distance of each biarc from the curve.
     good : (m,)
         Whether each biarc is good.
     """
@@ -358,21 +370,22 @@ def _biarcs(
 
     t = first[:, None] + (last - first)[:, None] * _PROBE_FRACTIONS
     probes = point(t.reshape(-1)).reshape(len(first), -1, 2)
-    allowed = tolerance * _MARGIN
     deviation = _distances(a, joint, bulge[:, 0], probes)
     two = ~one_arc
     deviation[two] = np.minimum(
         deviation[two], _distances(joint[two], b[two], bulge[two, 1], probes[two])
     )
-    good = (deviation.max(axis=1) <= allowed) & (np.abs(bulge) <= _MAX_BULGE).all(axis=1)
+    error = deviation.max(axis=1) / _MARGIN
+    good = (error <= tolerance) & (np.abs(bulge) <= _MAX_BULGE).all(axis=1)
 
     # At a cusp the direction is undefined; use the chord if it is within tolerance.
-    flat = ~good & (_distances(a, b, np.zeros(len(a)), probes).max(axis=1) <= allowed)
+    chord_error = _distances(a, b, np.zeros(len(a)), probes).max(axis=1) / _MARGIN
+    flat = ~good & (chord_error <= tolerance)
     blunt = flat & (~np.isfinite(bulge).all(axis=1) | (square <= (4.0 * tolerance) ** 2))
-    joint[blunt], bulge[blunt] = b[blunt], 0.0
+    joint[blunt], bulge[blunt], error[blunt] = b[blunt], 0.0, chord_error[blunt]
     bulge[np.abs(bulge) < BULGE] = 0.0
     enough: Bool = good | blunt
-    return joint, bulge, enough
+    return joint, bulge, error, enough
 
 
 def _normalise(vectors: F64) -> F64:

@@ -36,7 +36,7 @@ class Ellipse:
         return result
 
     def to_segments(self, tolerance: float = CURVE) -> Segments:
-        """Return lines and arcs within a tolerance (mm) of the ellipse: starts, ends and bulges.
+        """Return lines and arcs within a tolerance (mm) of the ellipse, with their errors.
 
         A circle becomes exact arcs.  Otherwise each quarter between the ends of the axes is
         approximated.  If u and v are parallel, the ellipse is flat and becomes lines; a full flat
@@ -62,7 +62,7 @@ class Ellipse:
                 corners[-1] = corners[0]
             side = 1.0 if cross > 0.0 else -1.0
             bulge = np.full(rows, side * min(np.tan(turn / rows / 4.0), 1.0))
-            return corners[:-1], corners[1:], bulge
+            return corners[:-1], corners[1:], bulge, np.zeros(rows)
         axis = 0.5 * np.arctan2(2.0 * uv, uu - vv)
         quarter = np.pi / 2.0
         number = np.arange(
@@ -73,8 +73,9 @@ class Ellipse:
         breaks = np.concatenate([[self.first], inner, [self.last]])
         if abs(cross) <= 1e-12 * max(uu, vv):
             corners = self.point(breaks)
-            return corners[:-1], corners[1:], np.zeros(len(corners) - 1)
-        start, end, bulge = fit(self.point, self.tangent, breaks, tolerance)
+            straight = np.zeros(len(corners) - 1)
+            return corners[:-1], corners[1:], straight, straight
+        start, end, bulge, error = fit(self.point, self.tangent, breaks, tolerance)
         if abs(turn - 2.0 * np.pi) <= 1e-9:
             end[-1] = start[0]
-        return start, end, bulge
+        return start, end, bulge, error

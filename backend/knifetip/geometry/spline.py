@@ -106,7 +106,7 @@ class Spline:
         return result
 
     def to_segments(self, tolerance: float = CURVE) -> Segments:
-        """Return lines and arcs within a tolerance (mm) of the spline: start, end and bulge.
+        """Return lines and arcs within a tolerance (mm) of the spline, with their errors.
 
         Raises
         ------
@@ -117,5 +117,6 @@ class Spline:
         if self.degree == 1:
             corners = self.point(breaks)
             some = np.any(corners[:-1] != corners[1:], axis=1)
-            return corners[:-1][some], corners[1:][some], np.zeros(int(some.sum()))
+            straight = np.zeros(int(some.sum()))
+            return corners[:-1][some], corners[1:][some], straight, straight
         return fit(self.point, self.tangent, breaks, tolerance)

@@ -7,16 +7,18 @@ The dieline contains the edges with their line types.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
 
 from knifetip.geometry.columns import U8
+from knifetip.messages import printable
 from knifetip.model.dieline import Dieline
 from knifetip.model.drawing import Drawing
 from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
-from knifetip.presentation.edges import restore_drawing
+from knifetip.presentation.edges import restore_drawing, stored_handles
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,10 +35,11 @@ def restore_or_read(
 ) -> tuple[Drawing, Dieline]:
     """Return a drawing and its dieline (edges with line types) for an interpretation.
 
-    Both are restored from the stored edges if three conditions are met: the unit is known, the
-    stored interpretation has the same unit and profile, and no override was removed.  Otherwise the
-    file is read again.  An override is a line type that the user has set for an edge; the line type
-    that the edge had before is not stored.
+    Both are restored from the stored edges if four conditions are met: the unit is known, the
+    stored interpretation has the same unit and profile, no override was removed, and the edges were
+    stored with their distances from the curves of the file.  Otherwise the file is read again.  An
+    override is a line type that the user has set for an edge; the line type that the edge had
+    before is not stored.
 
     Parameters
     ----------
@@ -58,12 +61,44 @@ def restore_or_read(
             pass
         else:
             # The question about the unit needs evidence from the whole file.
-            if drawing.unit:
+            if drawing.unit and np.isfinite(drawing.fit_error).all():
                 return drawing, _apply_new_overrides(dieline, changed)
     from knifetip import pipeline
 
     drawing = read_drawing(stored.content, interpretation.unit)
+    overrides = np.frombuffer(interpretation.overrides, np.uint8)
+    if len(overrides) not in (0, len(drawing)):
+        # An older version divided the curves of the file into other edges.
+        handles = [printable(handle) for handle in drawing.handles]
+        carried = carry_over(overrides, stored_handles(stored.edges), handles)
+        interpretation = replace(interpretation, overrides=carried.tobytes())
     return drawing, pipeline.interpret(drawing, interpretation)
+
+
+def carry_over(before: U8, handles: Sequence[str], new_handles: Sequence[str]) -> U8:
+    """Return overrides for m edges from the overrides of n edges of the same file, shape (m,).
+
+    An override is the line type that the user has set for an edge, or ``NO_OVERRIDE``.  The n edges
+    were found when the file was read before, the m edges now.  If the two lists of handles are
+    equal, the overrides are copied.  Otherwise a new edge gets the override that all earlier edges
+    with its handle have in common, or ``NO_OVERRIDE`` if there is none.
+
+    Parameters
+    ----------
+    before : (n,)
+        Overrides of the earlier edges.
+    handles : (n,)
+        Handles of the earlier edges.
+    new_handles : (m,)
+        Handles of the new edges.
+    """
+    if list(handles) == list(new_handles):
+        return before
+    overrides_of: dict[str, set[int]] = {}
+    for handle, override in zip(handles, before.tolist(), strict=True):
+        overrides_of.setdefault(handle, set()).add(override)
+    agreed = {handle: values.pop() for handle, values in overrides_of.items() if len(values) == 1}
+    return np.array([agreed.get(handle, NO_OVERRIDE) for handle in new_handles], np.uint8)
 
 
 # Changes of overrides or profile need the same drawing again: cache the last few.

@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from knifetip.errors import UnitUnknown
-from knifetip.geometry.columns import U8
 from knifetip.jobs.compile_result import CompileResult
 from knifetip.jobs.readings import (
     StoredDrawing,
+    carry_over,
     read_drawing,
     restore_or_read,
 )
@@ -82,7 +82,7 @@ def read(
     overrides = np.full(len(drawing), NO_OVERRIDE, np.uint8)
     if handles is not None:
         before = np.frombuffer(interpretation.overrides, np.uint8)
-        overrides = _carry_over(before, handles, [printable(handle) for handle in drawing.handles])
+        overrides = carry_over(before, handles, [printable(handle) for handle in drawing.handles])
     progress(Stage.CLASSIFY, 0.6)
     dieline = pipeline.interpret(drawing, replace(interpretation, overrides=overrides.tobytes()))
     # The limits of cleaning are lengths in mm.
@@ -96,32 +96,6 @@ def read(
         pack_rows(import_report_rows(drawing)),
         overrides.tobytes(),
     )
-
-
-def _carry_over(before: U8, handles: Sequence[str], new_handles: Sequence[str]) -> U8:
-    """Return overrides for m edges from the overrides of n edges of the same file, shape (m,).
-
-    An override is the LineType that the user has set for an edge, or ``NO_OVERRIDE``.  The n edges
-    were found when the file was read before, the m edges now.  If the two lists of handles are
-    equal, the overrides are copied.  Otherwise a new edge gets the override that all earlier edges
-    with its handle have in common, or ``NO_OVERRIDE`` if there is none.
-
-    Parameters
-    ----------
-    before : (n,)
-        Overrides of the earlier edges.
-    handles : (n,)
-        Handles of the earlier edges.
-    new_handles : (m,)
-        Handles of the new edges.
-    """
-    if list(handles) == list(new_handles):
-        return before
-    overrides_of: dict[str, set[int]] = {}
-    for handle, override in zip(handles, before.tolist(), strict=True):
-        overrides_of.setdefault(handle, set()).add(override)
-    agreed = {handle: values.pop() for handle, values in overrides_of.items() if len(values) == 1}
-    return np.array([agreed.get(handle, NO_OVERRIDE) for handle in new_handles], np.uint8)
 
 
 def cleaning_report(progress: Progress, edges: bytes) -> dict[str, Any]:

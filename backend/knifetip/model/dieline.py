@@ -62,6 +62,9 @@ class Dieline:
     face: I32 = field(default_factory=lambda: np.zeros((0, 2), np.int32))
     #: (n,) number that is equal for the edges of one blank and all edges inside it, -1 for none
     part: I32 = field(default_factory=lambda: np.zeros(0, np.int32))
+    #: (n,) greatest distance of each edge from the curve of the file that it approximates (mm), see
+    #: ``Drawing.fit_error``; default 0
+    fit_error: F64 = field(default_factory=lambda: np.zeros(0))
 
     def __post_init__(self) -> None:
         put = object.__setattr__
@@ -76,6 +79,8 @@ class Dieline:
             column = getattr(self, name)
             filled = column if len(column) else np.full(shape, -1, np.int32)
             put(self, name, freeze(filled, np.int32, *shape))
+        fit_error = self.fit_error if len(self.fit_error) else np.zeros(rows)
+        put(self, "fit_error", freeze(fit_error, np.float64, rows))
         spare = len(self.rules) - len(self.alternatives)
         if spare < 0:
             raise ValueError("more alternatives than rules")

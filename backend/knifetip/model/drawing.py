@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import IntEnum
 from typing import Final, NamedTuple
 
@@ -131,12 +131,18 @@ class Drawing:
     stated: str = ""  #: unit in the header of the file, used or not
     annotations: tuple[Annotation, ...] = ()  #: annotations of model space, in file order
     hints: tuple[UnitHint, ...] = ()  #: further header entries about the unit
+    #: (n,) greatest distance of each edge from the curve of the file that it approximates (mm; file
+    #: units while the unit is unknown); 0 for an edge that the file contains; infinite if a
+    #: version that did not measure it stored the drawing; default 0
+    fit_error: F64 = field(default_factory=lambda: np.zeros(0))
 
     def __post_init__(self) -> None:
         put = object.__setattr__
         put(self, "ends", freeze(self.ends, np.float64, -1, 2, 2))
         rows = len(self.ends)
         put(self, "bulge", freeze(self.bulge, np.float64, rows))
+        fit_error = self.fit_error if len(self.fit_error) else np.zeros(rows)
+        put(self, "fit_error", freeze(fit_error, np.float64, rows))
         for name in ("entity", "layer", "colour", "true_colour", "linetype"):
             put(self, name, freeze(getattr(self, name), np.int32, rows))
 

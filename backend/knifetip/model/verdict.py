@@ -115,7 +115,9 @@ class Verdict:
 
     accepted: bool
     tolerance: float  #: mm
-    deviation: F64  #: (n,) maximum distance of the tip from the edge (mm)
+    #: (n,) maximum distance of the tip from the drawing (mm): at each point the sum of the three
+    #: columns ``path_deviation``, ``blending`` and ``fit_error``
+    deviation: F64
     overcut: F64  #: (n,) length machined beyond the ends of the edge (mm)
     uncut: F64  #: (n,) length not machined by mistake (mm)
     setback: F64  #: (n,) length not machined by plan, such as crease ends (mm)
@@ -132,6 +134,13 @@ class Verdict:
     #: (n,) maximum distance of an unreached stretch from the area that the cutter sweeps (mm)
     unreached_distance: F64 = field(default_factory=_none)
     slit_length: F64 = field(default_factory=_none)  #: (n,) slit milled as wide as the cutter (mm)
+    path_deviation: F64 = field(default_factory=_none)  #: (n,) tip path from the edge (mm)
+    blending: F64 = field(
+        default_factory=_none
+    )  #: (n,) distance by which the controller may round the tip path (mm)
+    fit_error: F64 = field(
+        default_factory=_none
+    )  #: (n,) distance of the edge from the curve of the file that it approximates (mm)
     #: (n,) maximum distance by which cleaning moved the edge (mm)
     tidied: F64 = field(default_factory=_none)
     samples: Samples = field(default_factory=lambda: Samples())
@@ -152,6 +161,9 @@ class Verdict:
             "top_overcut",
             "unreached_distance",
             "slit_length",
+            "path_deviation",
+            "blending",
+            "fit_error",
             "tidied",
         )
         for name in optional:

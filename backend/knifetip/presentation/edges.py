@@ -58,6 +58,7 @@ class EdgeTable(NamedTuple):
                 "confidence": dieline.confidence,
                 "face": dieline.face,
                 "part": dieline.part,
+                "fit_error": drawing.fit_error,
                 "length": drawing.lengths,
                 "outcome": outcomes.outcome,
                 "reason": outcomes.reason,
@@ -139,11 +140,17 @@ class EdgeTable(NamedTuple):
         yield b"]}"
 
 
+def stored_handles(block: bytes) -> list[str]:
+    """Return the handle of each of the n edges of a packed EdgeTable, a list of n strings."""
+    return list(unpack_columns(block)[1]["handles"])
+
+
 def restore_drawing(block: bytes) -> tuple[Drawing, Dieline]:
     """Return the drawing and the dieline that a packed EdgeTable describes.
 
     The import report of the drawing has one row per edge.  The drawing has no annotations, and its
-    report has no rows for entities without edges, because the table contains neither.
+    report has no rows for entities without edges, because the table contains neither.  The column
+    ``fit_error`` is infinite if a version that did not measure it stored the table.
 
     Raises
     ------
@@ -153,6 +160,7 @@ def restore_drawing(block: bytes) -> tuple[Drawing, Dieline]:
     columns, meta = unpack_columns(block)
     count = len(columns["bulge"])
     row = np.arange(count, dtype=np.int32)
+    fit_error = columns.get("fit_error", np.full(count, np.inf))
     layers = tuple(meta["layers"])
     report = ImportReport(
         handle=meta["handles"],
@@ -175,6 +183,7 @@ def restore_drawing(block: bytes) -> tuple[Drawing, Dieline]:
         import_report=report,
         unit=meta["unit"],
         evidence=Message("unit.not-given"),
+        fit_error=fit_error,
     )
     dieline = Dieline(
         columns["ends"],
@@ -187,5 +196,6 @@ def restore_drawing(block: bytes) -> tuple[Drawing, Dieline]:
         tuple(tuple(LineType.from_word(word) for word in words) for words in meta["alternatives"]),
         columns["face"],
         columns["part"],
+        fit_error,
     )
     return drawing, dieline

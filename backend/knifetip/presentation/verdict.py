@@ -19,6 +19,9 @@ from knifetip.presentation.columns import pack_columns
 #: Columns of a verdict with one row per edge.
 EDGE_COLUMNS = (
     "deviation",
+    "path_deviation",
+    "blending",
+    "fit_error",
     "overcut",
     "uncut",
     "setback",
@@ -45,20 +48,24 @@ def finite_column(measures: F64) -> F64:
 def verdict_summary(verdict: Verdict) -> dict[str, Any]:
     """Return the maxima and totals of the measurements in a verdict as JSON data.
 
-    The maxima over all edges (mm) are ``deviation`` (distance of the tip from the edge),
-    ``overcut`` (length machined beyond the ends of the edge) and ``uncut`` (length not machined by
-    mistake).  The sums over all edges (mm) are ``uncut_total`` and ``setback_total`` (length not
-    machined by plan).  ``unreached`` is the total of the areas that no cutter reaches (mm²),
-    ``unreached_places`` the number of these areas.  ``unreached_length`` is the length of all edges
-    that no cutter reaches, and ``unreached_distance`` the maximum distance of these edges from the
-    area that the cutter sweeps (mm).  ``slit_length`` is the length of slits that are milled as
-    wide as the cutter (mm), and ``slit_places`` the number of these slits.  ``accepted``,
-    ``tolerance`` (mm) and ``seconds`` are copied from the verdict.
+    The maxima over all edges (mm) are ``deviation`` (distance of the tip from the drawing) with its
+    parts ``path_deviation``, ``blending`` and ``fit_error`` (see ``Verdict``), ``overcut`` (length
+    machined beyond the ends of the edge) and ``uncut`` (length not machined by mistake).  The sums
+    over all edges (mm) are ``uncut_total`` and ``setback_total`` (length not machined by plan).
+    ``unreached`` is the total of the areas that no cutter reaches (mm²), ``unreached_places`` the
+    number of these areas.  ``unreached_length`` is the length of all edges that no cutter reaches,
+    and ``unreached_distance`` the maximum distance of these edges from the area that the cutter
+    sweeps (mm).  ``slit_length`` is the length of slits that are milled as wide as the cutter (mm),
+    and ``slit_places`` the number of these slits.  ``accepted``, ``tolerance`` (mm) and ``seconds``
+    are copied from the verdict.
     """
     return {
         "accepted": bool(verdict.accepted),
         "tolerance": verdict.tolerance,
-        "deviation": finite(verdict.deviation.max(initial=0.0)),
+        **{
+            name: finite(getattr(verdict, name).max(initial=0.0))
+            for name in ("deviation", "path_deviation", "blending", "fit_error")
+        },
         "overcut": finite(verdict.overcut.max(initial=0.0)),
         "uncut": finite(verdict.uncut.max(initial=0.0)),
         "uncut_total": finite(verdict.uncut.sum()),

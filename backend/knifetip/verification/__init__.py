@@ -93,6 +93,7 @@ verify.moves-with-beam             checks.output_checks
 verify.never-stated                checks.output_checks
 verify.no-station                  checks.motion_checks
 verify.not-worked                  checks.check_base, checks.milling_check
+verify.off-curve                   checks.check_base, checks.milling_check
 verify.off-line                    checks.check_base
 verify.oscillation-on              checks.motion_checks
 verify.other-placement             verify

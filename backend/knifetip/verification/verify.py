@@ -65,8 +65,9 @@ def verify(
     sheet : Sheet, optional
         The sheet if it was cut to size; None if there may be board everywhere on the table.
     tolerance : float, mm
-        Greatest distance of the tip from its edge, including the controller's rounding of corners
-        (G64).  The rounding of coarse coordinates is added; the verdict contains the sum.
+        Greatest distance of the tip from the drawing: its distance from the edge, plus the
+        controller's rounding of corners (G64), plus the distance of the edge from the curve of the
+        file.  The rounding of coarse coordinates is added; the verdict contains the sum.
 
     Returns
     -------
@@ -100,6 +101,7 @@ def verify(
         tolerance,
         figures,
         findings,
+        dieline.fit_error,
         moves.programmed,
         moves.resolution,
         area,
@@ -111,6 +113,9 @@ def verify(
         accepted=not any(finding.refuses for finding in found),
         tolerance=tolerance,
         deviation=figures.deviation,
+        path_deviation=figures.path_deviation,
+        blending=figures.blending,
+        fit_error=figures.fit_error,
         overcut=figures.overcut,
         uncut=figures.uncut,
         setback=figures.setback,

@@ -3679,6 +3679,10 @@ export const TEXTS = {
     "text": "{length:.3f} mm along the edge are not {work}{where}.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
+  "verify.off-curve": {
+    "text": "The edge approximates a curve of the drawing file and is {fit:.4f} mm away from it. The path of the tool is {distance:.4f} mm away from the edge, and the controller may round corners by another {rounding:.4f} mm. The sum exceeds the tolerance of {tolerance:g} mm.",
+    "hint": "Draw the curve with lines and circular arcs, or verify with a greater tolerance."
+  },
   "verify.off-line": {
     "text": "The path of the {tool:tool} is {distance:.4f} mm away from the edge that it should follow, and the controller may round corners by another {rounding:.4f} mm. The tolerance is {tolerance:g} mm.",
     "hint": "Increase the tolerance, or report an internal error with the program file."

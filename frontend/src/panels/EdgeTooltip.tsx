@@ -33,7 +33,10 @@ export function EdgeTooltip({ width, height }: { width: number; height: number }
   const row = edges !== undefined && (hover.row ?? -1) < edges.bulge.length ? hover.row : null;
   const moves = hover.moves.filter((move) => move < (toolpath?.motion.length ?? 0));
   if (row === null && moves.length === 0) return null;
-  const more = verdict === undefined || row === null ? 0 : optionalFigures(verdict, row).length;
+  const more =
+    verdict === undefined || row === null
+      ? 0
+      : deviationParts(verdict, row).length + optionalFigures(verdict, row).length;
   const lines = (verdict === undefined ? 0 : FIGURES + more) + Math.min(moves.length, MOVES + 1);
   const estimatedHeight = HEAD + lines * LINE;
   const horizontal = x + WIDTH + 24 > width ? { right: width - x + 14 } : { left: x + 16 };
@@ -78,18 +81,14 @@ function Edge({ row, edges }: { row: number; edges: Edges }) {
           <>
             <dt>Deviation from drawing</dt>
             <dd>{formatDeviation(verdict.edge_deviation[row] ?? Number.NaN)}</dd>
+            <Figures figures={deviationParts(verdict, row)} />
             <dt>Overcut length</dt>
             <dd>{formatHundredths(verdict.edge_overcut[row] ?? Number.NaN)}</dd>
             <dt>Uncut length</dt>
             <dd>{formatHundredths(verdict.edge_uncut[row] ?? Number.NaN)}</dd>
             <dt>Gap at each end of the edge</dt>
             <dd>{formatHundredths(verdict.edge_setback[row] ?? Number.NaN)}</dd>
-            {optionalFigures(verdict, row).map(({ title, value }) => (
-              <Fragment key={title}>
-                <dt>{title}</dt>
-                <dd>{value}</dd>
-              </Fragment>
-            ))}
+            <Figures figures={optionalFigures(verdict, row)} />
           </>
         )}
       </dl>
@@ -100,6 +99,31 @@ function Edge({ row, edges }: { row: number; edges: Edges }) {
 interface Figure {
   readonly title: string;
   readonly value: string;
+}
+
+function Figures({ figures }: { figures: readonly Figure[] }) {
+  return figures.map(({ title, value }) => (
+    <Fragment key={title}>
+      <dt>{title}</dt>
+      <dd>{value}</dd>
+    </Fragment>
+  ));
+}
+
+/** The parts of the deviation of an edge; none if all of it is the deviation of the tool path. */
+function deviationParts(verdict: Verdict, row: number): Figure[] {
+  const figure = (column: readonly number[]) => column[row] ?? 0;
+  const rounding = figure(verdict.edge_blending);
+  const fit = figure(verdict.edge_fit_error);
+  if (rounding === 0 && fit === 0) return [];
+  return [
+    {
+      title: "Tool path off the edge",
+      value: formatDeviation(figure(verdict.edge_path_deviation)),
+    },
+    { title: "Corner rounding by controller", value: formatDeviation(rounding) },
+    { title: "Edge off the curve in file", value: formatDeviation(fit) },
+  ];
 }
 
 /** Figures that only some edges have: groove section, board faces, unreachable length. */

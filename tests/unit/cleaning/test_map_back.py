@@ -54,6 +54,12 @@ def test_lengths_are_divided_and_maxima_are_repeated() -> None:
     assert len(mapped.tidied) == len(LINE)
 
 
+def test_a_merged_edge_is_as_far_from_the_curves_as_the_worst_of_its_parts() -> None:
+    # The second piece is reversed; the first two are merged, and the third coincides with them.
+    line = replace(LINE, fit_error=np.array([0.001, 0.003, 0.002, 0.0, 0.0]))
+    np.testing.assert_allclose(clean(line).dieline.fit_error, [0.003, 0.003, 0.002, 0, 0, 0])
+
+
 def test_findings_name_the_edge_that_was_drawn() -> None:
     mapped = map_to_drawn(verdict(6), clean(LINE), LINE)
     assert [finding.edge for finding in mapped.findings] == [3, -1]

@@ -21,10 +21,10 @@ from knifetip.geometry.tolerance import CURVE
 SAGITTA = 1e-5
 
 
-def sample_points(segments: tuple[F64, F64, F64]) -> F64:
+def sample_points(segments: curve.Segments) -> F64:
     """Return points along the segments, whose chords deviate by at most SAGITTA."""
     walk = []
-    for start, end, bulge in zip(*segments, strict=True):
+    for start, end, bulge in zip(*segments[:3], strict=True):
         one = (start[None], end[None], np.array([bulge]))
         size = arc.radius(*one)[0]
         turn = 4.0 * np.arctan(abs(bulge))
@@ -35,7 +35,7 @@ def sample_points(segments: tuple[F64, F64, F64]) -> F64:
     return np.concatenate(walk)
 
 
-def deviation(segments: tuple[F64, F64, F64], points: F64) -> float:
+def deviation(segments: curve.Segments, points: F64) -> float:
     """Return the largest distance from the segments of points on the true curve (mm)."""
     walk = sample_points(segments)
     pieces = np.stack([walk[:-1], walk[1:]], axis=1)
@@ -49,15 +49,15 @@ def deviation(segments: tuple[F64, F64, F64], points: F64) -> float:
     return worst
 
 
-def is_connected(segments: tuple[F64, F64, F64]) -> bool:
-    start, end, _ = segments
+def is_connected(segments: curve.Segments) -> bool:
+    start, end, _, _ = segments
     return np.array_equal(start[1:], end[:-1])
 
 
-def corners(segments: tuple[F64, F64, F64]) -> F64:
+def corners(segments: curve.Segments) -> F64:
     """Return the angle between each segment's end and the next segment's start (degrees)."""
-    before = arc.tangents(*segments)[1][:-1]
-    after = arc.tangents(*segments)[0][1:]
+    before = arc.tangents(*segments[:3])[1][:-1]
+    after = arc.tangents(*segments[:3])[0][1:]
     cross = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
     turn: F64 = np.degrees(np.abs(np.arctan2(cross, (before * after).sum(axis=1))))
     return turn
@@ -70,8 +70,8 @@ def fit_ellipse(
     first: float = 0.0,
     last: float = 2.0 * np.pi,
     tolerance: float = CURVE,
-) -> tuple[F64, F64, F64]:
-    """Fit arcs to an elliptic arc; return start points, end points and bulges of the segments.
+) -> curve.Segments:
+    """Fit arcs to an elliptic arc; return the segments.
 
     ``major`` is one half axis as a vector, ``ratio`` the length of the other half axis relative to
     it; ``first`` and ``last`` are the parameters of the ends (radians).
@@ -112,11 +112,24 @@ def test_points_of_the_fit_are_as_near_to_the_ellipse_as_its_points_to_the_fit()
     assert far <= 0.0105
 
 
+@pytest.mark.parametrize("tolerance", [0.1, 0.01, 0.001])
+@pytest.mark.parametrize("ratio", [0.98, 0.68, 0.1])
+def test_the_stated_error_of_a_fit_is_its_largest_distance_from_the_curve(
+    ratio: float, tolerance: float
+) -> None:
+    fit = fit_ellipse((0.0, 0.0), (100.0, 0.0), ratio, tolerance=tolerance)
+    true = deviation(fit, on_ellipse(100.0, 100.0 * ratio, count=20_000))
+    assert true - SAGITTA <= fit[3].max() <= min(1.04 * true + SAGITTA, tolerance)
+    # Each segment has the error of its own piece of the curve.
+    assert len(np.unique(fit[3].round(9))) > 1
+
+
 def test_circle_is_two_exact_half_turns() -> None:
-    start, end, bulge = fit_ellipse((5.0, 6.0), (10.0, 0.0), 1.0)
+    start, end, bulge, error = fit_ellipse((5.0, 6.0), (10.0, 0.0), 1.0)
     assert_allclose(start, [[15.0, 6.0], [-5.0, 6.0]], atol=1e-14)
     assert_allclose(end, [[-5.0, 6.0], [15.0, 6.0]], atol=1e-14)
     assert_allclose(bulge, [1.0, 1.0])
+    assert_array_equal(error, [0.0, 0.0])
 
 
 def test_clockwise_circle_has_negative_bulges() -> None:
@@ -130,7 +143,7 @@ def test_nearly_round_ellipse_takes_at_most_16_arcs() -> None:
 
 
 def test_elliptic_arc_starts_and_ends_exactly_at_its_parameters() -> None:
-    start, end, bulge = fit_ellipse((1.0, 2.0), (0.0, 40.0), 0.25, 0.3, 4.0)
+    start, end, bulge, _ = fit_ellipse((1.0, 2.0), (0.0, 40.0), 0.25, 0.3, 4.0)
 
     def at(t: float) -> list[float]:
         return [1.0 - 10.0 * np.sin(t), 2.0 + 40.0 * np.cos(t)]
@@ -149,7 +162,7 @@ def test_conjugate_radii_need_not_be_perpendicular() -> None:
 
 
 def test_an_ellipse_without_width_is_a_line_in_both_directions() -> None:
-    start, end, bulge = fit_ellipse((0.0, 0.0), (10.0, 0.0), 0.0)
+    start, end, bulge, _ = fit_ellipse((0.0, 0.0), (10.0, 0.0), 0.0)
     assert_array_equal(bulge, np.zeros(len(bulge)))
     assert arc.length(start, end, bulge).sum() == pytest.approx(40.0)
 
@@ -209,7 +222,7 @@ def test_cubic_stays_within_tolerance(
 
 
 def test_straight_cubic_is_one_line() -> None:
-    start, end, bulge = bezier((0, 0), (10, 10), (20, 20), (30, 30)).to_segments()
+    start, end, bulge, _ = bezier((0, 0), (10, 10), (20, 20), (30, 30)).to_segments()
     assert_allclose(np.hstack([start, end]), [[0.0, 0.0, 30.0, 30.0]], atol=1e-12)
     assert_array_equal(bulge, [0.0])
 
@@ -221,7 +234,7 @@ def test_rational_quadratic_draws_a_true_quarter_circle() -> None:
     spline = Spline(control, weights, np.array([0.0, 0, 0, 1, 1, 1]), 2)
     points = spline.point(np.linspace(0.0, 1.0, 50))
     assert_allclose(np.hypot(*points.T), 10.0)
-    start, end, bulge = spline.to_segments()
+    start, end, bulge, _ = spline.to_segments()
     assert_allclose(arc.length(start, end, bulge).sum(), 5.0 * np.pi, rtol=1e-9)
     assert len(bulge) <= 2
 
@@ -230,7 +243,7 @@ def test_a_corner_of_a_spline_is_kept() -> None:
     # Degree 2 with a double knot in the middle: two straight parts that meet at (10, 0).
     control = np.array([[0.0, 0], [5, 0], [10, 0], [10, 5], [10, 10]])
     knots = np.array([0.0, 0, 0, 1, 1, 2, 2, 2])
-    start, end, bulge = Spline(control, np.ones(5), knots, 2).to_segments()
+    start, end, bulge, _ = Spline(control, np.ones(5), knots, 2).to_segments()
     assert_allclose(end[0], [10.0, 0.0], atol=1e-12)
     assert_allclose(np.hstack([start, end]), [[0, 0, 10, 0], [10, 0, 10, 10]], atol=1e-12)
     assert_array_equal(bulge, [0.0, 0.0])
@@ -254,7 +267,7 @@ def test_an_unclamped_spline_is_defined_between_its_inner_knots() -> None:
     control = np.array([[0.0, 0], [10, 0], [10, 10], [0, 10]])
     spline = Spline(control, np.ones(4), np.arange(7.0), 2)
     assert_array_equal(spline.breaks, [2.0, 3.0, 4.0])
-    start, end, _ = spline.to_segments()
+    start, end, _, _ = spline.to_segments()
     assert_allclose(start[0], [5.0, 0.0])
     assert_allclose(end[-1], [5.0, 10.0])
 
@@ -325,7 +338,7 @@ def cubics(control: F64) -> tuple[Cubics, Cubics]:
 def test_many_curves_are_fitted_independently() -> None:
     control = np.random.default_rng(4).uniform(-50.0, 50.0, (300, 4, 2))
     point, tangent = cubics(control)
-    start, end, bulge, which = curve.fit_many(point, tangent, len(control), 0.01)
+    (start, end, bulge, error), which = curve.fit_many(point, tangent, len(control), 0.01)
     assert np.unique(which).tolist() == list(range(300))
     for k in range(300):
         own = which == k
@@ -341,6 +354,7 @@ def test_many_curves_are_fitted_independently() -> None:
             near = arc.point_at(*ends, np.full(40, one), share)
             off = np.minimum(off, np.hypot(*(near - true).T))
         assert off.max() <= 0.0101
+        assert error[own].max() >= off.max() - 1e-9
 
 
 def test_a_curve_without_length_among_others_has_no_segment() -> None:
@@ -348,11 +362,12 @@ def test_a_curve_without_length_among_others_has_no_segment() -> None:
         [[[0, 0], [1, 2], [3, 2], [4, 0]], [[5, 5]] * 4, [[9, 0]] * 2 + [[9, 9]] * 2]
     )
     point, tangent = cubics(control.astype(float))
-    _, _, bulge, which = curve.fit_many(point, tangent, 3, 0.01)
+    (_, _, bulge, _), which = curve.fit_many(point, tangent, 3, 0.01)
     assert set(which.tolist()) == {0, 2}
     assert (bulge[which == 2] == 0.0).all()
 
 
 def test_no_curves_are_no_segments() -> None:
     point, tangent = cubics(np.zeros((0, 4, 2)))
-    assert [len(column) for column in curve.fit_many(point, tangent, 0)] == [0] * 4
+    segments, which = curve.fit_many(point, tangent, 0)
+    assert [len(column) for column in (*segments, which)] == [0] * 5

@@ -39,11 +39,13 @@ def overrides(stored_drawing: StoredDrawing, **changes: LineType) -> bytes:
 
 
 def same(one: tuple[Drawing, Dieline], other: tuple[Drawing, Dieline]) -> None:
-    for name in ("ends", "bulge", "layer", "colour", "true_colour", "linetype", "lengths"):
+    columns = ("ends", "bulge", "layer", "colour", "true_colour", "linetype", "lengths")
+    for name in (*columns, "fit_error"):
         assert (getattr(one[0], name) == getattr(other[0], name)).all()
     for name in ("layers", "linetypes", "handles", "unit"):
         assert getattr(one[0], name) == getattr(other[0], name)
-    for name in ("ends", "bulge", "line_type", "source", "confidence", "face", "part"):
+    columns = ("ends", "bulge", "line_type", "source", "confidence", "face", "part")
+    for name in (*columns, "fit_error"):
         assert (getattr(one[1], name) == getattr(other[1], name)).all()
     words = [[line.rules[rule] for rule in line.rule] for _, line in (one, other)]
     assert words[0] == words[1]
@@ -106,6 +108,38 @@ def test_a_reading_of_an_older_version_is_made_anew() -> None:
     del columns["true_colour"]
     old = replace(kept, edges=pack_columns(columns, meta))
     same(restore_or_read(old, kept.interpretation), from_file(kept.interpretation))
+
+
+def test_a_reading_without_fit_errors_is_made_anew_and_keeps_the_overrides() -> None:
+    # As if an older version had approximated an entity by one edge less.
+    content = samples()["corrugated-tray.dxf"]
+    columns, meta = unpack_columns(tasks.read(no_progress, content, Interpretation()).edges)
+    handles = meta["handles"]
+    row = next(row for row, handle in enumerate(handles) if handles.count(handle) > 1)
+    first, fewer = handles[row], handles[:row] + handles[row + 1 :]
+    old = {
+        name: np.delete(column, row, axis=0)
+        for name, column in columns.items()
+        if name != "fit_error"
+    }
+    column = [LineType.HALF_CUT if one == first else NO_OVERRIDE for one in fewer]
+    target = Interpretation(overrides=bytes(column))
+    edges = pack_columns(old, {**meta, "handles": fewer})
+    drawing, dieline = restore_or_read(StoredDrawing(content, edges, target), target)
+    assert len(drawing) == len(columns["bulge"])
+    chosen = np.array([handle == first for handle in drawing.handles])
+    assert (dieline.line_type[chosen] == LineType.HALF_CUT).all()
+    assert (dieline.line_type[~chosen] != LineType.HALF_CUT).all()
+    assert np.isfinite(dieline.fit_error).all()
+
+
+def test_the_cleaning_of_a_reading_without_fit_errors_is_reported() -> None:
+    kept = stored(Interpretation())
+    columns, meta = unpack_columns(kept.edges)
+    old = {name: column for name, column in columns.items() if name != "fit_error"}
+    assert tasks.cleaning_report(no_progress, pack_columns(old, meta)) == tasks.cleaning_report(
+        no_progress, kept.edges
+    )
 
 
 def test_a_program_of_a_reading_is_that_of_its_file(unread: None) -> None:

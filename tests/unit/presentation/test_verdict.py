@@ -24,6 +24,9 @@ def refused() -> Verdict:
             accepted=np.False_,
             tolerance=0.01,
             deviation=np.array([0.0, np.inf]),
+            path_deviation=np.array([0.0, 0.5]),
+            blending=np.array([0.005, 0.0]),
+            fit_error=np.array([0.004, 0.003]),
             overcut=np.array([0.1, 0.0]),
             uncut=np.array([0.25, 0.5]),
             setback=np.array([1.0, 1.0]),
@@ -43,6 +46,8 @@ def test_a_summary_has_the_greatest_measures_and_the_sums_under_names_of_their_o
     summary = verdict_summary(refused())
     assert (summary["uncut"], summary["uncut_total"], summary["setback_total"]) == (0.5, 0.75, 2.0)
     assert (summary["deviation"], summary["overcut"]) == (1e9, 0.1)
+    parts = [summary[name] for name in ("path_deviation", "blending", "fit_error")]
+    assert parts == [0.5, 0.005, 0.004]
     assert (summary["unreached"], summary["unreached_places"]) == (5.0, 2)
     assert (summary["unreached_length"], summary["unreached_distance"]) == (7.0, 1.5)
     assert (summary["slit_length"], summary["slit_places"]) == (20.0, 1)

@@ -90,6 +90,7 @@ def test_an_edge_that_was_not_drawn_is_found() -> None:
         confidence=np.append(line.confidence, 1.0),
         face=np.append(line.face, [[-1, -1]], axis=0),
         part=np.append(line.part, -1),
+        fit_error=np.append(line.fit_error, 0.0),
     )
     assert (
         findings_text(replace(made, dieline=more))

@@ -50,6 +50,37 @@ def test_the_figures_equal_those_computed_by_hand(text: bytes) -> None:
     np.testing.assert_array_equal(verdict.overcut[list(CONTOUR)], 0.0)
 
 
+@BOTH
+def test_the_deviation_includes_the_fit_of_the_curve_that_an_edge_approximates(text: bytes) -> None:
+    rounds = 0.005 if text is LINUXCNC else 0.0
+    worked = np.arange(len(DIELINE)) < 13
+    fit = np.where(np.arange(len(DIELINE)) % 2 == 0, 0.004, 0.0)
+    verdict = verify(text, replace(DIELINE, fit_error=fit), PLACEMENT, MACHINE, BOARD)
+    assert verdict.accepted
+    for column, value in (
+        (verdict.path_deviation, 0.0),
+        (verdict.blending, rounds),
+        (verdict.fit_error, fit),
+        (verdict.deviation, rounds + fit),
+    ):
+        np.testing.assert_allclose(column, np.where(worked, value, 0.0), atol=1e-9)
+
+
+@BOTH
+@pytest.mark.parametrize("edge", [SLIT, FOLD, HALF, CONTOUR[0]])
+def test_a_fit_that_exceeds_the_tolerance_with_the_program_is_refused(
+    text: bytes, edge: int
+) -> None:
+    rounds = 0.005 if text is LINUXCNC else 0.0
+    fit = np.zeros(len(DIELINE))
+    for share, accepted in ((0.99, True), (1.05, False)):
+        fit[edge] = share * (0.01 - rounds)
+        verdict = verify(text, replace(DIELINE, fit_error=fit), PLACEMENT, MACHINE, BOARD)
+        assert verdict.accepted == accepted
+        codes = {(finding.message.code, finding.edge) for finding in verdict.findings}
+        assert codes == (set() if accepted else {("verify.off-curve", edge)})
+
+
 def test_both_dialects_take_the_same_time() -> None:
     one, other = (verify(text, DIELINE, PLACEMENT, MACHINE, BOARD) for text in (LINUXCNC, GRBLHAL))
     assert one.seconds == pytest.approx(other.seconds, abs=1e-5)

@@ -189,7 +189,24 @@ class VerdictSummary(BaseModel):
 
     accepted: bool = Field(description="Whether the program may be sent to the machine")
     tolerance: float = Field(description="Maximum permitted deviation (mm)")
-    deviation: float = Field(description="Maximum distance of the tip from an edge (mm)")
+    deviation: float = Field(
+        description="Maximum distance of the tip from the drawing (mm): the sum of the distance of "
+        "the tip path from the edge, the rounding of the path by the controller, and the distance "
+        "of the edge from the curve of the drawing file"
+    )
+    path_deviation: float = Field(
+        default=0.0, description="Maximum distance of the tip path from an edge (mm)"
+    )
+    blending: float = Field(
+        default=0.0,
+        description="Maximum distance by which the controller may round the tip path (mm); 0 if it "
+        "follows the path exactly",
+    )
+    fit_error: float = Field(
+        default=0.0,
+        description="Maximum distance of an edge from the curve of the drawing file that it "
+        "approximates (mm); 0 for lines and circular arcs of the file",
+    )
     overcut: float = Field(description="Maximum length cut beyond the end of an edge (mm)")
     uncut: float = Field(
         description="Maximum length of one edge that is left uncut by mistake (mm)"
@@ -413,7 +430,20 @@ class VerdictOut(VerdictSummary):
         description="Areas that no cutter reaches, the largest first; empty if there are none"
     )
     edge_deviation: list[float] = Field(
-        description="Per edge: maximum distance of the tip from the edge (mm)"
+        description="Per edge: maximum distance of the tip from the drawing (mm): the sum of "
+        "edge_path_deviation, edge_blending and edge_fit_error"
+    )
+    edge_path_deviation: list[float] = Field(
+        description="Per edge: maximum distance of the tip path from the edge (mm); empty if an "
+        "older version compiled the job"
+    )
+    edge_blending: list[float] = Field(
+        description="Per edge: distance by which the controller may round the tip path (mm); empty "
+        "if an older version compiled the job"
+    )
+    edge_fit_error: list[float] = Field(
+        description="Per edge: distance of the edge from the curve of the drawing file that it "
+        "approximates (mm); empty if an older version compiled the job"
     )
     edge_overcut: list[float] = Field(
         description="Per edge: length cut beyond the ends of the edge (mm)"

@@ -514,6 +514,7 @@ class FastReader:
             np.insert(segments.bulge, insert_at, expanded_segments.bulge),
             np.insert(segments.row, insert_at, whole_row[expanded_segments.row]),
             np.insert(segments.style, insert_at, styles[expanded_segments.style]),
+            np.insert(segments.fit_error, insert_at, expanded_segments.fit_error),
         )
 
     def _entity_styles(self, rows: I64) -> I32:

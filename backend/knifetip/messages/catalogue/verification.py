@@ -301,6 +301,16 @@ MESSAGES: Final[Entries] = {
         work="message",
         where="message",
     ),
+    "verify.off-curve": entry(
+        "The edge approximates a curve of the drawing file and is {fit:.4f} mm away from it. The "
+        "path of the tool is {distance:.4f} mm away from the edge, and the controller may round "
+        "corners by another {rounding:.4f} mm. The sum exceeds the tolerance of {tolerance:g} mm.",
+        "Draw the curve with lines and circular arcs, or verify with a greater tolerance.",
+        fit="number",
+        distance="number",
+        rounding="number",
+        tolerance="number",
+    ),
     "verify.off-line": entry(
         "The path of the {tool:tool} is {distance:.4f} mm away from the edge that it should "
         "follow, and the controller may round corners by another {rounding:.4f} mm. The "

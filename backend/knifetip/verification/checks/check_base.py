@@ -159,8 +159,11 @@ class StationCheck(ABC):
     def check_position(
         self, overlaps: Overlaps, final: Bool | None = None, wide: F64 | None = None
     ) -> None:
-        """Check the distance of the tip paths from the edges, and the depth of the tip; add
+        """Check the distance of the tip paths from the drawing, and the depth of the tip; add
         findings.
+
+        The distance is the sum of three parts: distance of the tip path from the edge, rounding of
+        the path by the controller, and distance of the edge from the curve of the file.
 
         Parameters
         ----------
@@ -169,28 +172,29 @@ class StationCheck(ABC):
         final
             Mask of the overlaps whose depth is checked; with None, the depth of all is checked.
         wide : (n,) mm
-            Greatest permitted distance from each edge; with None, the tolerance of the
+            Greatest permitted distance for each edge; with None, the tolerance of the
             verification.
         """
         limit = np.full(len(self.edges), self.tolerance) if wide is None else wide
         best = np.flatnonzero(overlaps.best)
         work, edge = overlaps.curve[best], overlaps.edge[best]
-        figure = overlaps.distance[best] + self.blend[work]
-        shown = np.where(np.isfinite(figure), figure, overlaps.distance[best])
-        np.maximum.at(self.figures.deviation, self.edges.row[edge], shown)
+        distance, blend, rows = overlaps.distance[best], self.blend[work], self.edges.row[edge]
+        fit_error = self.context.fit_error[rows]
+        shown = self.figures.record_deviation(rows, distance, blend, fit_error)
+        figure = distance + blend + fit_error
         for row in np.flatnonzero(figure > limit[edge] + 1e-9)[:MAX_FINDINGS]:
+            parts = {
+                "distance": distance[row],
+                "rounding": blend[row],
+                "tolerance": limit[edge[row]],
+            }
+            message = Message("verify.off-line", tool=self.operation.tool, **parts)
+            severity = Severity.FAULT
+            if distance[row] + blend[row] <= limit[edge[row]]:
+                message = Message("verify.off-curve", fit=fit_error[row], **parts)
+                severity = Severity.SHORTFALL
             self.add_finding(
-                "deviation",
-                edge[row],
-                Message(
-                    "verify.off-line",
-                    tool=self.operation.tool,
-                    distance=overlaps.distance[best[row]],
-                    rounding=self.blend[work[row]],
-                    tolerance=limit[edge[row]],
-                ),
-                shown[row],
-                work[row],
+                "deviation", edge[row], message, shown[row], work[row], severity=severity
             )
         drawn = self.size[edge] - self.before[edge] - self.spare[edge, 1]
         for fraction in (0.0, 0.5, 1.0):

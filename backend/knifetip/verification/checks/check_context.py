@@ -35,7 +35,10 @@ class EdgeFigures:
     Each figure is one column; the columns have one row for each edge of the dieline.
     """
 
-    deviation: F64
+    deviation: F64  #: greatest sum of the three parts below
+    path_deviation: F64  #: distance of the tip path from the edge
+    blending: F64  #: distance by which the controller may round the tip path
+    fit_error: F64  #: distance of the edge from the curve of the file
     overcut: F64
     uncut: F64
     setback: F64
@@ -47,6 +50,30 @@ class EdgeFigures:
     top_overcut: F64
     unreached_distance: F64
     slit_length: F64
+
+    def record_deviation(self, rows: I32, distance: F64, blend: F64, fit_error: F64) -> F64:
+        """Record the three parts of the deviation of k stretches of edges; return the sums, (k,).
+
+        An infinite ``blend``, which is a fault of the program, is recorded as 0.
+
+        Parameters
+        ----------
+        rows : (k,)
+            Row in the dieline of the edge of each stretch.
+        distance : (k,) mm
+            Greatest distance of the tip path from the edge.
+        blend : (k,) mm
+            Distance by which the controller may round the tip path.
+        fit_error : (k,) mm
+            Distance of the edge from the curve of the file.
+        """
+        blend = np.where(np.isfinite(blend), blend, 0.0)
+        total: F64 = distance + blend + fit_error
+        np.maximum.at(self.deviation, rows, total)
+        np.maximum.at(self.path_deviation, rows, distance)
+        np.maximum.at(self.blending, rows, blend)
+        np.maximum.at(self.fit_error, rows, fit_error)
+        return total
 
     def copy_rows(self, source: I32, target: I32) -> None:
         """Copy the figures of k edges to k other edges, in place.
@@ -76,6 +103,7 @@ class CheckContext:
     tolerance: float  #: mm, including the rounding of printed points
     figures: EdgeFigures
     findings: Findings
+    fit_error: F64  #: (n,) mm, distance of each edge of the dieline from the curve of the file
     programmed: str = "XYZC"  #: the axes that the program moves
     resolution: float = 0.0  #: greatest shift of a printed point by rounding (mm)
     sheet: SheetArea | None = None  #: the sheet if it was cut to size

@@ -21,6 +21,7 @@ import numpy as np
 
 from knifetip.messages import Message
 from knifetip.model.machine import Station
+from knifetip.model.verdict import Severity
 from knifetip.verification.checks import milling_geometry
 from knifetip.verification.checks.bridge_check import check_bridges, order_bridges
 from knifetip.verification.checks.check_context import DEPTH_TOLERANCE, NEAR_EDGE, CheckContext
@@ -207,11 +208,16 @@ class _MillingCheck:
             centres.curve, pieces.curve, np.zeros(len(length)), length, self.tolerance
         )
         edge = pieces.edge[overlaps.edge]
-        figure = overlaps.distance + rounds[overlaps.curve]
+        fit_error = self.context.fit_error[self.edges.row[edge]]
+        figure = overlaps.distance + rounds[overlaps.curve] + fit_error
         # A path that crosses the tolerance band leads in or out.
         runs = overlaps.best & (overlaps.distance < 0.99 * self.tolerance)
-        shown = np.where(np.isfinite(figure), figure, overlaps.distance)[runs]
-        np.maximum.at(self.context.figures.deviation, self.edges.row[edge[runs]], shown)
+        self.context.figures.record_deviation(
+            self.edges.row[edge[runs]],
+            overlaps.distance[runs],
+            rounds[overlaps.curve[runs]],
+            fit_error[runs],
+        )
         low, high = pieces.edge_intervals(overlaps.edge, overlaps.place)
         first, last = (
             pieces.edge_intervals(overlaps.edge, overlaps.place[:, [0, 0]])[0],
@@ -226,17 +232,23 @@ class _MillingCheck:
             )
         along = np.abs(np.diff(overlaps.place)[:, 0]) > self.tolerance
         for row in np.flatnonzero(runs & along & (figure > self.tolerance + 1e-9))[:MAX_FINDINGS]:
+            rounding = rounds[overlaps.curve[row]]
+            parts = {
+                "distance": overlaps.distance[row],
+                "rounding": rounding,
+                "tolerance": self.tolerance,
+            }
+            message, severity = Message("verify.centre-off-path", **parts), Severity.FAULT
+            if overlaps.distance[row] + rounding <= self.tolerance:
+                message = Message("verify.off-curve", fit=fit_error[row], **parts)
+                severity = Severity.SHORTFALL
             self.context.findings.add(
                 "deviation",
-                Message(
-                    "verify.centre-off-path",
-                    distance=overlaps.distance[row],
-                    rounding=rounds[overlaps.curve[row]],
-                    tolerance=self.tolerance,
-                ),
+                message,
                 float(figure[row]) if np.isfinite(figure[row]) else float(overlaps.distance[row]),
                 edge=int(self.edges.row[edge[row]]),
                 line=int(centres.line[overlaps.curve[row]]),
+                severity=severity,
             )
         return uncovered_edges(edge, low, high, self.size)
 

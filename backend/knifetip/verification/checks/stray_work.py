@@ -114,7 +114,9 @@ def _report_stray(
         edge, measure = _edge_beside(near, k, span)
         if edge >= 0:
             row = check.edges.row[edge]
-            check.figures.deviation[row] = max(check.figures.deviation[row], measure)
+            one = np.array([row])
+            nothing = np.zeros(1)
+            check.figures.record_deviation(one, np.array([measure]), nothing, nothing)
             message = Message("verify.beside-line", tool=tool, distance=measure)
             check.add_finding("deviation", edge, message, measure, line=line)
             continue
