@@ -166,6 +166,21 @@ def test_which_ends_of_grooves_must_run_out() -> None:
     np.testing.assert_allclose(asked.least, [0, 0, 0, 0, 0.78, 0.78, 0, 0], atol=1e-9)
 
 
+@pytest.mark.parametrize("gap", [0.0, 0.02, 0.049])
+def test_a_gap_before_the_edge_is_part_of_the_run_out(gap: float) -> None:
+    # Square to the right side, and at 45° to the left side.
+    drawn = place_edges(dieline((GROOVE, 30 + gap, 30, 100 - gap, 30, 0.0)), (0.0, 0.0))
+    asked = run_outs(drawn, place_edges(BLANK, (0.0, 0.0)).with_types(CUT), 1.3)
+    assert asked.boundary.tolist() == [True, True]
+    np.testing.assert_allclose(asked.least, [1.3 + gap, gap], atol=1e-9)
+
+
+def test_a_gap_wider_than_a_contact_is_not_bridged() -> None:
+    drawn = place_edges(dieline((GROOVE, 40, 30, 100 - 0.06, 30, 0.0)), (0.0, 0.0))
+    asked = run_outs(drawn, place_edges(BLANK, (0.0, 0.0)).with_types(CUT), 1.3)
+    assert not asked.boundary.any()
+
+
 def test_a_curved_groove_is_refused_unless_the_board_allows_chords() -> None:
     # A chord of 40 over an arc with a sagitta of 0.1: bulge 0.1 / 20.
     drawn = dieline((GROOVE, 20, 30, 60, 30, 0.1 / 20.0))

@@ -5,6 +5,9 @@ sides must run out past the board's edge.  Let u be the groove's direction, n it
 outward normal of the board's edge.  The groove's line ends on the board's edge.  One of the sides
 crosses the edge only (W/2) |n·m| / (u·m) farther along u, which is the required run-out.
 
+An end at most ``TOUCH_DISTANCE`` from the board's edge counts as on the edge.  If it lies at the
+distance D before the edge, measured along m, the required run-out is longer by D / (u·m).
+
 Source: "A new method of turning processing in multi axis linkage NC machining", section 1 (run-out
 on a flat board).
 """
@@ -74,14 +77,16 @@ def run_outs(grooves: Edges, cuts: Edges, half: float) -> RunOuts:
     m = np.where(bounds.board_left[outer[edge]][:, None], -left, left)
     leaving = (u * m).sum(axis=1)
     leaves = leaving > _MIN_SINE
+    # A groove that touches the edge may end up to TOUCH_DISTANCE before it.
+    to_edge = point_at(curve[edge], place) - grooves.ends[end]
+    before = np.maximum((to_edge * m).sum(axis=1), 0.0)
     # Distance from the end of the line until each side of the groove is past an edge.
     need = np.full((count, 2), np.inf)
     farthest = np.full((count, 2), -np.inf)
     n = np.stack([-u[:, 1], u[:, 0]], axis=1)
     for side, sign in enumerate((1.0, -1.0)):
-        go = np.where(
-            leaves, -sign * half * (n * m).sum(axis=1) / np.where(leaves, leaving, 1.0), 0.0
-        )
+        across = before - sign * half * (n * m).sum(axis=1)
+        go = np.where(leaves, across / np.where(leaves, leaving, 1.0), 0.0)
         go = np.where(
             leaves, _distance_to_circle(curve[edge], grooves.ends[end], u, sign * half * n, go), go
         )
