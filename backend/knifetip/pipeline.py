@@ -224,8 +224,7 @@ def compile(
     program = process(toolpath, machine, tolerance=TOLERANCE, notes=head)
     progress(Stage.VERIFY, 0.7)
     verdict = _verdict(program.text, dieline, cleaned, offset, machine, board, sheet=sheet)
-    planned = (Finding("planned", note, 0.0, severity=Severity.NOTE) for note in toolpath.notes)
-    verdict = replace(verdict, findings=(*verdict.findings, *planned))
+    verdict = replace(verdict, findings=(*verdict.findings, *_notes(toolpath.notes)))
     progress(Stage.DONE, 1.0)
     full = duration(with_full_retracts(toolpath, machine), machine)
     return Compiled(toolpath, program, verdict, offset, duration(toolpath, machine), full)
@@ -347,6 +346,7 @@ def _verdict(
     """Return the verdict on a program for the drawn edges.
 
     The program is verified against the cleaned edges, and the cleaned edges against the drawn ones.
+    What cleaning left out becomes notes.
 
     Parameters
     ----------
@@ -366,9 +366,14 @@ def _verdict(
     )
     mapped = map_to_drawn(verdict, cleaned, dieline)
     lost = check_cleaning(dieline, cleaned)
-    if not lost:
-        return mapped
-    return replace(mapped, accepted=False, findings=(*lost, *mapped.findings))
+    notes = _notes(cleaned.notes)
+    accepted = mapped.accepted and not lost
+    return replace(mapped, accepted=accepted, findings=(*lost, *mapped.findings, *notes))
+
+
+def _notes(messages: Sequence[Message]) -> tuple[Finding, ...]:
+    """Return findings of severity note with the given messages."""
+    return tuple(Finding("planned", each, 0.0, severity=Severity.NOTE) for each in messages)
 
 
 def _located(

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from knifetip import compensate, plan, process, sequence
+from knifetip.cleaning.clean import clean
 from knifetip.geometry.columns import F64, Bool
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
@@ -265,3 +266,33 @@ def test_the_judge_refuses_a_tip_that_passes_a_slit(monkeypatch: pytest.MonkeyPa
     assert not verdict.accepted
     assert (verdict.findings[0].kind, verdict.findings[0].edge) == ("overcut", 5)
     assert verdict.findings[0].measure == pytest.approx(0.3527, abs=1e-3)
+
+
+@pytest.mark.parametrize("over", [0.003, 0.02, 0.05, 0.1, 0.45, 3.0, 12.0, 20.0, 30.0])
+@pytest.mark.parametrize("pair", [0.0, 2.0])
+def test_a_crease_drawn_over_the_outline(over: float, pair: float) -> None:
+    drawn = dieline(OUTLINE, (CREASE, edges(((200.1, 100 - over), (200.1, 300 + over)))))
+    verdict = verdict_of(clean(drawn).dieline, double_crease=pair)
+    assert verdict.accepted, verdict.findings[:2]
+
+
+@pytest.mark.parametrize("over", [0.003, 0.02, 0.05, 0.1, 0.45, 3.0, 20.0])
+@pytest.mark.parametrize("step", [0.0, 0.5])
+def test_a_groove_drawn_over_the_outline(over: float, step: float) -> None:
+    drawn = dieline(OUTLINE, (GROOVE, edges(((200.1, 100 - over), (210.1, 300 + over)))))
+    verdict = verdict_of(clean(drawn).dieline, groove_pass=step)
+    assert verdict.accepted, verdict.findings[:2]
+
+
+@pytest.mark.parametrize("kind", [CREASE, GROOVE])
+def test_a_fold_across_a_narrow_window(kind: LineType) -> None:
+    window = (CUT, closed((200, 180), (208, 180), (208, 220), (200, 220)))
+    drawn = dieline(OUTLINE, window, (kind, edges(((100, 200), (400, 200)))))
+    verdict = verdict_of(clean(drawn).dieline)
+    assert verdict.accepted, verdict.findings[:2]
+
+
+def test_a_row_of_dashes_drawn_over_the_outline() -> None:
+    row = edges(*[((99 + 6 * k, 150), (103 + 6 * k, 150)) for k in range(20)])
+    verdict = verdict_of(clean(dieline(OUTLINE, (CREASE, row))).dieline)
+    assert verdict.accepted, verdict.findings[:2]

@@ -6,9 +6,9 @@ outcome of every drawn edge.
 Order of steps: remove overlaps, fit lines and arcs to flattened curves, remove debris, close gaps,
 merge edges that continue each other.  The steps are repeated, at most four times, until no edge is
 split, merged, moved or removed as debris.  An edge that was moved to close a gap is not moved a
-second time.
+second time.  At last the pieces of folds in the waste are dropped (``trim_folds``).
 
-A drawn edge consists of stretches, each of which belongs to one cleaned edge or is debris.  Every
+A drawn edge consists of stretches, each of which belongs to one cleaned edge or is dropped.  Every
 step updates this assignment; outcomes and lengths are computed from it alone, so they always agree
 with the geometry.
 """
@@ -24,7 +24,8 @@ from knifetip.cleaning.close_gaps import close_gaps, find_debris
 from knifetip.cleaning.end_points import EndPoints, find_end_points
 from knifetip.cleaning.merge_collinear import FINE, merge_collinear
 from knifetip.cleaning.priority import PRIORITY
-from knifetip.cleaning.remove_overlaps import remove_overlaps
+from knifetip.cleaning.remove_overlaps import Pieces, remove_overlaps
+from knifetip.cleaning.trim_folds import trim_folds
 from knifetip.errors import GeometryError
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
@@ -37,6 +38,8 @@ from knifetip.model.drawing import ImportOutcome
 _ROUNDS: Final = 4
 #: Lengths that differ by less are equal up to rounding (mm).
 _HAIR: Final = 1e-9
+#: Parts of a stretch up to this fraction of its length are rounding errors.
+_SLIVER: Final = 1e-12
 #: Coordinates beyond this are refused: they cannot resolve a micrometre (mm).
 _FAR: Final = 1e9
 
@@ -59,20 +62,21 @@ class _FinalRows(NamedTuple):
 class _Lengths(NamedTuple):
     """Lengths (mm) that decide the outcome of each of n drawn edges.
 
-    They are the length that is kept, the length that is merged with other edges, and the largest
-    displacement of an end.
+    They are the length that is kept, the length that is merged with other edges, the largest
+    displacement of an end, and the length that is dropped because it is outside all panels.
     """
 
     kept: F64  #: length of stretches that overlap no other edge
     merged: F64  #: length of stretches that overlap other edges
     moved: F64  #: largest displacement of an end
+    off_panel: F64  #: length of dropped stretches outside all panels
 
 
 @dataclass(slots=True)
 class _State:
     """State between two steps of cleaning: k current edges, and q stretches of drawn edges.
 
-    A stretch is a part of a drawn edge that belongs to one current edge, or is debris.
+    A stretch is a part of a drawn edge that belongs to one current edge, or is dropped.
     """
 
     ends: F64  #: (k, 2, 2) mm
@@ -83,8 +87,9 @@ class _State:
     row: I64  #: (q,) drawn edge of each stretch
     begin: F64  #: (q,) start of each stretch, 0 … 1 of the drawn edge
     end: F64  #: (q,) end of each stretch
-    edge: I64  #: (q,) current edge of each stretch, -1 for debris
+    edge: I64  #: (q,) current edge of each stretch, -1 if dropped
     overlapping: Bool  #: (q,) whether the stretch overlaps another edge
+    off_panel: Bool  #: (q,) whether the stretch was dropped because it is outside all panels
     #: points of the ends of ``ends``, None before they are first used
     cached_end_points: EndPoints | None = None
 
@@ -111,6 +116,28 @@ class _State:
         if not pieces.is_foreign.any():
             return False
         split = len(pieces.edge) > len(self.bulge)
+        self._divide(drawn, pieces)
+        return split
+
+    def trim_folds(self, drawn: Dieline) -> None:
+        """Divide folds at the outlines of panels, and drop their pieces in the waste.
+
+        ``drawn`` contains the drawn edges.
+        """
+        pieces = trim_folds(self.ends, self.bulge, self.kind)
+        if pieces is not None:
+            was_dropped = len(self.edge) - np.count_nonzero(self.edge >= 0)
+            self._divide(drawn, pieces)
+            self.off_panel = self.edge < 0
+            # Stretches that were dropped before are the last rows.
+            self.off_panel[len(self.edge) - was_dropped :] = False
+
+    def _divide(self, drawn: Dieline, pieces: Pieces) -> None:
+        """Replace the current edges by pieces of them.
+
+        The stretches of drawn edges are divided at the same points and then belong to the pieces.
+        A stretch without a piece is dropped.  ``drawn`` contains the drawn edges.
+        """
         by_edge = np.lexsort((pieces.begin, pieces.edge))
         first = np.searchsorted(pieces.edge[by_edge], np.arange(len(self.bulge) + 1))
         live, lost = self.edge >= 0, self.edge < 0
@@ -138,7 +165,8 @@ class _State:
         two = np.where(offset == part_count[old] - 1, 1.0, two)
         back = (from_ > to)[old]
         one, two = np.where(back, 1.0 - two, one), np.where(back, 1.0 - one, two)
-        some = two > one
+        # Rounding leaves slivers of stretches that only touch a part.
+        some = two - one > _SLIVER
         old, part, one, two = old[some], part[some], one[some], two[some]
         size = end[old] - begin[old]
         self.row = np.concatenate([row[old], self.row[lost]])
@@ -149,7 +177,7 @@ class _State:
         self.overlapping = np.concatenate([overlapping, self.overlapping[lost]])
         self.ends, self.bulge, self.kind = pieces.ends, pieces.bulge, self.kind[pieces.owner]
         self.moved, self.fitted = self.moved[pieces.owner], self.fitted[pieces.owner]
-        return split
+        self.off_panel = np.zeros(len(self.edge), np.bool_)
 
     def ensure_owned(self) -> None:
         """Ensure that each current edge has a stretch that is not marked as overlapping.
@@ -249,6 +277,7 @@ def clean(dieline: Dieline) -> Cleaned:
         np.ones(len(every)),
         np.where(np.arange(len(every)) < count, np.arange(len(every)), -1),
         np.zeros(len(every), np.bool_),
+        np.zeros(len(every), np.bool_),
     )
     for _ in range(_ROUNDS):
         was_split = state.remove_overlaps(dieline)
@@ -259,6 +288,7 @@ def clean(dieline: Dieline) -> Cleaned:
         state.merge()
         if state.ends is ends and not was_split:
             break
+    state.trim_folds(dieline)
     return _report(dieline, length, at_work, state)
 
 
@@ -351,7 +381,7 @@ def _report(dieline: Dieline, length: F64, at_work: Bool, state: _State) -> Clea
     outcome, reason = _outcomes(
         state,
         _FinalRows(row, edge, overlapping, slot, source, target_row),
-        _Lengths(kept, merged, moved),
+        _Lengths(kept, merged, moved, summed(state.off_panel[order])),
         at_work,
     )
     return Cleaned(
@@ -412,7 +442,7 @@ def _outcomes(
         Mask of the drawn edges whose line type is cut or creased.
     """
     row, edge, overlapping, slot, source, target_row = final_rows
-    kept, merged, moved = lengths
+    kept, merged, moved, off_panel = lengths
     count = len(target_row)
     keeps_row = np.zeros(count, np.bool_)
     keeps_row[slot[slot < count]] = True
@@ -429,6 +459,7 @@ def _outcomes(
     reason[keeps_row & (merged > 0.0)] = CleaningReason.SHORTENED
     is_split = np.bincount(row[owned], minlength=count) > 1
     reason[keeps_row & is_split] = CleaningReason.SHORTENED
+    reason[keeps_row & (off_panel > 0.0)] = CleaningReason.OFF_PANEL
     away = at_work & ~keeps_row & (target_row >= 0)
     reason[away] = np.where(
         kept[away] > 0.0,
@@ -436,7 +467,7 @@ def _outcomes(
         CleaningReason.TWICE,
     )
     lost = at_work & (target_row < 0)
-    reason[lost] = CleaningReason.SPECK
+    reason[lost] = np.where(off_panel[lost] > 0.0, CleaningReason.OFF_PANEL, CleaningReason.SPECK)
     reason[~at_work] = CleaningReason.NO_WORK
     outcome = np.full(count, ImportOutcome.KEPT, np.uint8)
     outcome[away] = ImportOutcome.MERGED

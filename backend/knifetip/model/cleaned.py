@@ -26,6 +26,7 @@ class CleaningReason(IntEnum):
     TWICE = 6  #: coincides with other edges along its whole length
     SPECK = 7  #: dropped because it is too short to be machined
     NO_WORK = 8  #: not cleaned because it is ignored or not classified
+    OFF_PANEL = 9  #: dropped, or kept in part; the rest is outside all panels
 
     @property
     def message(self) -> Message:
@@ -43,6 +44,7 @@ _MESSAGES = {
     CleaningReason.TWICE: Message("cleaning.twice"),
     CleaningReason.SPECK: Message("cleaning.speck"),
     CleaningReason.NO_WORK: Message("cleaning.as-drawn"),
+    CleaningReason.OFF_PANEL: Message("cleaning.off-panel"),
 }
 
 
@@ -86,9 +88,9 @@ class Cleaned:
     which the cleaned edge contains a part, or the edge itself if it is not machined.
 
     The length of each drawn edge is the sum of its ``kept`` (machined), ``merged`` (covered by
-    other edges) and ``dropped`` (too short to be machined) lengths.  The total length to be
-    machined is the sum of ``kept`` and ``added`` (length added by closing gaps and fitting curves)
-    over all drawn edges, except those that are ignored or not classified.
+    other edges) and ``dropped`` (too short to be machined, or outside all panels) lengths.  The
+    total length to be machined is the sum of ``kept`` and ``added`` (length added by closing gaps
+    and fitting curves) over all drawn edges, except those that are ignored or not classified.
     """
 
     dieline: Dieline
@@ -99,7 +101,7 @@ class Cleaned:
     reason: U8  #: (n,) CleaningReason
     kept: F64  #: (n,) length that is machined for the edge (mm)
     merged: F64  #: (n,) length covered by other edges, which are machined (mm)
-    dropped: F64  #: (n,) length that is too short to be machined (mm)
+    dropped: F64  #: (n,) length that is too short to be machined or outside all panels (mm)
     added: F64  #: (n,) length added by closing gaps and fitting curves (mm)
     moved: F64  #: (n,) maximum distance by which an end was moved (mm)
     off: F64  #: (n,) maximum distance of the drawn edge from the cleaned edges that cover it (mm)
@@ -118,6 +120,15 @@ class Cleaned:
     def changed(self) -> Bool:
         """Mask of the drawn edges that cleaning changed, shape (n,)."""
         return np.asarray(~np.isin(self.reason, (CleaningReason.AS_DRAWN, CleaningReason.NO_WORK)))
+
+    @property
+    def notes(self) -> tuple[Message, ...]:
+        """What the user of a program must be told about the cleaning; empty if it is nothing."""
+        rows = self.reason == CleaningReason.OFF_PANEL
+        if not rows.any():
+            return ()
+        count, length = int(np.count_nonzero(rows)), float(self.dropped[rows].sum())
+        return (Message("cleaning.folds-trimmed", count=count, length=length),)
 
     def replacement_row(self, row: int) -> int:
         """Return the row of the drawn edge that is machined in place of the drawn edge in ``row``.
@@ -142,6 +153,9 @@ class Cleaned:
                 return Message(
                     "cleaning.fitted-edge", edge=self.replacement_row(row), distance=self.off[row]
                 )
+        is_off_panel = self.reason[row] == CleaningReason.OFF_PANEL
+        if is_off_panel and self.outcome[row] == ImportOutcome.DROPPED:
+            return Message("cleaning.dropped-off-panel")
         changes = []
         if self.merged[row] > 0.0:
             changes.append(Message("cleaning.length-on-others", length=self.merged[row]))
@@ -150,7 +164,8 @@ class Cleaned:
         if self.moved[row] > 0.0:
             changes.append(Message("cleaning.end-moved", distance=self.moved[row]))
         if self.dropped[row] > 0.0:
-            changes.append(Message("cleaning.part-dropped", length=self.dropped[row]))
+            code = "cleaning.part-off-panel" if is_off_panel else "cleaning.part-dropped"
+            changes.append(Message(code, length=self.dropped[row]))
         if not changes:
             return Message("cleaning.kept")
         return Message("cleaning.kept-changed", changes=changes)
@@ -160,8 +175,9 @@ class Cleaned:
         """Total lengths (mm) by name, over the drawn edges to be machined.
 
         ``drawn``: length in the drawing; ``kept``, ``merged`` and ``dropped``: parts of ``drawn``
-        that are machined, covered by other edges, or too short to be machined; ``added``: length
-        added by closing gaps and fitting curves; ``worked``: machined length, ``kept`` + ``added``.
+        that are machined, covered by other edges, or neither (too short, or outside all panels);
+        ``added``: length added by closing gaps and fitting curves; ``worked``: machined length,
+        ``kept`` + ``added``.
         ``no_work`` is the length of all other drawn edges, which are ignored or not classified.
         """
         at_work = self.reason != CleaningReason.NO_WORK

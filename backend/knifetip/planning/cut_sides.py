@@ -37,7 +37,7 @@ def cut_sides(ends: F64, bulge: F64) -> CutSides:
     face = subdivision.face
     # A tree of slits encloses nothing: the outer face lies on both its sides.
     outer = subdivision.outer[face]
-    closing: Bool = outer[:, 0] != outer[:, 1]
+    closing = subdivision.closing
     part = subdivision.depth[subdivision.component] % 2 == 0
     return CutSides(
         np.where(closing & part, np.where(outer[:, 0], 1, -1), 0).astype(np.int8),

@@ -22,8 +22,8 @@ from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.tolerance import CONTOUR_GAP
 from knifetip.kernels import F64_1, I64_1, I64_2, OutI64_1, kernel
-from knifetip.planning.gaps import closing_links
-from knifetip.planning.noding import split_at_crossings
+from knifetip.topology.contour_gaps import closing_links
+from knifetip.topology.noding import split_at_crossings
 from knifetip.topology.subdivision import subdivide
 
 

@@ -29,9 +29,9 @@ from knifetip.planning.bridges import Spacing, ends_of_others, place_bridges
 from knifetip.planning.corners import choices_at_bends, distances_to_corners, find_bends
 from knifetip.planning.cut_sides import cut_sides
 from knifetip.planning.layers import cut_layers
-from knifetip.planning.noding import split_at_ends
 from knifetip.planning.reachable import reachable_by_disc
 from knifetip.planning.setup import Setup
+from knifetip.topology.noding import split_at_ends
 
 
 def plan_milling(

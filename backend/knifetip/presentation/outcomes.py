@@ -65,6 +65,7 @@ def edge_outcomes(drawing: Drawing, dieline: Dieline, cleaned: Cleaned | None) -
         outcome, reason = cleaned.outcome, cleaned.reason.astype(np.int32)
         # Parts of kept edges may be merged or dropped; they are counted separately.
         is_kept = outcome == ImportOutcome.KEPT
+        is_off_panel = reason == CleaningReason.OFF_PANEL
         parts = [
             (
                 ImportOutcome.MERGED,
@@ -74,7 +75,12 @@ def edge_outcomes(drawing: Drawing, dieline: Dieline, cleaned: Cleaned | None) -
             (
                 ImportOutcome.DROPPED,
                 CleaningReason.SPECK,
-                np.where(is_kept, cleaned.dropped, 0.0),
+                np.where(is_kept & ~is_off_panel, cleaned.dropped, 0.0),
+            ),
+            (
+                ImportOutcome.DROPPED,
+                CleaningReason.OFF_PANEL,
+                np.where(is_kept & is_off_panel, cleaned.dropped, 0.0),
             ),
         ]
     reasons = [code.message for code in CleaningReason]

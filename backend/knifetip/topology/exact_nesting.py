@@ -65,11 +65,7 @@ def find_enclosing_faces(
     count = int(component.max()) + 1
     if count == 1:
         return np.full(1, -1, np.int64), np.zeros(1, np.int64)
-    centre = np.where(np.abs(bulge)[:, None] < BULGE, 0.0, arc.centre(start, end, bulge))
-    radius = arc.radius(start, end, bulge)
-    spans, above = _split_into_spans(
-        start, end, bulge, centre, np.where(np.isfinite(radius), radius, 0.0)
-    )
+    spans, above = _spans_of_edges(start, end, bulge)
     if len(spans) == 0:
         return np.full(count, -1, np.int64), np.zeros(count, np.int64)
     owner = component[above // 2]
@@ -82,6 +78,41 @@ def find_enclosing_faces(
     order = np.argsort(lowest[:, 1], kind="stable")
     enclosing, depth = _follow_hits(order, hit, above, face.ravel(), outer, component)
     return enclosing, depth
+
+
+def find_half_edges_below(points: F64, start: F64, end: F64, bulge: F64) -> I64:
+    """Return the first half-edge below each of m points, (m,); -1 if there is no edge below.
+
+    Half-edge 2 i is the left side of edge i, half-edge 2 i + 1 its right side.  The result is the
+    side of the edge that faces upwards, so its face contains the point.
+
+    Parameters
+    ----------
+    points : (m, 2) mm
+        The points.
+    start, end, bulge : (n, 2), (n, 2) mm and (n,)
+        The edges.  Edges that meet have exactly equal end points.
+    """
+    spans, above = _spans_of_edges(start, end, bulge)
+    if len(spans) == 0 or len(points) == 0:
+        return np.full(len(points), -1, np.int64)
+    boxes = _boxes_of_spans(spans)
+    order = order_boxes(boxes)[::-1].copy()
+    # No span has an owner, so that none is left out.
+    nobody = np.full(len(spans), -1, np.int32)
+    hit = _first_below(np.ascontiguousarray(points), spans, nobody, boxes[order], order)
+    result: I64 = np.where(hit < 0, -1, above[hit])
+    return result
+
+
+def _spans_of_edges(start: F64, end: F64, bulge: F64) -> tuple[F64, I64]:
+    """Return the k spans of n edges, as ``_split_into_spans`` does, and the upper half-edges."""
+    centre = np.where(np.abs(bulge)[:, None] < BULGE, 0.0, arc.centre(start, end, bulge))
+    radius = arc.radius(start, end, bulge)
+    spans, above = _split_into_spans(
+        start, end, bulge, centre, np.where(np.isfinite(radius), radius, 0.0)
+    )
+    return spans, above
 
 
 @kernel

@@ -14,7 +14,7 @@ import numpy as np
 from knifetip.geometry.chain import number_vertices
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.tolerance import JOIN
-from knifetip.topology.exact_nesting import find_enclosing_faces
+from knifetip.topology.exact_nesting import find_enclosing_faces, find_half_edges_below
 from knifetip.topology.faces import trace_sides
 from knifetip.topology.planar_graph import connected_components
 from knifetip.topology.vertices import first_coincident
@@ -32,6 +32,19 @@ class Subdivision:
     component: I64  #: (n,) component of each edge
     enclosing: I64  #: (c,) bounded face around each component, -1 for none
     depth: I64  #: (c,) number of components around each component
+    start: F64  #: (n, 2) mm, start of each edge; ends that meet are exactly equal
+    end: F64  #: (n, 2) mm
+    bulge: F64  #: (n,)
+
+    @property
+    def closing(self) -> Bool:
+        """Mask of the edges that enclose an area together with other edges, (n,).
+
+        Such an edge separates a bounded face from the outside of its component.
+        """
+        outer = self.outer[self.face]
+        result: Bool = outer[:, 0] != outer[:, 1]
+        return result
 
     @property
     def merged(self) -> I64:
@@ -47,6 +60,20 @@ class Subdivision:
         )
         return result
 
+    def count_enclosing(self, points: F64) -> I64:
+        """Return the number of components that enclose each of m points, (m,).
+
+        ``points`` is (m, 2) mm.
+        """
+        if len(self.bulge) == 0:
+            return np.zeros(len(points), np.int64)
+        half = find_half_edges_below(points, self.start, self.end, self.bulge)
+        below = np.flatnonzero(half >= 0)
+        face = self.face.ravel()[half[below]]
+        count = np.zeros(len(points), np.int64)
+        count[below] = self.depth[self.component[half[below] // 2]] + ~self.outer[face]
+        return count
+
 
 def subdivide(ends: F64, bulge: F64) -> Subdivision:
     """Return the faces into which n edges divide the plane.
@@ -60,7 +87,8 @@ def subdivide(ends: F64, bulge: F64) -> Subdivision:
     """
     if len(ends) == 0:
         none = np.zeros(0, np.int64)
-        return Subdivision(none.reshape(0, 2), np.zeros(0, np.bool_), none, none, none)
+        no_faces = none.reshape(0, 2), np.zeros(0, np.bool_)
+        return Subdivision(*no_faces, none, none, none, ends[:, 0], ends[:, 1], bulge)
     points = ends.reshape(-1, 2)
     vertex = number_vertices(points)
     position = np.empty((int(vertex.max()) + 1, 2))
@@ -74,4 +102,13 @@ def subdivide(ends: F64, bulge: F64) -> Subdivision:
     enclosing, depth = find_enclosing_faces(
         position[first], position[last], bulge, face, outer, component
     )
-    return Subdivision(face.astype(np.int64), outer, component.astype(np.int64), enclosing, depth)
+    return Subdivision(
+        face.astype(np.int64),
+        outer,
+        component.astype(np.int64),
+        enclosing,
+        depth,
+        position[first],
+        position[last],
+        bulge,
+    )

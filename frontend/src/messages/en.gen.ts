@@ -311,6 +311,10 @@ export const TEXTS = {
     "text": "cleaning did not change the edge",
     "hint": ""
   },
+  "cleaning.dropped-off-panel": {
+    "text": "the edge was dropped, because it belongs to a fold and lies outside all panels",
+    "hint": ""
+  },
   "cleaning.dropped-speck": {
     "text": "the edge was dropped, because it is only {length:.4g} mm long and connects no other edges",
     "hint": ""
@@ -326,6 +330,10 @@ export const TEXTS = {
   "cleaning.fitted-edge": {
     "text": "the edge and edge {edge} were parts of a curve made of short lines; one line or arc, which deviates by at most {distance:.2g} mm from this curve, replaces them",
     "hint": ""
+  },
+  "cleaning.folds-trimmed": {
+    "text": "Creases or V-grooves in {count} edges were shortened: {length:.2f} mm of them lie outside all panels and are not made.",
+    "hint": "If a panel should be there, close its outline. Otherwise nothing needs to be done."
   },
   "cleaning.ignored": {
     "text": "the edge has the line type ignored, so it is displayed but not processed",
@@ -363,12 +371,20 @@ export const TEXTS = {
     "text": "the edge is unchanged, because no tool processes an edge of its line type",
     "hint": ""
   },
+  "cleaning.off-panel": {
+    "text": "a part of the fold lies outside all panels and was dropped",
+    "hint": ""
+  },
   "cleaning.on-edge": {
     "text": "the edge lies on edge {edge} and was merged into it",
     "hint": ""
   },
   "cleaning.part-dropped": {
     "text": "a part of the edge, {length:.2g} mm long, was dropped because it is too short to process",
+    "hint": ""
+  },
+  "cleaning.part-off-panel": {
+    "text": "a part of the edge, {length:.4g} mm long, was dropped because it lies outside all panels",
     "hint": ""
   },
   "cleaning.shortened": {

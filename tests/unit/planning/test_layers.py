@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 from knifetip.errors import PlanError
 from knifetip.geometry.columns import F64
 from knifetip.geometry.tolerance import CONTOUR_GAP
-from knifetip.planning import noding
 from knifetip.planning.cut_sides import cut_sides
-from knifetip.planning.gaps import closing_links
 from knifetip.planning.layers import cut_layers
+from knifetip.topology import noding
+from knifetip.topology.contour_gaps import closing_links
 from tests.support.shapes import closed, edges, rotation
 
 

@@ -8,11 +8,13 @@ from typing import Any
 import numpy as np
 import pytest
 
+from knifetip.cleaning import trim_folds
 from knifetip.cleaning.clean import clean
+from knifetip.geometry.columns import F64
 from knifetip.model.cleaned import Cleaned, Stretches
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.verification.checks.cleaning_check import check_cleaning
-from tests.support.shapes import dieline, edges
+from tests.support.shapes import closed, dieline, edges
 
 CUT, CREASE = LineType.CUT, LineType.CREASE
 
@@ -145,3 +147,85 @@ def test_an_edge_that_was_dropped_is_found() -> None:
     assert "Edge 1: Internal error in cleaning: 100.000 mm of the edge were lost" in findings_text(
         lost
     )
+
+
+def dropped_groove(start: tuple[float, float], end: tuple[float, float]) -> str:
+    """Return the findings about a cleaning that drops the last 10 mm of a groove."""
+    square, window = (
+        closed((0, 0), (100, 0), (100, 80), (0, 80)),
+        closed((40, 30), (60, 30), (60, 50), (40, 50)),
+    )
+    drawn = dieline((CUT, square), (CUT, window), (LineType.V_GROOVE, edges((start, end))))
+    made = clean(drawn)
+    length = float(np.hypot(end[0] - start[0], end[1] - start[1]))
+    ends = drawn.ends.copy()
+    ends[8, 1] = ends[8, 0] + (ends[8, 1] - ends[8, 0]) * (1.0 - 10.0 / length)
+    parts = Stretches(
+        np.append(np.arange(9), 8),
+        np.append(np.zeros(9), 1.0 - 10.0 / length),
+        np.concatenate([np.ones(8), [1.0 - 10.0 / length, 1.0]]),
+        np.append(np.arange(9), -1),
+        np.zeros(10, np.bool_),
+    )
+    made = replace(made, dieline=replace(drawn, ends=ends), stretches=parts)
+    return findings_text(made, drawn)
+
+
+@pytest.mark.parametrize(
+    ("start", "end", "fine"),
+    [
+        ((50, 20), (110, 20), True),  # over the outline
+        ((0, 40), (50, 40), True),  # into the window
+        ((50, 20), (109, 20), False),  # 1 mm of the panel is dropped too
+        ((0, 20), (95, 20), False),  # on the panel
+        ((0, 40), (49, 40), False),
+        ((95, 20), (110, 20), False),  # what remains is shorter
+    ],
+)
+def test_only_the_part_of_a_groove_outside_all_panels_may_be_dropped(
+    start: tuple[float, float], end: tuple[float, float], fine: bool
+) -> None:
+    assert (dropped_groove(start, end) == "") == fine
+
+
+SQUARE = closed((0, 0), (100, 0), (100, 80), (0, 80))
+WINDOW = closed((40, 30), (60, 30), (60, 50), (40, 50))
+FRAME = closed((-50, -50), (200, -50), (200, 200), (-50, 200))
+OPEN = SQUARE.copy()
+OPEN[3, 1, 1] = 30.0
+ACROSS = edges(((0, 40), (100, 40)))
+
+
+@pytest.mark.parametrize(
+    ("fault", "contours", "fold"),
+    [
+        ("doubt", (OPEN, WINDOW), edges(((31, 40), (69, 40)))),
+        ("form", (FRAME, SQUARE, WINDOW), ACROSS),
+        ("doubt", (FRAME, SQUARE), edges(((20, 5), (99, 60)), ((85, 10), (150, 10)))),
+        ("length", (SQUARE,), edges(((50, 20), (125, 20)))),
+        ("side", (SQUARE, WINDOW), ACROSS),
+        ("side", (SQUARE,), edges(((50, 20), (110, 20)))),
+    ],
+)
+def test_folds_that_cleaning_drops_wrongly_are_found(
+    fault: str, contours: tuple[F64, ...], fold: F64, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drawn = dieline(*((CUT, contour) for contour in contours), (LineType.CREASE, fold))
+    assert findings_text(clean(drawn), drawn) == ""
+    if fault == "doubt":
+        monkeypatch.setattr(
+            trim_folds._Contours, "is_doubtful", lambda _, points: np.zeros(len(points), np.bool_)
+        )
+    if fault == "length":
+        monkeypatch.setattr(trim_folds, "OVERSHOOT", 30.0)
+    if fault == "side":
+        right = trim_folds._classify
+        monkeypatch.setattr(trim_folds, "_classify", lambda *given: right(*given)[::-1])
+    if fault in ("form", "side"):
+        monkeypatch.setattr(
+            trim_folds, "_find_dropped", lambda ends, bulge, parts, on_panel, in_waste: in_waste
+        )
+        monkeypatch.setattr(
+            trim_folds._Contours, "is_doubtful", lambda _, points: np.zeros(len(points), np.bool_)
+        )
+    assert "were lost" in findings_text(clean(drawn), drawn)

@@ -94,7 +94,9 @@ class CleaningLengths(BaseModel):
     )
     kept: float = Field(description="Length that is machined as drawn (mm)")
     merged: float = Field(description="Length that lies on other edges, which are machined (mm)")
-    dropped: float = Field(description="Length that is too short to be machined (mm)")
+    dropped: float = Field(
+        description="Length that is too short to be machined or outside all panels (mm)"
+    )
     added: float = Field(description="Length added by closing gaps and fitting curves (mm)")
     worked: float = Field(description="Length that is machined: `kept` + `added` (mm)")
     no_work: float = Field(
@@ -109,7 +111,9 @@ class CleaningCounts(BaseModel):
     merged: int = Field(
         description="Number of edges that lie on other edges or were joined to them"
     )
-    dropped: int = Field(description="Number of edges that are too short to be machined")
+    dropped: int = Field(
+        description="Number of edges that are too short to be machined or outside all panels"
+    )
 
 
 class CleaningRow(MessageOut):
@@ -121,11 +125,14 @@ class CleaningRow(MessageOut):
         description="kept: the edge is machined with a change. merged: another edge is machined "
         "in its place. dropped: it is not machined"
     )
-    reason: Literal["moved", "shortened", "longer", "joined", "fitted", "twice", "speck"] = Field(
+    reason: Literal[
+        "moved", "shortened", "longer", "joined", "fitted", "twice", "speck", "off_panel"
+    ] = Field(
         description="moved: an end was moved. shortened: a part lies on other edges. longer: other "
         "edges were joined to this edge. joined: the edge became part of a collinear edge. fitted: "
         "the edge became part of a fitted line or arc. twice: the edge lies on other edges. "
-        "speck: the edge is too short to be machined"
+        "speck: the edge is too short to be machined. off_panel: the edge, or a part of it, "
+        "belongs to a fold and lies outside all panels"
     )
     into: int = Field(
         description="Row of the edge that is machined instead: the edge itself if it is kept, -1 "
@@ -133,7 +140,9 @@ class CleaningRow(MessageOut):
     )
     kept: float = Field(description="Length that is machined for the edge (mm)")
     merged: float = Field(description="Length that lies on other edges, which are machined (mm)")
-    dropped: float = Field(description="Length that is too short to be machined (mm)")
+    dropped: float = Field(
+        description="Length that is too short to be machined or outside all panels (mm)"
+    )
     added: float = Field(description="Length added by closing gaps and fitting curves (mm)")
     moved: float = Field(description="Maximum distance by which an end was moved (mm)")
     off: float = Field(

@@ -10,6 +10,9 @@ MESSAGES: Final[Entries] = {
     "cleaning.as-drawn": entry(
         "cleaning did not change the edge",
     ),
+    "cleaning.dropped-off-panel": entry(
+        "the edge was dropped, because it belongs to a fold and lies outside all panels",
+    ),
     "cleaning.dropped-speck": entry(
         "the edge was dropped, because it is only {length:.4g} mm long and connects no other edges",
         length="number",
@@ -26,6 +29,13 @@ MESSAGES: Final[Entries] = {
         "which deviates by at most {distance:.2g} mm from this curve, replaces them",
         edge="count",
         distance="number",
+    ),
+    "cleaning.folds-trimmed": entry(
+        "Creases or V-grooves in {count} edges were shortened: {length:.2f} mm of them lie outside "
+        "all panels and are not made.",
+        "If a panel should be there, close its outline. Otherwise nothing needs to be done.",
+        count="count",
+        length="number",
     ),
     "cleaning.ignored": entry(
         "the edge has the line type ignored, so it is displayed but not processed",
@@ -55,12 +65,19 @@ MESSAGES: Final[Entries] = {
     "cleaning.no-work": entry(
         "the edge is unchanged, because no tool processes an edge of its line type",
     ),
+    "cleaning.off-panel": entry(
+        "a part of the fold lies outside all panels and was dropped",
+    ),
     "cleaning.on-edge": entry(
         "the edge lies on edge {edge} and was merged into it",
         edge="count",
     ),
     "cleaning.part-dropped": entry(
         "a part of the edge, {length:.2g} mm long, was dropped because it is too short to process",
+        length="number",
+    ),
+    "cleaning.part-off-panel": entry(
+        "a part of the edge, {length:.4g} mm long, was dropped because it lies outside all panels",
         length="number",
     ),
     "cleaning.shortened": entry("a part of the edge lies on other edges and was merged with them"),

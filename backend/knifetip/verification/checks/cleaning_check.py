@@ -3,8 +3,9 @@
 The cleaning stage divides each drawn edge into stretches, and records the cleaned edge that each
 stretch became.  Each stretch must lie on that cleaned edge, and the cleaned edge must have the
 stretch's line type or a line type that replaces it.  Each cleaned edge must lie on drawn edges.
-Only debris, which is edges shorter than the gap tolerance, may be dropped.  The distances are
-measured here without the functions of the cleaning stage.
+Two things may be dropped: debris, which is edges shorter than the gap tolerance, and pieces of
+folds in the waste (``fold_trim_check``).  The distances are measured here without the functions of
+the cleaning stage.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from knifetip.messages import Message
 from knifetip.model.cleaned import Cleaned
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.verdict import Finding
+from knifetip.verification.checks.fold_trim_check import are_trimmed_folds
 from knifetip.verification.columns import F64, I64
 
 #: Greatest distance between a drawn stretch and its cleaned edge (mm).
@@ -77,8 +79,12 @@ def check_cleaning(drawn: Dieline, cleaned: Cleaned) -> list[Finding]:
     ).tolist():
         report(edge, float(length[edge] - recorded[edge]), Message("verify.cleaning-incomplete"))
     lost = parts.cleaned < 0
-    gone = np.bincount(parts.row[lost], ((parts.end - parts.begin) * length[parts.row])[lost],
-                       len(drawn))  # fmt: skip
+    size = (parts.end - parts.begin) * length[parts.row]
+    gone = np.bincount(parts.row[lost], size[lost], len(drawn))
+    if (gone > GAP + _ROUNDING).any():
+        dropped = np.flatnonzero(lost)
+        dropped = dropped[~are_trimmed_folds(drawn, after, parts, dropped)]
+        gone = np.bincount(parts.row[dropped], size[dropped], len(drawn))
     for edge in np.flatnonzero(gone > GAP + _ROUNDING).tolist():
         report(edge, float(gone[edge]), Message("verify.cleaning-dropped", length=gone[edge]))
     there = np.flatnonzero(~lost)

@@ -15,12 +15,13 @@ import numpy as np
 
 from knifetip.kernels import F64_1, F64_2, I64_1, Bool_1, kernel
 from knifetip.verification.columns import F64, I64, Bool
-from knifetip.verification.curves.curve import azimuth_at, line_curves, point_at
+from knifetip.verification.curves.curve import line_curves, point_at
 from knifetip.verification.curves.overlap import find_overlaps, grid_layout, list_by_cell
 from knifetip.verification.expectation.edge_paths import edge_paths, joined_ends
 from knifetip.verification.expectation.edges import (
     JOIN_DISTANCE,
     Edges,
+    edges_from_curves,
     pairs_within,
     without_duplicates,
 )
@@ -82,13 +83,7 @@ def find_cut_faces(cuts: Edges) -> CutFaces:
     curve = np.concatenate([cuts.curve, links])
     piece, edge, begin = _split_curves(curve)
     edge = np.where(edge < len(cuts), edge, -1)
-    nothing, zero = np.zeros(len(piece), np.int32), np.zeros(len(piece))
-    ends = np.stack([point_at(piece, zero), point_at(piece, piece[:, 5])], axis=1)
-    outward = np.stack([azimuth_at(piece, zero) + 180.0, azimuth_at(piece, piece[:, 5])], axis=1)
-    row = np.arange(len(piece), dtype=np.int32)
-    unique, twin, first = without_duplicates(
-        Edges(row, piece, nothing, ends.reshape(-1, 2), outward.ravel(), zero)
-    )
+    unique, twin, first = without_duplicates(edges_from_curves(piece))
     cycle, swept, component = face_cycles(unique)
     face = np.empty((len(piece), 2), np.int64)
     face[unique.row], count = _assign_faces(

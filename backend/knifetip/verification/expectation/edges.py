@@ -100,6 +100,19 @@ def place_edges(dieline: Dieline, placement: tuple[float, float]) -> Edges:
     )
 
 
+def edges_from_curves(curve: F64) -> Edges:
+    """Return n curves as edges with the rows 0 … n - 1 and no line type.
+
+    ``curve`` contains lines and arcs as rows of six numbers (see ``curves.curve``), (n, 6).
+    """
+    zero = np.zeros(len(curve))
+    ends = np.stack([point_at(curve, zero), point_at(curve, curve[:, 5])], axis=1)
+    outward = np.stack([azimuth_at(curve, zero) + 180.0, azimuth_at(curve, curve[:, 5])], axis=1)
+    row = np.arange(len(curve), dtype=np.int32)
+    unclassified = np.full(len(curve), LineType.UNCLASSIFIED, np.int32)
+    return Edges(row, curve, unclassified, ends.reshape(-1, 2), outward.ravel(), zero)
+
+
 def without_duplicates(edges: Edges) -> tuple[Edges, I32, I32]:
     """Return the edges that do not coincide with an earlier edge of the same line type.
 

@@ -81,7 +81,7 @@ def face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
     """
     count = len(edges)
     a, b = pairs_within(edges.ends, edges.ends, JOIN_DISTANCE)
-    node = _lowest_connected(a, b, 2 * count)
+    node = lowest_connected(a, b, 2 * count)
     curve = np.repeat(edges.curve, 2, axis=0)
     back = np.tile([False, True], count)
     leaves = np.round(np.radians(edges.outward + 180.0) % (2.0 * math.pi), 9)
@@ -90,7 +90,7 @@ def face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
     bend = np.where(back, -bend, bend)
     order = np.lexsort((bend, leaves, node))
     cycle, swept = _trace_cycles(order, node[order], _swept_areas(edges))
-    component = _lowest_connected(
+    component = lowest_connected(
         np.concatenate([node, np.arange(2 * count)]),
         np.concatenate([np.arange(2 * count), np.arange(2 * count) ^ 1]),
         2 * count,
@@ -98,7 +98,7 @@ def face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
     return cycle, swept, np.unique(component, return_inverse=True)[1].ravel().astype(np.int64)
 
 
-def _lowest_connected(one: I64, other: I64, count: int) -> I64:
+def lowest_connected(one: I64, other: I64, count: int) -> I64:
     """For each of the indices 0 to ``count`` - 1, return the lowest index connected to it,
     (count,).
 

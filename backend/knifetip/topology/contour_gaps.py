@@ -1,4 +1,4 @@
-"""gaps: find links that close contours whose cuts do not quite meet.
+"""contour_gaps: find links that close contours whose cuts do not quite meet.
 
 A dangling end is an end of a cut that lies on no other cut.  A link is a straight line from a
 dangling end to a point at most ``CONTOUR_GAP`` away.  Each dangling end is linked to the nearest
@@ -11,8 +11,8 @@ If cuts connect a dangling end with a point, the two are linked only if the path
 at least three times as long as the gap.  Otherwise an end would be linked to the corner from which
 it comes.
 
-Links only close contours for ``layers``; they are never cut.  A superfluous link does no harm: cuts
-inside such a contour are only made earlier than necessary.
+Links only close contours for searches: for the order of the cuts, and for the outlines of panels
+when cleaning drops folds outside them.  They are never cut.
 """
 
 from __future__ import annotations

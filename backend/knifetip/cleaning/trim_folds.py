@@ -1,0 +1,324 @@
+"""trim_folds: drop the pieces of creases and V-grooves that surely lie in the waste.
+
+Cuts divide a fold into pieces.  Contours are cuts that enclose an area.  A point inside an odd
+number of contours lies on a panel, any other point in the waste: outside all outlines, or in a
+hole.  Two kinds of pieces in the waste are dropped:
+
+* an *overshoot*: the first or last piece of a fold, if it adjoins a piece on a panel, no other edge
+  touches its free end, and it is at most ``OVERSHOOT`` long.  The overshoots that adjoin one piece
+  must be shorter than that piece.
+* a *passage*: a piece of any length between two pieces on panels, for example across a window.
+  Neither of these two may have the form of an overshoot, otherwise the fold could belong to a panel
+  inside the window and overshoot it on that side.
+
+A piece stays if there is doubt whether it lies in the waste.  Folds in the waste that no cut
+divides, and cuts in the waste that enclose nothing, are signs of a panel whose outline is open or
+not drawn.  All pieces in the smallest upright rectangle around these signs stay.
+
+The rule is in ``docs/contacts.md``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import radians, sin
+from typing import Final, NamedTuple
+
+import numpy as np
+
+from knifetip.cleaning.remove_overlaps import Pieces
+from knifetip.errors import PlanError
+from knifetip.geometry import arc
+from knifetip.geometry.azimuth import left_normal, unit_vectors
+from knifetip.geometry.columns import F64, I64, U8, Bool
+from knifetip.geometry.intersect import intersect_pairs
+from knifetip.geometry.points_on_segments import find_points_on_segments
+from knifetip.geometry.spatial_index.box_tree import box_pairs
+from knifetip.geometry.tolerance import ANGLE, JOIN
+from knifetip.model.dieline import LineType
+from knifetip.topology.contour_gaps import closing_links
+from knifetip.topology.noding import split_at_crossings
+from knifetip.topology.subdivision import Subdivision, subdivide
+
+#: Greatest length of an overshoot (mm): 20 mm and the tolerance of a contact.
+OVERSHOOT: Final = 20.05
+#: Gaps up to this are closed in the search for contours, and a cut up to this that is attached to a
+#: contour is an overshoot (mm).
+_NEAR: Final = 1.95
+#: Line types of folds.
+_FOLDS: Final = (LineType.CREASE, LineType.COMBI, LineType.V_GROOVE)
+#: A cut at a smaller angle runs along a fold and does not divide it (sine of 1°).
+_ACROSS: Final = sin(radians(ANGLE))
+
+
+class _Parts(NamedTuple):
+    """The q pieces into which cuts divide folds, sorted by fold and from its start to its end."""
+
+    edge: I64  #: (q,) edge of each piece
+    begin: F64  #: (q,) start of each piece, 0 … 1 of the edge
+    end: F64  #: (q,) end of each piece
+
+
+@dataclass(frozen=True, slots=True)
+class _Contours:
+    """The contours that cuts form, and the signs of panels whose outlines are open."""
+
+    subdivision: Subdivision
+    doubtful: F64  #: (4,) mm, rectangle around these signs: least x and y, greatest x and y
+
+    def is_doubtful(self, points: F64) -> Bool:
+        """Return the mask of the points in the rectangle around the signs of open outlines, (m,).
+
+        ``points`` is (m, 2) mm.
+        """
+        low, high = self.doubtful[:2], self.doubtful[2:]
+        inside: Bool = np.all((points >= low) & (points <= high), axis=1)
+        return inside
+
+
+def trim_folds(ends: F64, bulge: F64, kind: U8) -> Pieces | None:
+    """Return the pieces that remain of k edges after folds are trimmed to the panels.
+
+    Dropped parts of folds have the piece -1.  Edges of other line types are pieces as they are.
+    The result is None if nothing is dropped.
+
+    Parameters
+    ----------
+    ends, bulge : (k, 2, 2) mm and (k,)
+        Start and end points, and bulges, of the edges.
+    kind : (k,)
+        Line types of the edges.
+    """
+    is_fold = np.isin(kind, _FOLDS)
+    cuts = np.flatnonzero(kind == LineType.CUT)
+    parts = _divide_at_cuts(ends, bulge, np.flatnonzero(is_fold), cuts)
+    if len(parts.edge) == 0:
+        return None
+    whole = is_fold.copy()
+    whole[parts.edge] = False
+    try:
+        contours = _find_contours(ends[cuts], bulge[cuts], (ends[whole], bulge[whole]))
+    except PlanError:
+        # Too many cuts cross each other for a search of contours.
+        return None
+    middle = arc.point_at(
+        ends[parts.edge, 0],
+        ends[parts.edge, 1],
+        bulge[parts.edge],
+        0.5 * (parts.begin + parts.end),
+    )
+    on_panel, in_waste = _classify(middle, *contours)
+    parts, on_panel, in_waste = _join_panel_parts(parts, on_panel, in_waste)
+    dropped = _find_dropped(ends, bulge, parts, on_panel, in_waste)
+    return _remaining_pieces(ends, bulge, parts, dropped) if dropped.any() else None
+
+
+def _divide_at_cuts(ends: F64, bulge: F64, folds: I64, cuts: I64) -> _Parts:
+    """Return the pieces into which cuts divide folds; folds that are not divided are left out.
+
+    A cut that meets a fold at most ``JOIN`` from an end of the fold does not divide it.
+
+    Parameters
+    ----------
+    ends, bulge : (k, 2, 2) mm and (k,)
+        The edges.
+    folds, cuts
+        Indices of the folds and of the cuts among the edges.
+    """
+    boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)
+    one, other = box_pairs(boxes[folds], boxes[cuts], JOIN)
+    fold, cut = folds[one], cuts[other]
+    contacts = intersect_pairs(
+        ends[fold, 0], ends[fold, 1], bulge[fold], ends[cut, 0], ends[cut, 1], bulge[cut], JOIN
+    )
+    pair, column = np.nonzero(np.arange(contacts.first.shape[1]) < contacts.count[:, None])
+    edge, fraction = fold[pair], contacts.first[pair, column]
+    cut, on_cut = cut[pair], contacts.second[pair, column]
+    ahead = unit_vectors(arc.tangent_at(ends[edge, 0], ends[edge, 1], bulge[edge], fraction))
+    along = unit_vectors(arc.tangent_at(ends[cut, 0], ends[cut, 1], bulge[cut], on_cut))
+    length = arc.length(ends[edge, 0], ends[edge, 1], bulge[edge])
+    inner = (fraction * length > JOIN) & ((1.0 - fraction) * length > JOIN)
+    inner &= np.abs((left_normal(ahead) * along).sum(axis=1)) > _ACROSS
+    edge, fraction, length = edge[inner], fraction[inner], length[inner]
+    divided = np.unique(edge)
+    size = np.concatenate([np.full(len(divided), np.inf), length])
+    edge = np.concatenate([divided, edge])
+    begin = np.concatenate([np.zeros(len(divided)), fraction])
+    order = np.lexsort((begin, edge))
+    edge, begin, size = edge[order], begin[order], size[order]
+    # Contacts with two cuts at one point divide the fold once.
+    new = np.ones(len(edge), np.bool_)
+    new[1:] = (np.diff(edge) > 0) | ~(np.diff(begin) * size[1:] <= JOIN)
+    edge, begin = edge[new], begin[new]
+    is_last = np.append(np.diff(edge) > 0, True)[: len(edge)]
+    return _Parts(edge, begin, np.where(is_last, 1.0, np.roll(begin, -1)))
+
+
+def _find_contours(ends: F64, bulge: F64, folds: tuple[F64, F64]) -> tuple[_Contours, _Contours]:
+    """Return the contours of n cuts with small gaps closed, and the contours of the cuts alone.
+
+    Parameters
+    ----------
+    ends, bulge : (n, 2, 2) mm and (n,)
+        The cuts.
+    folds : (m, 2, 2) mm and (m,)
+        Ends and bulges of the folds that no cut divides.
+
+    Raises
+    ------
+    PlanError
+        The bounding boxes of more than five million pairs of cuts overlap.
+    """
+    exact = _with_doubts(*split_at_crossings(ends, bulge)[:2], folds)
+    links = closing_links(ends, bulge)
+    links = links[np.hypot(*(links[:, 1] - links[:, 0]).T) <= _NEAR]
+    if len(links) == 0:
+        return exact, exact
+    pieces, bent, _ = split_at_crossings(
+        np.concatenate([ends, links]), np.concatenate([bulge, np.zeros(len(links))])
+    )
+    return _with_doubts(pieces, bent, folds), exact
+
+
+def _with_doubts(ends: F64, bulge: F64, folds: tuple[F64, F64]) -> _Contours:
+    """Return the contours that pieces of cuts form, with the rectangle in which panels are
+    doubtful.
+
+    A short piece of a cut that is attached to a contour is an overshoot of that cut, and no sign of
+    an open outline.
+
+    Parameters
+    ----------
+    ends, bulge : (p, 2, 2) mm and (p,)
+        Pieces of cuts, which meet only at their ends.
+    folds : (m, 2, 2) mm and (m,)
+        Ends and bulges of the folds that no cut divides.
+    """
+    subdivision = subdivide(ends, bulge)
+    ends, bulge = np.stack([subdivision.start, subdivision.end], axis=1), subdivision.bulge
+    closing = subdivision.closing
+    is_open = subdivision.outer[subdivision.face].all(axis=1)
+    is_open &= subdivision.depth[subdivision.component] % 2 == 0
+    short = is_open & (arc.length(ends[:, 0], ends[:, 1], bulge) <= _NEAR)
+    if short.any():
+        rows, vertices = np.flatnonzero(short), np.unique(ends[closing].reshape(-1, 2), axis=0)
+        attached = np.isin(ends[rows].copy().view(np.complex128)[..., 0],
+                           vertices.view(np.complex128)[:, 0])  # fmt: skip
+        is_open[rows[attached.any(axis=1)]] = False
+    middle = arc.point_at(folds[0][:, 0], folds[0][:, 1], folds[1], np.full(len(folds[1]), 0.5))
+    is_lost = subdivision.count_enclosing(middle) % 2 == 0
+    signs = np.concatenate([ends[is_open], folds[0][is_lost]])
+    bent = np.concatenate([bulge[is_open], folds[1][is_lost]])
+    boxes = arc.bounding_boxes(signs[:, 0], signs[:, 1], bent)
+    low = boxes[:, :2].min(axis=0, initial=np.inf)
+    high = boxes[:, 2:].max(axis=0, initial=-np.inf)
+    return _Contours(subdivision, np.concatenate([low, high]))
+
+
+def _classify(points: F64, linked: _Contours, exact: _Contours) -> tuple[Bool, Bool]:
+    """Return which of m points lie on panels, (m,), and which lie surely in the waste, (m,).
+
+    Parameters
+    ----------
+    points : (m, 2) mm
+        The points.
+    linked, exact
+        The contours if small gaps between cuts are closed, and the contours that cuts alone form.
+        A gap may be the end of a strip between two slits, so only contours without gaps are holes.
+    """
+    count = linked.subdivision.count_enclosing(points)
+    on_panel = count % 2 == 1
+    in_hole = (exact.subdivision.count_enclosing(points) % 2 == 0) & ~exact.is_doubtful(points)
+    outside = (count == 0) & ~linked.is_doubtful(points)
+    return on_panel, outside | (in_hole & (count > 0) & ~on_panel)
+
+
+def _join_panel_parts(parts: _Parts, on_panel: Bool, in_waste: Bool) -> tuple[_Parts, Bool, Bool]:
+    """Join neighbouring pieces of a fold that lie on panels; return the pieces and their masks."""
+    follows = np.zeros(len(on_panel), np.bool_)
+    follows[1:] = (np.diff(parts.edge) == 0) & on_panel[1:] & on_panel[:-1]
+    first = np.flatnonzero(~follows)
+    last = np.append(first[1:], len(follows)) - 1
+    joined = _Parts(parts.edge[first], parts.begin[first], parts.end[last])
+    return joined, on_panel[first], in_waste[first]
+
+
+def _find_dropped(ends: F64, bulge: F64, parts: _Parts, on_panel: Bool, in_waste: Bool) -> Bool:
+    """Return the mask of the q pieces that are dropped, (q,).
+
+    Parameters
+    ----------
+    ends, bulge : (k, 2, 2) mm and (k,)
+        All edges.
+    parts
+        The q pieces of folds.
+    on_panel, in_waste : (q,)
+        Which pieces lie on panels, and which surely in the waste.
+    """
+    edge, begin, end = parts
+    size = (end - begin) * arc.length(ends[edge, 0], ends[edge, 1], bulge[edge])
+    is_first = np.append(True, np.diff(edge) > 0)
+    is_last = np.append(is_first[1:], True)
+    rows = np.concatenate([np.flatnonzero(is_first), np.flatnonzero(is_last)])
+    side = np.repeat([0, 1], [is_first.sum(), is_last.sum()])
+    touched = find_points_on_segments(
+        ends[edge[rows], side], edge[rows].astype(np.int32), ends[:, 0], ends[:, 1], bulge, JOIN
+    )
+    # A fold that is not divided any more has no overshoot.
+    shaped = np.zeros(len(edge), np.bool_)
+    shaped[rows[~touched]] = True
+    shaped &= (size <= OVERSHOOT) & (is_first != is_last)
+    panel_before = ~is_first & np.roll(on_panel, 1)
+    panel_after = ~is_last & np.roll(on_panel, -1)
+    overshoot = in_waste & shaped & (panel_before | panel_after)
+    waste = np.where(overshoot, size, 0.0)
+    beside = np.where(~is_first, np.roll(waste, 1), 0.0) + np.where(
+        ~is_last, np.roll(waste, -1), 0.0
+    )
+    short = beside >= size
+    overshoot &= ~np.where(is_first, np.roll(short, -1), np.roll(short, 1))
+    passage = in_waste & panel_before & panel_after & ~np.roll(shaped, 1) & ~np.roll(shaped, -1)
+    return overshoot | passage
+
+
+def _remaining_pieces(ends: F64, bulge: F64, parts: _Parts, dropped: Bool) -> Pieces:
+    """Return the pieces of k edges that remain if pieces of folds are dropped.
+
+    Parameters
+    ----------
+    ends, bulge : (k, 2, 2) mm and (k,)
+        All edges.
+    parts, dropped
+        The q pieces of folds, and the mask of those that are dropped, (q,).
+    """
+    others = np.setdiff1d(np.arange(len(bulge)), parts.edge)
+    edge = np.concatenate([others, parts.edge])
+    begin = np.concatenate([np.zeros(len(others)), parts.begin])
+    end = np.concatenate([np.ones(len(others)), parts.end])
+    kept = np.concatenate([np.ones(len(others), np.bool_), ~dropped])
+    order = np.lexsort((begin, edge))
+    edge, begin, end, kept = edge[order], begin[order], end[order], kept[order]
+    # Neighbouring parts that are kept form one piece.
+    follows = np.zeros(len(edge), np.bool_)
+    follows[1:] = (np.diff(edge) == 0) & kept[1:] & kept[:-1]
+    first = np.flatnonzero(kept & ~follows)
+    last = np.flatnonzero(kept & ~np.append(follows[1:], False))
+    number = np.cumsum(kept & ~follows) - 1
+    owner, low, high = edge[first], begin[first], end[last]
+    start, finish, bent = arc.sub_arc(ends[owner, 0], ends[owner, 1], bulge[owner], low, high)
+    return Pieces(
+        np.stack(
+            [
+                np.where((low == 0.0)[:, None], ends[owner, 0], start),
+                np.where((high == 1.0)[:, None], ends[owner, 1], finish),
+            ],
+            axis=1,
+        ),
+        np.where((low == 0.0) & (high == 1.0), bulge[owner], bent),
+        owner.astype(np.int32),
+        edge.astype(np.int32),
+        begin,
+        end,
+        np.where(kept, number, -1).astype(np.int32),
+        np.zeros(len(edge), np.bool_),
+    )
