@@ -17,11 +17,13 @@ by Δz tan θ to the right.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 
+from knifetip.kernels import F64_2, I32_1, kernel
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine, Station
 from knifetip.verification.columns import F64, I32, I64, U8, Bool
@@ -90,18 +92,49 @@ def tip_poses(moves: Moves, machine: Machine, board: Board) -> TipPoses:
     """Return the poses of the tip of the selected station's tool at the start and end of each of
     the n moves.
     """
-    start, end = moves.start.copy(), moves.end.copy()
-    for index, station in enumerate(machine.stations):
-        rows = moves.station == index
-        for pose in (start, end):
-            pose[rows] -= (station.x, station.y, station.z, station.c)
-            pose[rows, :2] += tip_offset(pose[rows, 3], station)
+    tools = [expected_tool(station.tool) for station in machine.stations]
+    datum = np.array([(one.x, one.y, one.z, one.c) for one in machine.stations])
+    tips = np.array([(tool.ahead, tool.right) for tool in tools])
+    start = _tips_at(moves.start, moves.station, datum.reshape(-1, 4), tips.reshape(-1, 2))
+    end = _tips_at(moves.end, moves.station, datum.reshape(-1, 4), tips.reshape(-1, 2))
     lowest = np.fmin(start[:, 2], end[:, 2])
     inside = (moves.station >= 0) & (lowest < board.caliper - LEVEL)
     beam = beam_moves(moves, machine)
     # A beam cuts wherever it is on, at any height.
     inside[beam] = moves.oscillating[beam]
     return TipPoses(start, end, moves.line, moves.station, inside)
+
+
+@kernel
+def _tips_at(joints: F64_2, station: I32_1, datum: F64_2, tips: F64_2) -> Any:
+    """Return the pose of the tip of the selected tool at each of n positions of the joints, (n, 4).
+
+    Parameters
+    ----------
+    joints : (n, 4)
+        Positions of X, Y, Z (mm) and C (degrees).
+    station : (n,)
+        Index of the selected station, -1 for none.
+    datum : (s, 4)
+        Position of the joints at which each station's tool is at the origin of the sheet.
+    tips : (s, 2) mm
+        Distance of each tool's tip ahead of the head's axis, and to the right of it.
+    """
+    poses = joints.copy()
+    heading, cos, sin = math.nan, 1.0, 0.0
+    for row in range(len(joints)):
+        own = station[row]
+        if own < 0:
+            continue
+        for axis in range(4):
+            poses[row, axis] -= datum[own, axis]
+        if poses[row, 3] != heading:
+            heading = poses[row, 3]
+            cos, sin = math.cos(math.radians(heading)), math.sin(math.radians(heading))
+        ahead, right = tips[own, 0], tips[own, 1]
+        poses[row, 0] += ahead * cos + right * sin
+        poses[row, 1] += ahead * sin - right * cos
+    return poses
 
 
 def beam_moves(moves: Moves, machine: Machine) -> Bool:

@@ -24,6 +24,7 @@ from knifetip.verification.checks import motion_checks
 from knifetip.verification.checks.carriage_check import check_carriages
 from knifetip.verification.checks.check_context import CheckContext, EdgeFigures
 from knifetip.verification.checks.edge_checks import check_edges
+from knifetip.verification.checks.motion_kernels import unknown_positions
 from knifetip.verification.checks.output_checks import check_switching
 from knifetip.verification.checks.overlap_check import check_overlaps
 from knifetip.verification.checks.unreached_areas import merge_unreached
@@ -175,7 +176,7 @@ def _trace(
         moves, tip, machine, board, tolerance + moves.resolution, sheet, findings
     )
     check_overlaps(moves, tip, machine, tolerance, findings)
-    usable &= ~np.isnan(tip.start).any(axis=1) & ~np.isnan(tip.end).any(axis=1)
+    usable &= ~unknown_positions(tip.start, tip.end)[0]
     return moves, tip, tip_paths(moves, tip, usable, machine, board)
 
 

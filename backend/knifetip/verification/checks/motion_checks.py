@@ -9,8 +9,16 @@ import numpy as np
 from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine
+from knifetip.verification.checks.motion_kernels import (
+    feed_seconds,
+    path_lengths,
+    rapid_seconds,
+    reached_positions,
+    unknown_positions,
+    within_limits,
+)
 from knifetip.verification.checks.sheet_check import stays_beside_sheet
-from knifetip.verification.columns import F64, Bool
+from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.expectation.sheet_area import SheetArea
 from knifetip.verification.findings import MAX_FINDINGS, Findings
 from knifetip.verification.kinematics import LEVEL, TipPoses, beam_moves
@@ -32,12 +40,7 @@ MAX_BOW: Final = 1e-3
 
 def move_lengths(moves: Moves) -> F64:
     """Return the length of each move along X, Y and Z, (n,) mm; NaN if a position is unknown."""
-    vector = moves.end - moves.start
-    radius = np.hypot(*(moves.start[:, :2] - moves.centre).T)
-    flat = np.where(
-        moves.sweep != 0.0, radius * np.abs(moves.sweep), np.hypot(vector[:, 0], vector[:, 1])
-    )
-    result: F64 = np.hypot(flat, vector[:, 2])
+    result: F64 = path_lengths(moves.start, moves.end, moves.centre, moves.sweep)
     return result
 
 
@@ -46,20 +49,31 @@ def check_travel(moves: Moves, machine: Machine, findings: Findings) -> Bool:
 
     Adds a finding for each move that leaves these limits or continues outside them.
     """
-    good = np.ones(len(moves.line), np.bool_)
+    limits = np.array([[axis.low, axis.high] for axis in machine.axes.values()])
+    good: Bool = within_limits(
+        moves.axes_start, moves.axes_end, moves.centre, moves.sweep, limits, TRAVEL_TOLERANCE
+    )
+    outside = np.flatnonzero(~good)
+    if len(outside):
+        _report_travel(moves, outside, machine, findings)
+    return good
+
+
+def _report_travel(moves: Moves, rows: I64, machine: Machine, findings: Findings) -> None:
+    """Add a finding for each of some moves that leaves the limits of an axis.
+
+    A move that starts or stays outside the limits gets none.  ``rows`` are the indices of the
+    moves, ascending.
+    """
     rotary = {carriage.letters[3] for carriage in machine.carriages}
-    # Report the move that leaves the travel, not those that start or stay outside.
-    low, high = axis_ranges(moves)
-    round_ = moves.sweep != 0.0
+    axes_start, axes_end = moves.axes_start[rows], moves.axes_end[rows]
+    sweep = moves.sweep[rows]
+    low, high = reached_positions(axes_start, axes_end, moves.centre[rows], sweep)
     for column, (name, axis) in enumerate(machine.axes.items()):
-        start, end = moves.axes_start[:, column], moves.axes_end[:, column]
         below = np.nan_to_num(axis.low - low[:, column])
         above = np.nan_to_num(high[:, column] - axis.high)
         past = np.maximum(below, above)
-        good &= past <= TRAVEL_TOLERANCE
-        good &= ~(start < axis.low - TRAVEL_TOLERANCE)
-        good &= ~(start > axis.high + TRAVEL_TOLERANCE)
-        goes = round_ | (start != end)
+        goes = (sweep != 0.0) | (axes_start[:, column] != axes_end[:, column])
         for row in np.flatnonzero((past > TRAVEL_TOLERANCE) & goes)[:MAX_FINDINGS]:
             reached = low[row, column] if below[row] > above[row] else high[row, column]
             message = Message(
@@ -69,8 +83,7 @@ def check_travel(moves: Moves, machine: Machine, findings: Findings) -> Bool:
                 low=axis.low,
                 high=axis.high,
             )
-            findings.add("travel", message, past[row], line=moves.line[row])
-    return good
+            findings.add("travel", message, past[row], line=moves.line[rows[row]])
 
 
 def axis_ranges(moves: Moves) -> tuple[F64, F64]:
@@ -80,18 +93,7 @@ def axis_ranges(moves: Moves) -> tuple[F64, F64]:
     On a line they are the position at its end.  On an arc, X and Y (the first two columns) also
     reach the extremes of the arc.
     """
-    low, high = moves.axes_end.copy(), moves.axes_end.copy()
-    round_ = moves.sweep != 0.0
-    centre = moves.centre
-    radius = np.hypot(*(moves.start[:, :2] - centre).T)
-    first = np.arctan2(*(moves.start[:, :2] - centre).T[::-1])
-    for quarter in range(4):
-        angle = quarter * np.pi / 2.0
-        ahead = np.where(moves.sweep > 0.0, angle - first, first - angle) % (2.0 * np.pi)
-        hit = round_ & (ahead <= np.abs(moves.sweep))
-        extreme = centre + radius[:, None] * np.array([np.cos(angle), np.sin(angle)])
-        low[hit, :2] = np.minimum(low[hit, :2], extreme[hit])
-        high[hit, :2] = np.maximum(high[hit, :2], extreme[hit])
+    low, high = reached_positions(moves.axes_start, moves.axes_end, moves.centre, moves.sweep)
     return low, high
 
 
@@ -111,7 +113,9 @@ def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, findings: Finding
     length = move_lengths(moves)
     degrees = np.abs(moves.end[:, 3] - moves.start[:, 3])
     # If the tip rests while C turns, the move is a swivel, even if the head moves round the tip.
-    swivel = level & _resting_tips(moves, tip, machine) & (degrees > 0.0)
+    swivel = level & (degrees > 0.0)
+    turning = np.flatnonzero(swivel)
+    swivel[turning] = _resting_tips(moves, tip, machine, turning)
     carriages = [machine.carriages[station.carriage - 1] for station in machine.stations]
     turning = np.array([*(one.axes[3].velocity for one in carriages), machine.c.velocity])
     turn_minutes = degrees / (60.0 * turning[moves.station])
@@ -151,14 +155,15 @@ def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, findings: Finding
         findings.add("feed", message, length[row], line=moves.line[row])
 
 
-def _resting_tips(moves: Moves, tip: TipPoses, machine: Machine) -> Bool:
-    """Return the mask of the n moves during which the tip does not move along X and Y, shape (n,).
+def _resting_tips(moves: Moves, tip: TipPoses, machine: Machine, rows: I64) -> Bool:
+    """Return the mask of those of k moves during which the tip does not move along X and Y, (k,).
 
-    The head of a drag knife may move round its resting tip in such a move.
+    The head of a drag knife may move round its resting tip in such a move.  ``rows`` are the
+    indices of the moves, (k,).
     """
     circles = np.array([expected_tool(station.tool).circles_tip for station in machine.stations])
-    distance = np.hypot(*(tip.end - tip.start)[:, :2].T)
-    result: Bool = (distance < 1e-3) & ((moves.sweep == 0.0) | circles[moves.station])
+    distance = np.hypot(*(tip.end[rows, :2] - tip.start[rows, :2]).T)
+    result: Bool = (distance < 1e-3) & ((moves.sweep[rows] == 0.0) | circles[moves.station[rows]])
     return result
 
 
@@ -241,7 +246,7 @@ def check_board_moves(
     lowest = np.fmin(tip.start[:, 2], tip.end[:, 2])
     beam = beam_moves(moves, machine)
     _check_beam(moves, tip, beam, findings)
-    unknown = np.isnan(moves.end).any(axis=1) | np.isnan(moves.start).any(axis=1)
+    unknown, sideways = unknown_positions(moves.start, moves.end)
     rapids = np.flatnonzero(tip.inside & ~beam & (moves.code == 0))
     if sheet is not None:
         known = np.flatnonzero(tip.inside & ~beam & (moves.code == 0) & ~unknown)
@@ -254,27 +259,28 @@ def check_board_moves(
         findings.add(
             "stray", Message(code, station=number, depth=depth), depth, line=moves.line[row]
         )
-    still = (moves.end == moves.start) | (np.isnan(moves.end) & np.isnan(moves.start))
-    sideways = np.isnan(moves.start[:, 2]) & ~still[:, [0, 1, 3]].all(axis=1)
     for row in np.flatnonzero((unknown & (moves.code > 0)) | sideways)[:MAX_FINDINGS]:
         findings.add("program", Message("verify.unknown-position"), 0.0, line=moves.line[row])
 
     stay = tip.inside & (moves.code > 0) & ~unknown
     drop = tip.end[:, 2] - tip.start[:, 2]
     slanted = stay & ~beam & (np.abs(drop) > LEVEL)
-    top = np.minimum(np.maximum(tip.start[:, 2], tip.end[:, 2]), board.caliper)
-    fraction = np.divide(top - lowest, np.abs(drop), out=np.zeros(len(drop)), where=slanted)
+    rows = np.flatnonzero(slanted)
+    drop, begin, end = drop[rows], tip.start[rows], tip.end[rows]
+    top = np.minimum(np.maximum(begin[:, 2], end[:, 2]), board.caliper)
+    fraction = (top - lowest[rows]) / np.abs(drop)
     slope = np.array([expected_tool(station.tool).slope for station in machine.stations])
-    heading = np.radians(tip.end[:, 3])
-    right = np.stack([np.sin(heading), -np.cos(heading)], axis=1)
-    planned = right * (drop * slope[moves.station])[:, None]
-    astray = np.hypot(*((tip.end - tip.start)[:, :2] - planned).T) * fraction
-    for row in np.flatnonzero(slanted & ((astray > tolerance) | (moves.sweep != 0.0)))[
-        :MAX_FINDINGS
-    ]:
-        number = _number(moves, machine, row)
-        message = Message("verify.slanted", station=number, distance=astray[row])
-        findings.add("deviation", message, astray[row], line=moves.line[row])
+    aside = drop * slope[moves.station[rows]]
+    heading = np.radians(end[:, 3])
+    astray = fraction * np.hypot(
+        end[:, 0] - begin[:, 0] - np.sin(heading) * aside,
+        end[:, 1] - begin[:, 1] + np.cos(heading) * aside,
+    )
+    wrong = (astray > tolerance) | (moves.sweep[rows] != 0.0)
+    for k in np.flatnonzero(wrong)[:MAX_FINDINGS]:
+        number = _number(moves, machine, rows[k])
+        message = Message("verify.slanted", station=number, distance=astray[k])
+        findings.add("deviation", message, astray[k], line=moves.line[rows[k]])
     _check_turns(moves, tip, machine, stay, slanted, findings)
 
 
@@ -285,11 +291,11 @@ def _check_beam(moves: Moves, tip: TipPoses, beam: Bool, findings: Findings) -> 
     Adds findings.  ``beam`` is the mask of the n moves whose station carries a laser, (n,).
     """
     beam_on = beam & tip.inside
-    distance = np.hypot(*(tip.end - tip.start)[:, :2].T)
-    drop = np.abs(tip.end[:, 2] - tip.start[:, 2])
     for row in np.flatnonzero(beam_on & (moves.code == 0))[:MAX_FINDINGS]:
-        message = Message("verify.beam-on-rapid", length=distance[row])
-        findings.add("stray", message, distance[row], line=moves.line[row])
+        distance = float(np.hypot(*(tip.end[row, :2] - tip.start[row, :2])))
+        message = Message("verify.beam-on-rapid", length=distance)
+        findings.add("stray", message, distance, line=moves.line[row])
+    drop = np.abs(tip.end[:, 2] - tip.start[:, 2])
     for row in np.flatnonzero(beam_on & (moves.code > 0) & (drop > LEVEL))[:MAX_FINDINGS]:
         message = Message("verify.beam-refocused", height=drop[row])
         findings.add("depth", message, drop[row], line=moves.line[row])
@@ -315,22 +321,25 @@ def _check_turns(
     widest = np.array([tool.swivel for tool in tools])
     max_turn = np.array([tool.max_turn for tool in tools])
     follows = np.array([tool.follows_path for tool in tools])
-    turn = tip.end[:, 3] - tip.start[:, 3]
-    in_place = slanted | _resting_tips(moves, tip, machine)
-    path = np.where(follows[moves.station] & ~in_place, np.degrees(moves.sweep), 0.0)
+    rows = np.flatnonzero(in_board)
+    begin, end = tip.start[rows], tip.end[rows]
+    station, sweep, steep = moves.station[rows], moves.sweep[rows], slanted[rows]
+    turn = end[:, 3] - begin[:, 3]
+    in_place = steep | _resting_tips(moves, tip, machine, rows)
+    path = np.where(follows[station] & ~in_place, np.degrees(sweep), 0.0)
     error = np.abs(turn - path)
-    limit = np.where(slanted, ANGLE_TOLERANCE, widest[moves.station])
-    length = np.hypot(*(tip.end - tip.start)[:, :2].T)
-    straight = in_board & ~in_place & (moves.sweep == 0.0) & (length > 0.0)
+    limit = np.where(steep, ANGLE_TOLERANCE, widest[station])
+    length = np.hypot(end[:, 0] - begin[:, 0], end[:, 1] - begin[:, 1])
+    straight = ~in_place & (sweep == 0.0) & (length > 0.0)
     # The angle of an arc over this chord with a sagitta of MAX_BOW.
     limit[straight] += np.degrees(8.0 * MAX_BOW / length[straight])
-    limit = np.minimum(limit, max_turn[moves.station] + ANGLE_TOLERANCE)
-    for row in np.flatnonzero(in_board & (error > limit))[:MAX_FINDINGS]:
-        if in_place[row]:
-            message = Message("verify.turn-in-board", degrees=error[row], most=limit[row])
+    limit = np.minimum(limit, max_turn[station] + ANGLE_TOLERANCE)
+    for k in np.flatnonzero(error > limit)[:MAX_FINDINGS]:
+        if in_place[k]:
+            message = Message("verify.turn-in-board", degrees=error[k], most=limit[k])
         else:
-            message = Message("verify.turn-off-path", degrees=turn[row], path=path[row])
-        findings.add("heading", message, error[row], line=moves.line[row])
+            message = Message("verify.turn-off-path", degrees=turn[k], path=path[k])
+        findings.add("heading", message, error[k], line=moves.line[rows[k]])
 
 
 def nominal_seconds(moves: Moves, machine: Machine) -> float:
@@ -339,10 +348,9 @@ def nominal_seconds(moves: Moves, machine: Machine) -> float:
     It is the sum of the durations of feed moves (length / feed), of rapids at the axes' greatest
     velocities, and of dwells.
     """
-    length = move_lengths(moves)
     velocity = np.array([axis.velocity for axis in machine.axes.values()])
-    travel = np.nan_to_num(np.abs(moves.axes_end - moves.axes_start))
-    rapid = np.max(travel / velocity, axis=1, initial=0.0)
-    minutes = np.where(moves.inverse, 1.0 / moves.feed, length / moves.feed)
-    working = np.where(np.isfinite(minutes), minutes, 0.0) * 60.0
-    return float(np.where(moves.code == 0, rapid, working).sum() + moves.dwell)
+    rapids = rapid_seconds(moves.axes_start, moves.axes_end, moves.code == 0, velocity)
+    feeds = feed_seconds(
+        moves.start, moves.end, moves.centre, moves.sweep, moves.code > 0, moves.inverse, moves.feed
+    )
+    return float(rapids + feeds + moves.dwell)

@@ -16,7 +16,7 @@ import numpy as np
 from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine
-from knifetip.verification.columns import Bool
+from knifetip.verification.columns import I64, Bool
 from knifetip.verification.findings import MAX_FINDINGS, Findings
 from knifetip.verification.reading.moves import Moves
 from knifetip.verification.tools import (
@@ -52,9 +52,6 @@ def _check_stated(moves: Moves, machine: Machine, findings: Findings) -> None:
     """
     heights = _z_heights(machine)
     highest = max(heights.values())
-    lift = _is_upright(moves, list(heights)) & (moves.code == 0)
-    for column, height in heights.items():
-        lift &= moves.axes_end[:, column] >= height - PRINT_ROUNDING
     things = {
         index: Message("verify.output", output=station.output)
         for index, station in enumerate(machine.stations)
@@ -66,12 +63,12 @@ def _check_stated(moves: Moves, machine: Machine, findings: Findings) -> None:
     things[spindle] = Message("verify.spindle")
     burns = has_beam(machine)
     for index, thing in things.items():
-        early = ~moves.stated[:, index]
+        early = np.flatnonzero(~moves.stated[:, index])
         # A beam that was left on also burns during a lift.
         if not (burns and index == spindle):
-            early &= ~lift
-        if early.any():
-            line = int(moves.line[np.argmax(early)])
+            early = early[~_is_lift(moves, early, heights)]
+        if len(early):
+            line = int(moves.line[early[0]])
             if burns and index == spindle:
                 message = Message("verify.moves-with-beam")
             else:
@@ -90,15 +87,23 @@ def _z_heights(machine: Machine) -> dict[int, float]:
     return {letters.index(letter): height for letter, height in travel_heights(machine).items()}
 
 
-def _is_upright(moves: Moves, z_columns: list[int]) -> Bool:
-    """Return the mask of the n moves that change no axis except the Z axes, shape (n,).
+def _is_lift(moves: Moves, rows: I64, heights: dict[int, float]) -> Bool:
+    """Return the mask of those of k moves that are rapids straight up to given heights, (k,).
 
-    ``z_columns`` are the columns of the Z axes in ``Machine.axes``.
+    Parameters
+    ----------
+    rows
+        Indices of the moves, (k,).
+    heights : mm
+        Least position of each Z axis after the move.  The keys are the columns of the Z axes in
+        ``Machine.axes``.
     """
-    start, end = (np.delete(axes, z_columns, 1) for axes in (moves.axes_start, moves.axes_end))
+    start, end = moves.axes_start[rows], moves.axes_end[rows]
     same = (start == end) | (np.isnan(start) & np.isnan(end))
-    result: Bool = same.all(axis=1)
-    return result
+    lift: Bool = np.delete(same, list(heights), 1).all(axis=1) & (moves.code[rows] == 0)
+    for column, height in heights.items():
+        lift &= end[:, column] >= height - PRINT_ROUNDING
+    return lift
 
 
 def _check_heights(moves: Moves, machine: Machine, board: Board, findings: Findings) -> None:

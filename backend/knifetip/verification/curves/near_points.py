@@ -3,29 +3,36 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from knifetip.kernels import F64_2, OutI64_1, inline_kernel, kernel
+from knifetip.kernels import F64_2, I32_1, OutI64_1, inline_kernel, kernel
 
 #: Most cells per axis that a cell may be wider than the distance of a pair.  In wider cells, fewer
 #: points have their neighbours in other cells.
 _WIDEST = 16.0
 
 
+class _PointGrid(NamedTuple):
+    """Points in a hash table of square cells, and the points that are compared with them."""
+
+    points: F64_2  #: (n, 2) mm
+    others: F64_2  #: (m, 2) mm, the points in the table
+    first: I32_1  #: first point of each bucket, -1 for none; their number is a power of two
+    following: I32_1  #: (m,) next point of the same bucket, -1 for none
+    low_x: float  #: mm, lower left corner of the cells
+    low_y: float
+    distance: float  #: mm, greatest distance of a pair
+    width: float  #: mm, width of the cells
+
+
 @inline_kernel
 def _bucket(column: int, row: int, mask: int) -> int:
-    mixed = column * 0x9E3779B1 + row * 0x85EBCA77
-    return (mixed ^ (mixed >> 17)) & mask
-
-
-@kernel
-def _lengthened(values: OutI64_1, used: int) -> Any:
-    longer = np.empty(2 * len(values), np.int64)
-    for k in range(used):
-        longer[k] = values[k]
-    return longer
+    mixed = (column * 73856093) ^ (row * 19349663)
+    mixed = (mixed ^ (mixed >> 15)) * 0x2C1B3C6D
+    mixed = (mixed ^ (mixed >> 12)) * 0x297A2D39
+    return (mixed ^ (mixed >> 15)) & mask
 
 
 @kernel
@@ -72,53 +79,17 @@ def near_points(points: F64_2, others: F64_2, distance: float, most: int) -> Any
         following[j] = first[bucket]
         first[bucket] = j
 
-    one, other = np.empty(len(points) + 64, np.int64), np.empty(len(points) + 64, np.int64)
-    rank = np.empty(len(points) + 64, np.int64)
-    used, compared = 0, 0
-    for i in range(len(points)):
-        x, y = points[i, 0], points[i, 1]
-        own_column = math.floor((x - low_x) / distance)
-        own_row = math.floor((y - low_y) / distance)
-        begin = used
-        column_0 = math.floor((x - distance - low_x) / width)
-        column_1 = math.floor((x + distance - low_x) / width)
-        row_0 = math.floor((y - distance - low_y) / width)
-        row_1 = math.floor((y + distance - low_y) / width)
-        for column in range(column_0, column_1 + 1):
-            for row in range(row_0, row_1 + 1):
-                j = first[_bucket(column, row, buckets - 1)]
-                while j >= 0:
-                    compared += 1
-                    dx, dy = x - others[j, 0], y - others[j, 1]
-                    if (
-                        abs(dx) <= distance
-                        and abs(dy) <= distance
-                        and math.hypot(dx, dy) <= distance
-                        # Another cell may share the bucket.
-                        and math.floor((others[j, 0] - low_x) / width) == column
-                        and math.floor((others[j, 1] - low_y) / width) == row
-                    ):
-                        across = math.floor((others[j, 0] - low_x) / distance) - own_column
-                        up = math.floor((others[j, 1] - low_y) / distance) - own_row
-                        if abs(across) <= 1 and abs(up) <= 1:
-                            if used == len(one):
-                                one = _lengthened(one, used)
-                                other = _lengthened(other, used)
-                                rank = _lengthened(rank, used)
-                            here = 3 * across + up + 4
-                            slot = used
-                            while slot > begin and (
-                                rank[slot - 1] > here
-                                or (rank[slot - 1] == here and other[slot - 1] > j)
-                            ):
-                                rank[slot], other[slot] = rank[slot - 1], other[slot - 1]
-                                slot -= 1
-                            rank[slot], other[slot] = here, j
-                            one[used] = i
-                            used += 1
-                    j = following[j]
-        if compared > most:
-            return one[:0], other[:0], False
+    grid = _PointGrid(points, others, first, following, low_x, low_y, distance, width)
+    room = len(points) + len(others)
+    while True:
+        one, other = np.empty(room, np.int64), np.empty(room, np.int64)
+        rank = np.empty(room, np.int64)
+        used, complete = _search(grid, most, one, other, rank)
+        if used <= room:
+            break
+        room = used
+    if not complete:
+        return one[:0], other[:0], False
     # The pairs of the column to the left come first, then those of the same column.
     place = np.zeros(3, np.int64)
     for k in range(used):
@@ -131,3 +102,67 @@ def near_points(points: F64_2, others: F64_2, distance: float, most: int) -> Any
         sorted_one[slot], sorted_other[slot] = one[k], other[k]
         place[rank[k] // 3] += 1
     return sorted_one, sorted_other, True
+
+
+@kernel(allocates=False)
+def _search(grid: _PointGrid, most: int, one: OutI64_1, other: OutI64_1, rank: OutI64_1) -> Any:
+    """Write the near pairs to ``one`` and ``other``, and the cell of the second point of each,
+    relative to the first one, to ``rank``.
+
+    The cells are numbered by columns, from 0 at the lower left to 8 at the upper right.  Returns
+    the number of pairs, and whether at most ``most`` points were compared.  If there are more pairs
+    than the arrays have entries, the others are counted only.
+    """
+    points, distance, width = grid.points, grid.distance, grid.width
+    low_x, low_y, mask = grid.low_x, grid.low_y, len(grid.first) - 1
+    used, compared = 0, 0
+    for i in range(len(points)):
+        x, y = points[i, 0], points[i, 1]
+        begin = used
+        column_0 = math.floor((x - distance - low_x) / width)
+        column_1 = math.floor((x + distance - low_x) / width)
+        row_0 = math.floor((y - distance - low_y) / width)
+        row_1 = math.floor((y + distance - low_y) / width)
+        for column in range(column_0, column_1 + 1):
+            for row in range(row_0, row_1 + 1):
+                j = grid.first[_bucket(column, row, mask)]
+                while j >= 0:
+                    compared += 1
+                    here = _cell_beside(grid, x, y, column, row, j)
+                    if here >= 0:
+                        if used < len(one):
+                            slot = used
+                            while slot > begin and (
+                                rank[slot - 1] > here
+                                or (rank[slot - 1] == here and other[slot - 1] > j)
+                            ):
+                                rank[slot], other[slot] = rank[slot - 1], other[slot - 1]
+                                slot -= 1
+                            rank[slot], other[slot] = here, j
+                            one[used] = i
+                        used += 1
+                    j = grid.following[j]
+        if compared > most:
+            return 0, False
+    return used, True
+
+
+@inline_kernel
+def _cell_beside(grid: _PointGrid, x: float, y: float, column: int, row: int, j: int) -> int:
+    """Return the number of the cell of point j relative to that of the point (x, y), 0 … 8.
+
+    Returns -1 if the points are farther apart than the greatest distance of a pair, or if point j
+    is not in the wide cell ``column``, ``row``, because another cell may share the bucket.
+    """
+    other_x, other_y = grid.others[j, 0], grid.others[j, 1]
+    dx, dy = x - other_x, y - other_y
+    if abs(dx) > grid.distance or abs(dy) > grid.distance:
+        return -1
+    if math.hypot(dx, dy) > grid.distance:
+        return -1
+    right, above = other_x - grid.low_x, other_y - grid.low_y
+    if math.floor(right / grid.width) != column or math.floor(above / grid.width) != row:
+        return -1
+    across = math.floor(right / grid.distance) - math.floor((x - grid.low_x) / grid.distance)
+    up = math.floor(above / grid.distance) - math.floor((y - grid.low_y) / grid.distance)
+    return 3 * across + up + 4 if abs(across) <= 1 and abs(up) <= 1 else -1

@@ -16,10 +16,11 @@ from knifetip.kernels import (
     F64_1,
     F64_2,
     I32_1,
-    I32_2,
     Bool_1,
     OutF64_2,
     OutI32_1,
+    OutI32_2,
+    OutI64_1,
     inline_kernel,
     kernel,
 )
@@ -201,41 +202,76 @@ def list_by_cell(
     as rows of six numbers (see ``curves.curve``); ``cells_near_curve`` describes the grid.
     """
     first = np.zeros(wide * tall + 1, np.int32)
-    searched_for = np.full(wide * tall, -1, np.int32)
+    last_row = np.full(wide * tall, -1, np.int32)
     cells = np.empty(64, np.int32)
-    cell_of = np.empty(4 * len(curves) + 64, np.int32)
+    entries = np.empty(4 * len(curves) + 64, np.int32)
     ends = np.empty(len(curves), np.int64)
-    used = 0
-    for row in range(len(curves)):
-        if usable[row]:
-            many = cells_near_curve(curves, row, margin, corner, size, wide, tall, cells)
-            if many > len(cells):
-                cells = np.empty(2 * many, np.int32)
-                cells_near_curve(curves, row, margin, corner, size, wide, tall, cells)
-            if used + many > len(cell_of):
-                longer = np.empty(2 * (used + many), np.int32)
-                longer[:used] = cell_of[:used]
-                cell_of = longer
-            for k in range(many):
-                cell = cells[k]
-                if searched_for[cell] != row:
-                    searched_for[cell] = row
-                    cell_of[used] = cell
-                    used += 1
-                    first[cell + 1] += 1
-        ends[row] = used
+    row, used = 0, 0
+    while True:
+        row, used, room = _enter_cells(
+            curves, usable, margin, corner, size, wide, tall, row, used, cells, entries, last_row,
+            first, ends,
+        )  # fmt: skip
+        if row == len(curves):
+            break
+        if room > len(cells):
+            cells = np.empty(2 * room, np.int32)
+        longer = np.empty(2 * (used + room), np.int32)
+        longer[:used] = entries[:used]
+        entries = longer
     for cell in range(wide * tall):
         first[cell + 1] += first[cell]
-        searched_for[cell] = first[cell]
+        last_row[cell] = first[cell]
     listed = np.empty(used, np.int32)
     entry = 0
     for row in range(len(curves)):
         while entry < ends[row]:
-            cell = cell_of[entry]
-            listed[searched_for[cell]] = row
-            searched_for[cell] += 1
+            cell = entries[entry]
+            listed[last_row[cell]] = row
+            last_row[cell] += 1
             entry += 1
     return CellLists(first, listed)
+
+
+@kernel(allocates=False, checks_division=True)
+def _enter_cells(
+    curves: F64_2,
+    usable: Bool_1,
+    margin: float,
+    corner: F64_1,
+    size: float,
+    wide: int,
+    tall: int,
+    begin: int,
+    used: int,
+    cells: OutI32_1,
+    entries: OutI32_1,
+    last_row: OutI32_1,
+    first: OutI32_1,
+    ends: OutI64_1,
+) -> Any:
+    """Append the cells of the curves from row ``begin`` on to ``entries``, after ``used`` entries.
+
+    Counts the curves of cell c in ``first[c + 1]``, and writes the number of entries after each
+    curve to ``ends``.  ``last_row`` is the last curve in each cell, and ``cells`` is scratch.
+    Returns the number of curves that are finished, the number of entries, and the number of cells
+    of the curve for which ``cells`` or ``entries`` is too small.  ``list_by_cell`` describes the
+    other arguments.
+    """
+    for row in range(begin, len(curves)):
+        if usable[row]:
+            many = cells_near_curve(curves, row, margin, corner, size, wide, tall, cells)
+            if many > len(cells) or used + many > len(entries):
+                return row, used, many
+            for k in range(many):
+                cell = cells[k]
+                if last_row[cell] != row:
+                    last_row[cell] = row
+                    entries[used] = cell
+                    used += 1
+                    first[cell + 1] += 1
+        ends[row] = used
+    return len(curves), used, 0
 
 
 @kernel
@@ -258,20 +294,30 @@ def _compared_parts(edges: F64_2, low: F64_1, high: F64_1, limit: float) -> Any:
     return boxes, usable
 
 
-@kernel
-def _double_capacity(pairs: I32_2, spans: F64_2) -> Any:
-    """Return copies of the arrays ``pairs`` and ``spans`` with twice the number of rows.
+class _EdgeGrid(NamedTuple):
+    """Edges in a grid of square cells, and the parts of them that are compared with curves."""
 
-    The rows are copied in loops, which compile faster than slices.
-    """
-    more_pairs = np.empty((2 * len(pairs), 2), np.int32)
-    more_spans = np.empty((2 * len(pairs), 5))
-    for row in range(len(pairs)):
-        for column in range(2):
-            more_pairs[row, column] = pairs[row, column]
-        for column in range(5):
-            more_spans[row, column] = spans[row, column]
-    return more_pairs, more_spans
+    edges: F64_2  #: (m, 6) rows as in ``curves.curve``
+    low: F64_1  #: (m,) mm, start of the compared part
+    high: F64_1  #: (m,) mm, its end
+    boxes: F64_2  #: (m, 4) mm, see ``_compared_parts``
+    corner: F64_1  #: (2,) mm, lower left corner of the grid
+    size: float  #: width of the cells, mm
+    wide: int  #: number of columns
+    tall: int  #: number of rows
+    first: I32_1  #: as in ``CellLists``
+    listed: I32_1
+
+
+class _Found(NamedTuple):
+    """Overlaps that have been found so far, and scratch arrays for the search."""
+
+    pairs: OutI32_2  #: (c, 2) curve and edge
+    spans: OutF64_2  #: (c, 5) see ``_overlap_pair``
+    cells: OutI32_1
+    met: OutI32_1  #: (m,) curve that was compared with each edge last
+    hits: OutF64_2  #: (16, 5)
+    near: OutF64_2  #: (8, 2)
 
 
 @kernel
@@ -288,21 +334,49 @@ def _search_grid(
 ) -> Any:
     boxes, usable = _compared_parts(edges, low, high, limit)
     first, listed = list_by_cell(edges, usable, 0.0, corner, size, wide, tall)
-    cells = np.empty(64, np.int32)
+    grid = _EdgeGrid(edges, low, high, boxes, corner, size, wide, tall, first, listed)
     pairs = np.empty((max(256, 2 * len(curves)), 2), np.int32)
     spans = np.empty((len(pairs), 5))
-    rows = 0
-    met = np.full(len(edges), -1, np.int32)
-    hits = np.empty((16, 5))
-    near = np.empty((8, 2))
-    for curve in range(len(curves)):
-        many = cells_near_curve(curves, curve, limit, corner, size, wide, tall, cells)
-        if many > len(cells):
-            cells = np.empty(2 * many, np.int32)
-            cells_near_curve(curves, curve, limit, corner, size, wide, tall, cells)
+    cells = np.empty(64, np.int32)
+    met, hits, near = np.full(len(edges), -1, np.int32), np.empty((16, 5)), np.empty((8, 2))
+    curve, used = 0, 0
+    while True:
+        found = _Found(pairs, spans, cells, met, hits, near)
+        curve, used, room = _search_from(curves, curve, limit, grid, found, used)
+        if curve == len(curves):
+            return pairs[:used], spans[:used]
+        # One of the arrays was too small for this curve.
+        if room > len(cells):
+            cells = np.empty(2 * room, np.int32)
+        else:
+            more_pairs = np.empty((2 * len(pairs), 2), np.int32)
+            more_spans = np.empty((2 * len(pairs), 5))
+            more_pairs[:used], more_spans[:used] = pairs[:used], spans[:used]
+            pairs, spans = more_pairs, more_spans
+        met[:] = -1
+
+
+@kernel(allocates=False)
+def _search_from(
+    curves: F64_2, begin: int, limit: float, grid: _EdgeGrid, found: _Found, used: int
+) -> Any:
+    """Write the overlaps of the curves from row ``begin`` on to ``found``, after ``used`` rows.
+
+    Returns the number of curves that are finished, the number of overlaps, and the number of cells
+    near the last curve.  The search ends early if an array of ``found`` is too small for a curve.
+    """
+    boxes, met, listed = grid.boxes, found.met, grid.listed
+    for curve in range(begin, len(curves)):
+        many = cells_near_curve(
+            curves, curve, limit, grid.corner, grid.size, grid.wide, grid.tall, found.cells
+        )
+        if many > len(found.cells):
+            return curve, used, many
         box = _curve_box(curves, curve, 0.0, curves[curve, 5])
+        done = used
         for k in range(many):
-            for place in range(first[cells[k]], first[cells[k] + 1]):
+            cell = found.cells[k]
+            for place in range(grid.first[cell], grid.first[cell + 1]):
                 edge = listed[place]
                 if (
                     box[2] < boxes[edge, 0]
@@ -313,18 +387,24 @@ def _search_grid(
                 ):
                     continue
                 met[edge] = curve
-                if rows + len(hits) > len(pairs):
-                    pairs, spans = _double_capacity(pairs, spans)
                 hit_count = _overlap_pair(
-                    curves[curve], edges[edge], low[edge], high[edge], limit, near, hits
+                    curves[curve],
+                    grid.edges[edge],
+                    grid.low[edge],
+                    grid.high[edge],
+                    limit,
+                    found.near,
+                    found.hits,
                 )
+                if used + hit_count > len(found.pairs):
+                    return curve, done, 0
                 for hit in range(hit_count):
-                    pairs[rows, 0] = curve
-                    pairs[rows, 1] = edge
+                    found.pairs[used, 0] = curve
+                    found.pairs[used, 1] = edge
                     for column in range(5):
-                        spans[rows, column] = hits[hit, column]
-                    rows += 1
-    return pairs[:rows], spans[:rows]
+                        found.spans[used, column] = found.hits[hit, column]
+                    used += 1
+    return len(curves), used, 0
 
 
 @kernel(allocates=False, checks_division=True)

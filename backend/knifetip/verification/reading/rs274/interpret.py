@@ -160,20 +160,25 @@ def _make_arcs(blocks: ProgramBlocks, rows: I64, code: U8, start: F64, end: F64)
     start, end : (n, 4)
         Positions of the joints X, Y, Z (mm) and C (degrees) at the start and the end of each move.
     """
-    curved = code >= 2
-    from_start = np.stack([blocks.number["I"][rows], blocks.number["J"][rows]], axis=1)
-    centre = np.where(curved[:, None], start[:, :2] + from_start, np.nan)
-    out, back = start[:, :2] - centre, end[:, :2] - centre
+    centre, sweep = np.full((len(rows), 2), np.nan), np.zeros(len(rows))
+    arc = np.flatnonzero(code >= 2)
+    if len(arc) == 0:
+        return centre, sweep
+    from_start = np.stack([blocks.number["I"][rows[arc]], blocks.number["J"][rows[arc]]], axis=1)
+    begin, stop, left = start[arc, :2], end[arc, :2], code[arc] == 3
+    middle = begin + from_start
+    out, back = begin - middle, stop - middle
     radius, other = np.hypot(*out.T), np.hypot(*back.T)
-    good = curved & (np.abs(radius - other) <= ARC_TOLERANCE) & (radius > PRINT_ROUNDING)
+    good = (np.abs(radius - other) <= ARC_TOLERANCE) & (radius > PRINT_ROUNDING)
     wrong = np.zeros(blocks.count, np.bool_)
-    wrong[rows[curved & ~good]] = True
+    wrong[rows[arc[~good]]] = True
     blocks.fault(wrong, Message("rs274.bad-arc", limit=ARC_TOLERANCE))
     with np.errstate(invalid="ignore"):
         angle = np.arctan2(back[:, 1], back[:, 0]) - np.arctan2(out[:, 1], out[:, 0])
-    ahead = np.where(code == 3, angle, -angle) % (2.0 * np.pi)
+    ahead = np.where(left, angle, -angle) % (2.0 * np.pi)
     # Equal printed ends mean a full circle, for LinuxCNC and for grbl.
-    same = np.hypot(*(end - start)[:, :2].T) < PRINT_ROUNDING
+    same = np.hypot(*(stop - begin).T) < PRINT_ROUNDING
     ahead = np.where(same, 2.0 * np.pi, ahead)
-    sweep = np.where(good, np.where(code == 3, ahead, -ahead), 0.0)
-    return np.where(good[:, None], centre, np.nan), sweep
+    centre[arc[good]] = middle[good]
+    sweep[arc[good]] = np.where(left, ahead, -ahead)[good]
+    return centre, sweep

@@ -44,6 +44,10 @@ _ACTIVE_COMMENT: Final = re.compile(
 _PLACEMENT: Final = re.compile(rb"\(placement X(-?\d+\.\d+) Y(-?\d+\.\d+)\)")
 
 
+#: Bytes below 0x80 that grbl executes at once, wherever they stand.
+_REALTIME: Final = b"!~?\x18"
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class ProgramWords:
     """The n words of a program in the order of the text, and the faults of its lines."""
@@ -89,8 +93,11 @@ def realtime_bytes(text: bytes) -> list[tuple[int, Message]]:
 
     Each fault is (1-based line, message), in ascending order, at most ``_MAX_FAULTS``.
     """
+    text = bytes(text)
+    if text.isascii() and not any(byte in text for byte in _REALTIME):
+        return []
     raw = np.frombuffer(text, np.uint8)
-    acts = np.isin(raw, np.frombuffer(b"!~?\x18", np.uint8)) | (raw >= 0x80)
+    acts = np.isin(raw, np.frombuffer(_REALTIME, np.uint8)) | (raw >= 0x80)
     positions = np.flatnonzero(acts)[:_MAX_FAULTS]
     line = 1 + np.searchsorted(np.flatnonzero(raw == 10), positions)
     return [
