@@ -37,6 +37,7 @@ GROUPS: Final[Mapping[str, tuple[str, ...]]] = {
         "knifetip.planning",
         "knifetip.compensation",
         "knifetip.sequencing",
+        "knifetip.post",
         "knifetip.verification",
         "knifetip.geometry.points_on_segments",
         "knifetip.geometry.intersect",

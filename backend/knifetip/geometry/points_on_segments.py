@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.intersect import write_box
 from knifetip.geometry.spatial_index.box_tree import (
+    BoxTree,
     build_tree,
     new_stack,
     next_overlap,
@@ -18,7 +19,17 @@ from knifetip.geometry.spatial_index.box_tree import (
 )
 from knifetip.geometry.spatial_index.morton import order_boxes
 from knifetip.geometry.tolerance import BULGE
-from knifetip.kernels import F64_1, F64_1A, F64_2, F64_2A, I32_1, I64_1, kernel
+from knifetip.kernels import (
+    F64_1,
+    F64_1A,
+    F64_2,
+    F64_2A,
+    I32_1,
+    I64_1,
+    OutBool_1,
+    OutI64_2,
+    kernel,
+)
 
 #: Smallest sweep of an arc; a segment with a smaller one is a line (radians).
 _LEAST_SWEEP: Final = 4.0 * BULGE
@@ -108,8 +119,39 @@ def _find_points(
     gap : mm
         Largest distance of a point that counts as on a segment.
     """
-    tree, stack = build_tree(boxes), new_stack()
     hit = np.zeros(len(points), np.bool_)
+    segments = _Segments(order, start, end, middle, radius, first, sweep)
+    _mark_points(points, owner, segments, build_tree(boxes), new_stack(), reach, gap, hit)
+    return hit
+
+
+class _Segments(NamedTuple):
+    """The segments that ``_find_points`` compares with points; it describes the fields."""
+
+    order: I64_1
+    start: F64_2A
+    end: F64_2A
+    middle: F64_2
+    radius: F64_1
+    first: F64_1
+    sweep: F64_1
+
+
+@kernel(allocates=False)
+def _mark_points(
+    points: F64_2,
+    owner: I32_1,
+    segments: _Segments,
+    tree: BoxTree,
+    stack: OutI64_2,
+    reach: float,
+    gap: float,
+    hit: OutBool_1,
+) -> None:
+    """Set the entries of ``hit``, (m,), of the points that are on a segment other than their own.
+
+    ``_find_points`` describes the arguments.
+    """
     for k in range(len(points)):
         x, y = points[k, 0], points[k, 1]
         depth = start_query(tree, stack)
@@ -119,16 +161,23 @@ def _find_points(
             )
             if at < 0:
                 break
-            i = order[at]
+            i = segments.order[at]
             hit[k] = (
                 i != owner[k]
-                and _distance(points[k], start[i], end[i], middle[i], radius[i], first[i], sweep[i])
+                and _distance(
+                    points[k],
+                    segments.start[i],
+                    segments.end[i],
+                    segments.middle[i],
+                    segments.radius[i],
+                    segments.first[i],
+                    segments.sweep[i],
+                )
                 <= gap
             )
-    return hit
 
 
-@kernel(checks_division=True)
+@kernel(allocates=False, checks_division=True)
 def _distance(
     point: F64_1,
     start: F64_1A,

@@ -20,13 +20,16 @@ import numpy as np
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.tolerance import BULGE
-from knifetip.kernels import F64_1, F64_2, Bool_1, kernel
+from knifetip.kernels import F64_1, F64_2, I64_1, U8_1, Bool_1, kernel
 from knifetip.languages.registry import find_language
 from knifetip.model.machine import Machine
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.sequencing.timing import STILL, Timing
 from knifetip.sequencing.travel import carriage_changes
 
+#: ``Motion`` values for the kernel.
+_RAPID: Final = int(Motion.RAPID)
+_SWIVEL: Final = int(Motion.SWIVEL)
 #: At a joint the velocity of an axis may jump by its acceleration times this (s).
 JOLT: Final = 0.002
 
@@ -67,44 +70,35 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
     """
     if len(toolpath) == 0:
         return np.zeros(0)
-    change = np.abs(np.diff(toolpath.pose, axis=0))
-    # The next carriage stands at its parking position: only X of the gantry moves.
-    change[carriage_changes(toolpath, machine), 1:] = 0.0
-    start, end = toolpath.pose[:-1, :2], toolpath.pose[1:, :2]
-    is_arc = np.abs(toolpath.bulge) >= BULGE
-    along = arc.length(start, end, toolpath.bulge)
-    reach = change.copy()
-    reach[is_arc, :2] = along[is_arc, None]
-    flat = np.where(is_arc, along, np.hypot(change[:, 0], change[:, 1]))
-    # On an arc X and Y share its length, which counts once.
-    length = np.sqrt(flat**2 + change[:, 2] ** 2 + change[:, 3] ** 2)
-    moving = length > STILL
-    safe = np.where(moving, length, 1.0)
-
-    carriage = _carriages(toolpath, machine)
+    rows = np.flatnonzero(np.abs(toolpath.bulge) >= BULGE)
+    start, end, bulge = toolpath.pose[rows, :2], toolpath.pose[rows + 1, :2], toolpath.bulge[rows]
+    along, size = np.full(len(toolpath), -1.0), np.ones(len(toolpath))
+    along[rows] = arc.length(start, end, bulge)
+    size[rows] = arc.radius(start, end, bulge)
+    changed = np.zeros(len(toolpath), np.bool_)
+    changed[carriage_changes(toolpath, machine)] = True
     fastest = np.array([[axis.velocity for axis in one.axes] for one in machine.carriages])
     hardest = np.array([[axis.acceleration for axis in one.axes] for one in machine.carriages])
-    fraction = reach / safe[:, None]
-    with np.errstate(divide="ignore"):
-        velocity = np.min(fastest[carriage] / fraction, axis=1)
-        acceleration = np.min(hardest[carriage] / fraction, axis=1)
-    feed_time = _feed_times(toolpath, np.hypot(flat, change[:, 2]), change[:, 3])
-    velocity = np.minimum(
-        velocity, np.divide(safe, feed_time, out=velocity.copy(), where=feed_time > 0.0)
+    length, travel, velocity, acceleration, feed_time = _row_limits(
+        np.ascontiguousarray(toolpath.pose),
+        along,
+        size,
+        changed,
+        _carriages(toolpath, machine),
+        fastest,
+        hardest,
+        toolpath.feed,
+        np.ascontiguousarray(toolpath.motion),
     )
-    size = np.where(is_arc, arc.radius(start, end, toolpath.bulge), 1.0)
-    thrust = hardest[:, :2].min(axis=1)[carriage]
-    bent = np.sqrt(thrust * size) * safe / np.where(is_arc, flat, 1.0)
-    velocity = np.where(is_arc, np.minimum(velocity, bent), velocity)
-
+    safe = np.where(length > STILL, length, 1.0)
     first, last = _axis_rates(toolpath, safe)
-    stops = np.zeros(len(moving), np.bool_)
-    changed = np.ones(len(moving), np.bool_)
+    stops = np.zeros(len(toolpath), np.bool_)
+    changed = np.ones(len(toolpath), np.bool_)
     changed[1:] = toolpath.tool[1:] != toolpath.tool[:-1]
     stops |= changed
     timing: Timing = find_language(machine.dialect).load_part("timing")
     seconds = np.maximum(feed_time, safe / velocity)
-    halts = timing(toolpath, np.hypot(flat, change[:, 2]), seconds, machine)
+    halts = timing(toolpath, travel, seconds, machine)
     stops[1:] |= halts[:-1] > 0.0
     switched, pierced = _beam_switching(toolpath, machine)
     stops |= switched
@@ -141,16 +135,74 @@ def _beam_switching(toolpath: Toolpath, machine: Machine) -> tuple[Bool, F64]:
     return beam_on != before, np.where(beam_on & ~before, pierce[toolpath.tool], 0.0)
 
 
-def _feed_times(toolpath: Toolpath, travel: F64, degrees: F64) -> F64:
-    """Return the time of each row of a toolpath at its programmed feed, (n,) s; 0 for rapids.
+@kernel
+def _row_limits(
+    pose: F64_2,
+    along: F64_1,
+    size: F64_1,
+    parked: Bool_1,
+    carriage: I64_1,
+    fastest: F64_2,
+    hardest: F64_2,
+    feed: F64_1,
+    motion: U8_1,
+) -> Any:
+    """Return five figures of each of n rows of a toolpath, (n,) each.
 
-    A row is one move.  ``travel`` (n,) is the length of each row along XYZ in mm, and ``degrees``
-    (n,) is the angle by which C turns in it.
+    They are the length over all four axes (mm and degrees added alike), the length along XYZ (mm),
+    the greatest velocity and acceleration along the row, and the time of the row at its programmed
+    feed (s), which is 0 for rapids.  ``durations`` has the formulas.
+
+    Parameters
+    ----------
+    pose : (n + 1, 4)
+        Poses before and after each row.
+    along, size : (n,) mm
+        Length and radius of each arc; the length is -1 for a line.
+    parked : (n,)
+        Mask of the rows before which the row's carriage was parked: only X moves.
+    carriage : (n,)
+        Index of the carriage that makes each row.
+    fastest, hardest : (c, 4)
+        Greatest velocity and acceleration of X, Y, Z and C of each carriage.
+    feed, motion : (n,)
+        Programmed feed, and ``Motion``.
     """
-    swivel = toolpath.motion == Motion.SWIVEL
-    feed = np.where(toolpath.feed > 0.0, toolpath.feed, np.inf)
-    feed_time: F64 = 60.0 * np.where(swivel, degrees, travel) / feed
-    return np.where(toolpath.motion == Motion.RAPID, 0.0, feed_time)
+    count = len(along)
+    length, travel = np.empty(count), np.empty(count)
+    velocity, acceleration = np.empty(count), np.empty(count)
+    feed_time = np.zeros(count)
+    reach = np.empty(4)
+    for row in range(count):
+        own = carriage[row]
+        for axis in range(4):
+            reach[axis] = abs(pose[row + 1, axis] - pose[row, axis])
+            if parked[row] and axis > 0:
+                reach[axis] = 0.0
+        flat = math.hypot(reach[0], reach[1])
+        is_arc = along[row] >= 0.0
+        if is_arc:
+            flat = reach[0] = reach[1] = along[row]
+        # On an arc X and Y share its length, which counts once.
+        length[row] = math.sqrt(flat * flat + reach[2] * reach[2] + reach[3] * reach[3])
+        travel[row] = math.hypot(flat, reach[2])
+        safe = length[row] if length[row] > STILL else 1.0
+        fast, hard = math.inf, math.inf
+        for axis in range(4):
+            if reach[axis] > 0.0:
+                fraction = reach[axis] / safe
+                fast = min(fast, fastest[own, axis] / fraction)
+                hard = min(hard, hardest[own, axis] / fraction)
+        if motion[row] != _RAPID and feed[row] > 0.0:
+            way = reach[3] if motion[row] == _SWIVEL else travel[row]
+            feed_time[row] = 60.0 * way / feed[row]
+        if feed_time[row] > 0.0:
+            fast = min(fast, safe / feed_time[row])
+        if is_arc:
+            thrust = min(hardest[own, 0], hardest[own, 1])
+            fast = min(fast, math.sqrt(thrust * size[row]) * safe / flat)
+        velocity[row], acceleration[row] = fast, hard
+    return length, travel, velocity, acceleration, feed_time
 
 
 def _axis_rates(toolpath: Toolpath, length: F64) -> tuple[F64, F64]:
@@ -160,17 +212,18 @@ def _axis_rates(toolpath: Toolpath, length: F64) -> tuple[F64, F64]:
     ``length`` is the length of each of the n rows over all four axes, (n,) mm and degrees added
     alike.  Both returned arrays are (n, 4).
     """
-    change = np.diff(toolpath.pose, axis=0)
-    first, last = change.copy(), change.copy()
-    is_arc = np.abs(toolpath.bulge) >= BULGE
-    start, end = toolpath.pose[:-1, :2][is_arc], toolpath.pose[1:, :2][is_arc]
+    first = np.diff(toolpath.pose, axis=0) / length[:, None]
+    last = first.copy()
+    is_arc = np.flatnonzero(np.abs(toolpath.bulge) >= BULGE)
+    start, end = toolpath.pose[is_arc, :2], toolpath.pose[is_arc + 1, :2]
     bulge = toolpath.bulge[is_arc]
     # Tangents are as long as the chord; scaled to the length of the arc.
     chord = np.hypot(*(end - start).T)
     stretch = (arc.length(start, end, bulge) / np.where(chord > 0.0, chord, 1.0))[:, None]
     begin, finish = arc.tangents(start, end, bulge)
-    first[is_arc, :2], last[is_arc, :2] = begin * stretch, finish * stretch
-    return first / length[:, None], last / length[:, None]
+    size = length[is_arc, None]
+    first[is_arc, :2], last[is_arc, :2] = begin * stretch / size, finish * stretch / size
+    return first, last
 
 
 @kernel(checks_division=True)

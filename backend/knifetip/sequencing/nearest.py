@@ -7,13 +7,24 @@ of growing size round a position.
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from knifetip.geometry.columns import F64, I32
 from knifetip.geometry.spatial_index.cells import cell_of, group_by_cell
-from knifetip.kernels import F64_1, F64_2, F64_2A, I32_1, OutF64_1, OutI32_1, kernel
+from knifetip.kernels import (
+    F64_1,
+    F64_2,
+    F64_2A,
+    I32_1,
+    I64_1,
+    OutF64_1,
+    OutF64_2,
+    OutI32_1,
+    OutI32_2,
+    kernel,
+)
 
 
 def nearest_neighbour(start: F64, end: F64, origin: F64) -> I32:
@@ -160,35 +171,63 @@ def find_neighbours(start: F64_2, end: F64_2, number: int) -> Any:
     first, listed = group_by_cell(cell, side * side, np.arange(2 * count).astype(np.int32))
     near = np.empty((count, number), np.int32)
     far = np.empty((count, number))
-    for track in range(count):
-        best = far[track]
-        length = 0
-        for own in (track, track + count):
-            x, y = point[own, 0], point[own, 1]
-            ring = 0
-            while ring < side:
-                if length == number and (ring - 1) * min(wide, high) > best[number - 1]:
-                    break
-                for i in range(max(column[own] - ring, 0), min(column[own] + ring, side - 1) + 1):
-                    edge = abs(i - column[own]) == ring
-                    j = row[own] - ring
-                    while j <= row[own] + ring:
-                        if 0 <= j < side:
-                            cell = i * side + j
-                            for entry in range(first[cell], first[cell + 1]):
-                                other = listed[entry] % count
-                                if other == track:
-                                    continue
-                                distance = math.hypot(
-                                    point[listed[entry], 0] - x, point[listed[entry], 1] - y
-                                )
-                                length = _insert_nearest(near[track], best, length, other, distance)
-                        j += 1 if edge or ring == 0 else 2 * ring
-                ring += 1
+    grid = _EndGrid(point, column, row, first, listed, side, min(wide, high))
+    _search_neighbours(grid, near, far)
     return near, far
 
 
-@kernel
+class _EndGrid(NamedTuple):
+    """The 2t ends of t tracks in a grid of cells: point i is the start of track i, and point i + t
+    its end.
+    """
+
+    point: F64_2  #: (2t, 2) mm
+    column: I64_1  #: (2t,)
+    row: I64_1  #: (2t,)
+    first: I32_1  #: index in ``listed`` of the first point of each cell, and their number
+    listed: I32_1  #: points sorted by cell
+    side: int  #: number of columns, equal to the number of rows
+    width: float  #: smaller of the width and the height of a cell, mm
+
+
+@kernel(allocates=False)
+def _search_neighbours(grid: _EndGrid, near: OutI32_2, far: OutF64_2) -> None:
+    """Write the nearest other tracks of each of t tracks, and their distances (mm), to ``near`` and
+    ``far``, (t, number).
+    """
+    count, number = near.shape
+    side, point = grid.side, grid.point
+    for track in range(count):
+        best, names = far[track], near[track]
+        length = 0
+        for own in (track, track + count):
+            x, y = point[own, 0], point[own, 1]
+            column, row = grid.column[own], grid.row[own]
+            ring = 0
+            while ring < side:
+                if length == number and (ring - 1) * grid.width > best[number - 1]:
+                    break
+                for i in range(max(column - ring, 0), min(column + ring, side - 1) + 1):
+                    edge = abs(i - column) == ring
+                    j = row - ring
+                    while j <= row + ring:
+                        if 0 <= j < side:
+                            cell = i * side + j
+                            for entry in range(grid.first[cell], grid.first[cell + 1]):
+                                end = grid.listed[entry]
+                                other = end if end < count else end - count
+                                dx, dy = abs(point[end, 0] - x), abs(point[end, 1] - y)
+                                if other == track or (
+                                    length == number and max(dx, dy) >= best[number - 1]
+                                ):
+                                    continue
+                                distance = math.hypot(dx, dy)
+                                length = _insert_nearest(names, best, length, other, distance)
+                        j += 1 if edge or ring == 0 else 2 * ring
+                ring += 1
+
+
+@kernel(allocates=False)
 def _insert_nearest(
     near: OutI32_1, best: OutF64_1, length: int, other: int, distance: float
 ) -> int:

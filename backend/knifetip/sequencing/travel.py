@@ -6,11 +6,15 @@ has its own limits.
 
 from __future__ import annotations
 
+import math
+from typing import Any
+
 import numpy as np
 
 from knifetip.errors import TravelExceeded
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64, Bool
+from knifetip.kernels import F64_1, F64_2, Bool_1, kernel
 from knifetip.messages import Message
 from knifetip.model.machine import Machine, Station
 from knifetip.model.toolpath import Toolpath
@@ -39,26 +43,25 @@ def check_travel(toolpath: Toolpath, machine: Machine) -> None:
     the edge at which that happens.  ``TravelExceeded`` is also raised if a carriage would come too
     near to another one, which is parked.
     """
-    boxes = arc.bounding_boxes(toolpath.pose[:-1, :2], toolpath.pose[1:, :2], toolpath.bulge)
     low = np.minimum(toolpath.pose[:-1], toolpath.pose[1:])
     high = np.maximum(toolpath.pose[:-1], toolpath.pose[1:])
-    low[:, :2], high[:, :2] = boxes[:, :2], boxes[:, 2:]
+    arcs = np.flatnonzero(toolpath.bulge)
+    boxes = arc.bounding_boxes(
+        toolpath.pose[arcs, :2], toolpath.pose[arcs + 1, :2], toolpath.bulge[arcs]
+    )
+    low[arcs, :2], high[arcs, :2] = boxes[:, :2], boxes[:, 2:]
     changes = carriage_changes(toolpath, machine)
     low[changes] = high[changes] = toolpath.pose[1:][changes]
     for station in machine.stations:
         carriage = machine.carriage_of(station)
         limits = np.array([[axis.low, axis.high] for axis in carriage.axes])
         datum = np.array([station.x, station.y, station.z, station.c])
-        own = (toolpath.tool == station.number)[:, None]
-        under = np.where(own, limits[:, 0] - (low + datum), -np.inf)
-        over = np.where(own, high + datum - limits[:, 1], -np.inf)
-        past = np.maximum(under, over)
-        row, axis = np.unravel_index(np.argmax(past), past.shape)
-        excess = past[row, axis]
-        if excess > _ROUNDING or np.isnan(excess):
+        own = toolpath.tool == station.number
+        row, axis, excess, under = _greatest_excess(low, high, own, datum, limits)
+        if row >= 0 and (excess > _ROUNDING or math.isnan(excess)):
             edge = int(toolpath.source[row])
             raise TravelExceeded(
-                "travel.below" if under[row, axis] > over[row, axis] else "travel.above",
+                "travel.below" if under else "travel.above",
                 tool=station.name,
                 station=station.number,
                 excess=excess,
@@ -70,7 +73,39 @@ def check_travel(toolpath: Toolpath, machine: Machine) -> None:
                 source=[str(edge)] if edge >= 0 else [],
             )
         if machine.gantry:
-            _check_distance(toolpath, station, machine, own[:, 0], low[:, 1], high[:, 1])
+            _check_distance(toolpath, station, machine, own, low[:, 1], high[:, 1])
+
+
+@kernel
+def _greatest_excess(low: F64_2, high: F64_2, own: Bool_1, datum: F64_1, limits: F64_2) -> Any:
+    """Return the row and the axis with the greatest excess over a limit, the excess, and whether
+    it is below the lower limit.
+
+    The row is -1 if no row is marked; an excess that is not a number counts as the greatest one.
+
+    Parameters
+    ----------
+    low, high : (n, 4)
+        Least and greatest programmed position of each axis in each row of a toolpath.
+    own
+        Mask of the rows that are compared, (n,).
+    datum : (4,)
+        Shift of the programmed positions of each axis.
+    limits : (4, 2)
+        Limits of each axis.
+    """
+    row, column, greatest, below = -1, 0, -math.inf, False
+    for k in range(len(own)):
+        if own[k]:
+            for axis in range(4):
+                under = limits[axis, 0] - (low[k, axis] + datum[axis])
+                over = high[k, axis] + datum[axis] - limits[axis, 1]
+                excess = max(under, over)
+                if math.isnan(under) or math.isnan(over):
+                    return k, axis, math.nan, under > over
+                if excess > greatest or row < 0:
+                    row, column, greatest, below = k, axis, excess, under > over
+    return row, column, greatest, below
 
 
 def _check_distance(

@@ -219,21 +219,47 @@ def _find_pairs(boxes: F64_2, others: F64_2, gap: float) -> Any:
     y max.
     """
     tree, stack = build_tree(others), new_stack()
-    found = 0
-    one = np.empty(max(16, len(boxes)), np.int64)
+    one = np.empty(2 * len(boxes) + 16, np.int64)
     other = np.empty_like(one)
-    for i in range(len(boxes)):
+    row, found = 0, 0
+    while True:
+        row, found = _append_pairs(boxes, row, gap, tree, stack, one, other, found)
+        if row == len(boxes):
+            return one[:found].copy(), other[:found].copy()
+        # The pairs of this row did not fit.
+        one = np.concatenate((one, np.empty_like(one)))
+        other = np.concatenate((other, np.empty_like(other)))
+
+
+@kernel(allocates=False)
+def _append_pairs(
+    boxes: F64_2,
+    begin: int,
+    gap: float,
+    tree: BoxTree,
+    stack: OutI64_2,
+    one: OutI64_1,
+    other: OutI64_1,
+    found: int,
+) -> tuple[int, int]:
+    """Append the pairs of the boxes from row ``begin`` on to ``one`` and ``other``, which contain
+    ``found`` pairs.
+
+    Returns the number of rows that are finished, and the number of pairs.  The search ends early
+    when the arrays are full.
+    """
+    for i in range(begin, len(boxes)):
         x0, y0 = boxes[i, 0] - gap, boxes[i, 1] - gap
         x1, y1 = boxes[i, 2] + gap, boxes[i, 3] + gap
         depth = start_query(tree, stack)
+        done = found
         while True:
             j, depth = next_overlap(tree.boxes, tree.level, stack, depth, x0, y0, x1, y1, -1)
             if j < 0:
                 break
             if found == len(one):
-                one = np.concatenate((one, np.empty_like(one)))
-                other = np.concatenate((other, np.empty_like(other)))
+                return i, done
             one[found] = i
             other[found] = j
             found += 1
-    return one[:found].copy(), other[:found].copy()
+    return len(boxes), found

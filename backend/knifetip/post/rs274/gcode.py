@@ -1,15 +1,13 @@
 """gcode: format the moves of one station as lines of G-code.
 
-All lines are formatted at once, as the rows of a matrix of characters.  Each word is a block of
-columns; unused positions contain the byte 0 and are removed at the end.  Positions are rounded, not
-distances, so that errors do not accumulate.  The centre of an arc is computed from its rounded
-ends, so the output is a valid arc.
+The words of all lines are computed at once, and then written line by line (``line_text``).
+Positions are rounded, not distances, so that errors do not accumulate.  The centre of an arc is
+computed from its rounded ends, so the output is a valid arc.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final
 
@@ -22,8 +20,8 @@ from knifetip.geometry.tolerance import BULGE
 from knifetip.model.machine import Carriage
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.post.chords import split_moves
-from knifetip.post.digits import Characters, digit_columns
 from knifetip.post.rs274.controller import Dialect
+from knifetip.post.rs274.line_text import MAX_BYTES, LineFormat, LineWords, write_lines
 
 #: An arc with a smaller sagitta is written as a line (mm).
 MIN_SAGITTA: Final = 0.0005
@@ -55,22 +53,6 @@ class _Moves:
     motion: U8  #: (n,) Motion of each move
     feed: F64  #: (n,) mm/min; degrees/min for a SWIVEL
     row: I32  #: (n,) row of each move in the Toolpath
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class _LineWords:
-    """The words of n program lines; numbers are in units of their last printed decimal place."""
-
-    code: U8  #: (n,) number of the G word, 0 … 3
-    inverse: Bool  #: (n,) whether the line uses G93 (inverse time)
-    ends_inverse: Bool  #: (n,) whether the line returns to G94
-    axes: I64  #: (n, 4) values of the words X Y Z C
-    emit: Bool  #: (n, 4) whether each axis word is written
-    centre: I64  #: (n, 2) values of the words I J, written if code is 2 or 3
-    feed: I64  #: (n,) value of the F word
-    emit_feed: Bool  #: (n,) whether the F word is written
-    exact_stop: Bool  #: (n,) whether the move must end before the next one begins
-    row: I32  #: (n,)
 
 
 def format_comment(text: str) -> str:
@@ -135,12 +117,9 @@ def format_lines(
     """
     largest = dialect.radius if carriage.is_first else 0.0
     moves = _convert_arcs(toolpath, first, last, datum, largest)
-    words = _compose_words(moves, carriage, dialect, blending)
-    texts = [
-        _render_lines(words, slice(at, at + BATCH), carriage.letters, dialect)
-        for at in range(0, len(words.row), BATCH)
-    ]
-    row = np.insert(words.row, np.flatnonzero(words.exact_stop) + 1, np.int32(-1))
+    words, rows = _compose_words(moves, carriage, dialect, blending)
+    texts = _render_lines(words, rows, carriage.letters, dialect)
+    row = np.insert(rows, np.flatnonzero(words.exact_stop) + 1, np.int32(-1))
     if words.inverse[-1]:
         texts.append(b"G94\n")
         row = np.append(row, np.int32(-1))
@@ -156,13 +135,16 @@ def _convert_arcs(toolpath: Toolpath, first: int, last: int, datum: F64, largest
     """
     pose = toolpath.pose[first : last + 1] + datum
     bulge = np.array(toolpath.bulge[first:last])
-    start, end = pose[:-1, :2], pose[1:, :2]
-    bow = np.abs(bulge) * np.hypot(*(end - start).T) / 2.0
-    radius = arc.radius(start, end, bulge)
+    curved = np.flatnonzero(bulge)
+    start, end = pose[curved, :2], pose[curved + 1, :2]
+    bow = np.abs(bulge[curved]) * np.hypot(*(end - start).T) / 2.0
+    radius = arc.radius(start, end, bulge[curved])
     large = radius > largest
-    straight = large | (bow < MIN_SAGITTA) | (radius < MIN_RADIUS)
+    straight = curved[large | (bow < MIN_SAGITTA) | (radius < MIN_RADIUS)]
     # The sagitta of a part of an arc is proportional to the square of its length.
-    pieces = np.where(large, np.ceil(np.sqrt(bow / CHORD_DEVIATION)), 1.0).astype(np.int64).clip(1)
+    pieces = np.ones(len(bulge), np.int64)
+    chords = np.ceil(np.sqrt(bow[large] / CHORD_DEVIATION)).astype(np.int64)
+    pieces[curved[large]] = chords.clip(1)
     pose, rows = split_moves(pose, bulge, pieces)
     bulge[straight] = 0.0
     picked = rows + first
@@ -177,8 +159,8 @@ def _convert_arcs(toolpath: Toolpath, first: int, last: int, datum: F64, largest
 
 def _compose_words(
     moves: _Moves, carriage: Carriage, dialect: Dialect, blending: float
-) -> _LineWords:
-    """Return the G-code words of the program lines for n moves.
+) -> tuple[LineWords, I32]:
+    """Return the G-code words of the program lines for n moves, and the toolpath row of each line.
 
     A move other than the first gets no line if its length and its turn are both 0 after rounding.
     ``blending`` is the greatest deviation that the controller may make between two moves (mm).
@@ -187,12 +169,13 @@ def _compose_words(
     units = np.rint(moves.pose * scale).astype(np.int64)
     emit = units[1:] != units[:-1]
     emit[0] = True
-    printed = emit.any(axis=1)
+    printed = emit[:, 0] | emit[:, 1] | emit[:, 2] | emit[:, 3]
     turns = units[1:, 3] != units[:-1, 3]
 
     pose = units / scale
     start, end = pose[:-1, :2], pose[1:, :2]
-    is_arc = (np.abs(moves.bulge) >= BULGE) & (units[1:, :2] != units[:-1, :2]).any(axis=1)
+    is_arc = np.abs(moves.bulge) >= BULGE
+    is_arc &= (units[1:, 0] != units[:-1, 0]) | (units[1:, 1] != units[:-1, 1])
     bulge = np.where(is_arc, moves.bulge, 0.0)
     centre = np.zeros((len(bulge), 2), np.int64)
     middle = arc.centre(start[is_arc], end[is_arc], bulge[is_arc])
@@ -202,9 +185,10 @@ def _compose_words(
     rapid = moves.motion == Motion.RAPID
     swivel = moves.motion == Motion.SWIVEL
     # A move of one unit may be only the rounding of a turn that is too small to be written.
-    moved = (np.abs(np.diff(units[:, :3], axis=0)) > 1).any(axis=1)
-    if (without_turn := swivel & moved & ~turns).any():
-        row = moves.row[np.argmax(without_turn)]
+    still = np.flatnonzero(swivel & ~turns)
+    moved = (np.abs(units[still + 1, :3] - units[still, :3]) > 1).any(axis=1)
+    if moved.any():
+        row = moves.row[still[np.argmax(moved)]]
         raise ProgramError("toolpath.swivel-without-turn", row=row)
     inverse = ~rapid & turns & (~is_arc | swivel | dialect.inverse_arcs)
     if not carriage.is_first:
@@ -225,7 +209,7 @@ def _compose_words(
         exact_stop = _exact_stops(turn, travel[keep], minutes[keep], rapid, carriage, blending)
     else:
         exact_stop = np.zeros(len(keep), np.bool_)
-    return _LineWords(
+    words = LineWords(
         code=np.where(rapid, 0, np.where(is_arc, 2 + (moves.bulge > 0), 1)[keep]).astype(np.uint8),
         inverse=inverse,
         ends_inverse=~inverse & np.concatenate([[False], inverse[:-1]]),
@@ -235,8 +219,8 @@ def _compose_words(
         feed=counts,
         emit_feed=_feed_words(counts, inverse, rapid),
         exact_stop=exact_stop,
-        row=moves.row[keep],
     )
+    return words, moves.row[keep]
 
 
 def _exact_stops(
@@ -323,82 +307,37 @@ def _feed_words(feed: I64, inverse: Bool, rapid: Bool) -> Bool:
     return emit
 
 
-def _render_lines(words: _LineWords, rows: slice, letters: str, dialect: Dialect) -> bytes:
-    """Return the text of those program lines that the slice ``rows`` selects from ``words``.
+def _render_lines(words: LineWords, rows: I32, letters: str, dialect: Dialect) -> list[bytes]:
+    """Return the text of program lines, in parts of at most ``BATCH`` lines.
 
-    ``letters`` are the letters of the words of the four axes.
+    ``rows`` are the toolpath rows of the lines, and ``letters`` the letters of the words of the
+    four axes.
 
     Raises
     ------
     ProgramError
         A line is longer than the controller can read.
     """
-    code = words.code[rows]
-    curved = code >= 2
-    blocks = [
-        _feed_mode_columns(words.inverse[rows], words.ends_inverse[rows]),
-        np.full((len(code), 1), ord("G"), np.uint8),
-        (code + np.uint8(ord("0")))[:, None],
-    ]
-    axes, emit, centre = words.axes[rows], words.emit[rows], words.centre[rows]
-    for column, letter in enumerate(letters):
-        blocks.extend(_word_columns(letter, axes[:, column], emit[:, column], dialect.decimals))
-    for column, letter in enumerate("IJ"):
-        blocks.extend(_word_columns(letter, centre[:, column], curved, dialect.decimals))
-    blocks.extend(
-        _word_columns("F", words.feed[rows], words.emit_feed[rows], FEED_DECIMALS, brief=True)
+    form = LineFormat(
+        np.frombuffer(letters.encode(), np.uint8),
+        dialect.decimals,
+        FEED_DECIMALS,
+        np.frombuffer(EXACT_STOP, np.uint8),
+        dialect.line_limit,
     )
-    lengths = sum(np.count_nonzero(block, axis=1) for block in blocks)
-    stop = np.frombuffer(EXACT_STOP, np.uint8) * words.exact_stop[rows][:, None]
-    stop[:, 0] = ord("\n")
-    characters = np.hstack([*blocks, stop])
-    shown = characters != 0
-    if (long := lengths > dialect.line_limit).any():
-        at = int(np.argmax(long))
-        line = characters[at][shown[at]].tobytes().decode().rstrip()
-        raise ProgramError(
-            "program.line-too-long",
-            row=words.row[rows][at],
-            length=lengths[at],
-            line=line[:60],
-            dialect=dialect.name,
-            limit=dialect.line_limit,
-        )
-    text: bytes = characters[shown].tobytes()
-    return text
-
-
-def _feed_mode_columns(inverse: Bool, ends_inverse: Bool) -> Characters:
-    """Return the characters of the words G93 and G94 for n program lines, (n, 4) bytes.
-
-    Lines with neither word contain zero bytes.  ``inverse`` is the mask of the lines with G93,
-    (n,), and ``ends_inverse`` the mask of the lines with G94, (n,).
-    """
-    modes = np.frombuffer(b"\0\0\0\0G93 G94 ", np.uint8).reshape(3, 4)
-    return modes[inverse + 2 * ends_inverse]
-
-
-def _word_columns(
-    letter: str, values: I64, has_word: Bool, decimals: int, *, brief: bool = False
-) -> Iterator[Characters]:
-    """Yield the characters of one G-code word in n program lines: a space, the letter, and the
-    number.
-
-    Each yielded array has n rows.  Lines without the word contain zero bytes.
-
-    Parameters
-    ----------
-    values : (n,)
-        Number of the word in each program line, in units of its last decimal place.
-    has_word : (n,)
-        Mask of the program lines that have the word.
-    decimals
-        Number of decimals.
-    brief
-        Whether to leave out zeros at the end of the decimals.
-    """
-    if not has_word.any():
-        return
-    head = np.frombuffer(f" {letter}".encode(), np.uint8)
-    yield head * has_word[:, None]
-    yield digit_columns(np.where(has_word, values, 0), decimals, brief=brief) * has_word[:, None]
+    out = np.empty(min(len(rows), BATCH) * MAX_BYTES, np.uint8)
+    texts = []
+    for first in range(0, len(rows), BATCH):
+        used, long, begin = write_lines(words, form, first, min(first + BATCH, len(rows)), out)
+        if long >= 0:
+            line = out[begin:used].tobytes().decode()
+            raise ProgramError(
+                "program.line-too-long",
+                row=rows[long],
+                length=used - begin,
+                line=line[:60],
+                dialect=dialect.name,
+                limit=dialect.line_limit,
+            )
+        texts.append(out[:used].tobytes())
+    return texts
