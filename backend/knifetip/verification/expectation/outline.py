@@ -14,7 +14,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.kernels import F64_1, F64_2, I64_1, kernel
+from knifetip.kernels import F64_1, F64_2, I64_1, inline_kernel, kernel
 from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import point_at
 from knifetip.verification.expectation.edges import (
@@ -95,7 +95,9 @@ def face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
         np.concatenate([np.arange(2 * count), np.arange(2 * count) ^ 1]),
         2 * count,
     )[::2]
-    return cycle, swept, np.unique(component, return_inverse=True)[1].ravel().astype(np.int64)
+    # The lowest end of a component is the start of an edge.
+    number = np.cumsum(component == 2 * np.arange(count)) - 1
+    return cycle, swept, number[component // 2]
 
 
 def lowest_connected(one: I64, other: I64, count: int) -> I64:
@@ -105,15 +107,32 @@ def lowest_connected(one: I64, other: I64, count: int) -> I64:
     ``one`` and ``other`` are the two indices of each of k connected pairs, (k,) each.  Indices may
     also be connected through other indices; an index without pairs is its own result.
     """
+    result: I64 = _lowest_names(one, other, count)
+    return result
+
+
+@kernel
+def _lowest_names(one: I64_1, other: I64_1, count: int) -> Any:
+    """Return the lowest index of each set of connected indices, (count,); see
+    ``_lowest_connected``.
+    """
     name = np.arange(count)
-    while True:
-        least = name.copy()
-        np.minimum.at(least, one, name[other])
-        np.minimum.at(least, other, name[one])
-        least = least[least]
-        if np.array_equal(least, name):
-            return name
-        name = least
+    for k in range(len(one)):
+        a, b = one[k], other[k]
+        while name[a] != a:
+            name[a] = name[name[a]]
+            a = name[a]
+        while name[b] != b:
+            name[b] = name[name[b]]
+            b = name[b]
+        if a < b:
+            name[b] = a
+        else:
+            name[a] = b
+    for index in range(count):
+        # The index with the name is lower, so its name is final.
+        name[index] = name[name[index]]
+    return name
 
 
 def _swept_areas(edges: Edges) -> F64:
@@ -213,15 +232,19 @@ def count_enclosing(points: F64, outlined: CutOutlines) -> I64:
 
 
 def _bounding_boxes(outlines: F64, first: I64) -> F64:
-    boxes = np.empty((len(first) - 1, 4))
-    boxes[:, :2], boxes[:, 2:] = np.inf, -np.inf
-    owner = np.repeat(np.arange(len(first) - 1), np.diff(first))
     straight = outlines[:, 0] == 0.0
-    reach = np.where(straight, 0.0, outlines[:, 3])[:, None]
-    start = np.where(straight[:, None], outlines[:, 1:3], outlines[:, 1:3])
-    end = np.where(straight[:, None], point_at(outlines, outlines[:, 5]), outlines[:, 1:3])
-    np.minimum.at(boxes[:, :2], owner, np.minimum(start, end) - reach)
-    np.maximum.at(boxes[:, 2:], owner, np.maximum(start, end) + reach)
+    reach = np.where(straight, 0.0, outlines[:, 3])
+    end = outlines[:, 1:3].copy()
+    end[straight] = point_at(outlines[straight], outlines[straight, 5])
+    boxes = np.empty((len(first) - 1, 4))
+    filled = np.flatnonzero(first[1:] > first[:-1])
+    boxes[:, :2], boxes[:, 2:] = np.inf, -np.inf
+    for axis in range(2):
+        start, stop = outlines[:, 1 + axis], end[:, axis]
+        if len(filled):
+            low, high = np.minimum(start, stop) - reach, np.maximum(start, stop) + reach
+            boxes[filled, axis] = np.minimum.reduceat(low, first[filled])
+            boxes[filled, 2 + axis] = np.maximum.reduceat(high, first[filled])
     return boxes
 
 
@@ -246,10 +269,13 @@ def _count_containing(points: F64_2, outlines: F64_2, first: I64_1, boxes: F64_2
         If True, point i belongs to outline i, and this outline is not counted for it.
     """
     depth = np.zeros(len(points), np.int64)
+    low, width, begin, listed = _list_in_bands(boxes)
     for i in range(len(points)):
         x = points[i, 0]
         y = points[i, 1]
-        for j in range(len(boxes)):
+        band = _band_at(y, low, width, len(begin) - 1)
+        for entry in range(begin[band], begin[band + 1]):
+            j = listed[entry]
             if own and i == j:
                 continue
             if x < boxes[j, 0] or y < boxes[j, 1] or x > boxes[j, 2] or y > boxes[j, 3]:
@@ -261,7 +287,53 @@ def _count_containing(points: F64_2, outlines: F64_2, first: I64_1, boxes: F64_2
     return depth
 
 
+@inline_kernel
+def _band_at(y: float, low: float, width: float, bands: int) -> int:
+    return min(max(int((y - low) / width), 0), bands - 1)
+
+
 @kernel(checks_division=True)
+def _list_in_bands(boxes: F64_2) -> Any:
+    """Return horizontal bands of equal width, and the boxes in each of them.
+
+    There are about as many bands as boxes, but fewer if the boxes are so high that each would be in
+    many bands.  ``boxes`` are (c, 4); see ``_count_containing``.  A box without curves has its
+    least y above its greatest y, and is in no band.
+
+    Returns
+    -------
+    Least y of the lowest band and width of a band (mm); index of the first box of each band,
+    followed by the number of all entries; and the boxes of the bands, band by band.
+    """
+    low, high, heights = math.inf, -math.inf, 0.0
+    for j in range(len(boxes)):
+        if boxes[j, 1] <= boxes[j, 3]:
+            low, high = min(low, boxes[j, 1]), max(high, boxes[j, 3])
+            heights += boxes[j, 3] - boxes[j, 1]
+    if not high > low:
+        low, high = 0.0, 1.0
+    bands = max(int(4.0 * len(boxes) / (1.0 + heights / (high - low))), 1)
+    bands = min(bands, len(boxes) + 1)
+    width = (high - low) / bands
+    first = np.zeros(bands + 1, np.int64)
+    for j in range(len(boxes)):
+        if boxes[j, 1] <= boxes[j, 3]:
+            top = _band_at(boxes[j, 3], low, width, bands)
+            for band in range(_band_at(boxes[j, 1], low, width, bands), top + 1):
+                first[band + 1] += 1
+    first = np.cumsum(first)
+    free = first.copy()
+    listed = np.empty(first[bands], np.int64)
+    for j in range(len(boxes)):
+        if boxes[j, 1] <= boxes[j, 3]:
+            top = _band_at(boxes[j, 3], low, width, bands)
+            for band in range(_band_at(boxes[j, 1], low, width, bands), top + 1):
+                listed[free[band]] = j
+                free[band] += 1
+    return low, width, first, listed
+
+
+@kernel(allocates=False, checks_division=True)
 def _ray_crossings(curve: F64_1, x: float, y: float) -> int:
     """Return how often a line or arc crosses the ray from the point (x, y) along +X.
 
