@@ -58,6 +58,7 @@ def _machine_out(machine: Machine, connected: bool, job: str | None) -> MachineO
                 for number, carriage in enumerate(machine.carriages, 1)
             ],
             "min_distance": machine.gantry.min_distance if machine.gantry else None,
+            "zones": machine.zones,
             "stations": [
                 {
                     "number": station.number,
@@ -65,6 +66,7 @@ def _machine_out(machine: Machine, connected: bool, job: str | None) -> MachineO
                     "carriage": station.carriage,
                     "datum": {axis: getattr(station, axis) for axis in "xyzc"},
                     "output": station.output,
+                    "envelope": station.envelope,
                     "tool": {
                         "kind": kind_of(station.tool).name,
                         "dimensions": station.tool.dimensions,

@@ -35,6 +35,7 @@ def machine_json(machine: Machine) -> dict[str, Any]:
             for number, carriage in enumerate(machine.carriages, 1)
         ],
         "min_distance": machine.gantry.min_distance if machine.gantry else None,
+        "zones": [asdict(zone) for zone in machine.zones],
         "stations": [_station_json(station) for station in machine.stations],
     }
 
@@ -47,6 +48,7 @@ def _station_json(station: Station) -> dict[str, Any]:
         "carriage": station.carriage,
         "datum": {"x": station.x, "y": station.y, "z": station.z, "c": station.c},
         "output": station.output,
+        "envelope": station.envelope,
         "tool": {"kind": kind_of(tool).name, **tool.dimensions, **tool.derived},
     }
 
@@ -94,6 +96,11 @@ def register(app: typer.Typer) -> None:
         typer.echo(f"{chosen.title} ({chosen.name}), language {chosen.dialect}, {chosen.feed} feed")
         if chosen.gantry:
             _print_carriages(chosen, chosen.gantry)
+        for zone in chosen.zones:
+            typer.echo(
+                f"  keep-out zone {zone.name}: X {zone.x:g} to {zone.x + zone.width:g}, "
+                f"Y {zone.y:g} to {zone.y + zone.height:g}, {zone.top:g} mm high"
+            )
         for row in data["stations"]:
             tool = dict(row["tool"])
             datum = ", ".join(f"{axis} {value:g}" for axis, value in row["datum"].items())

@@ -24,7 +24,7 @@ from pydantic import (
 from knifetip.errors import LibraryError
 from knifetip.fields import LISTED, Table, field_error
 from knifetip.languages.registry import find_language, language_names
-from knifetip.model.machine import Axis, Carriage, Gantry, Machine, Station
+from knifetip.model.machine import Axis, Carriage, Gantry, Machine, Station, Zone
 from knifetip.model.tool import KINDS, Kind, Tool
 from knifetip.model.tool.base import NotNegative, Positive
 
@@ -228,6 +228,11 @@ class StationTable(Table):
     carriage: int = Field(
         1, ge=1, description="number of the carriage that carries the station; 1 is the first"
     )
+    envelope: NotNegative = Field(
+        0.0,
+        description="radius about the axis of the station of its holder at the height of the tip, "
+        "for keep-out zones (mm); 0: the tool only",
+    )
     tool: Annotated[_AnyTool, Field(discriminator="kind"), BeforeValidator(_check_kind)]
 
     def record(self) -> Station:
@@ -240,7 +245,27 @@ class StationTable(Table):
             **datum,
             output=self.output,
             carriage=self.carriage,
+            envelope=self.envelope,
         )
+
+
+class ZoneTable(Table):
+    """The TOML table of a keep-out zone: a box on the table that no tool may touch.
+
+    Such a zone is, for example, a clamp or a stop.  Positions are those of programs: of the tip of
+    a station whose datum is 0.
+    """
+
+    name: str = Field(min_length=1, max_length=80, description="name for messages")
+    x: float = Field(description="position of the left edge (mm)")
+    y: float = Field(description="position of the lower edge (mm)")
+    width: Positive = Field(description="size along X (mm)")
+    height: Positive = Field(description="size along Y (mm)")
+    top: Positive = Field(description="height of the top of the zone above the mat (mm)")
+
+    def record(self) -> Zone:
+        """Return the zone that the table describes."""
+        return Zone(**self.model_dump())
 
 
 class MachineFile(Table):
@@ -272,6 +297,7 @@ class MachineFile(Table):
         None, description="carriages, if the machine has more than one"
     )
     station: list[StationTable]
+    zone: list[ZoneTable] = Field([], max_length=50, description="keep-out zones on the table")
     controller: dict[str, Any] = Field({}, description="settings of the controller's language")
 
     @field_validator("dialect")
@@ -311,12 +337,31 @@ class MachineFile(Table):
                 )
         return value
 
+    @field_validator("zone")
+    @classmethod
+    def _check_zones(cls, value: list[ZoneTable], info: ValidationInfo) -> list[ZoneTable]:
+        travel_z, clearance = info.data.get("travel_z"), info.data.get("clearance")
+        if travel_z is None or clearance is None:
+            return value
+        for zone in value:
+            if zone.top + clearance > travel_z:
+                raise field_error(
+                    "field.zone-above-travel",
+                    zone=zone.name,
+                    top=zone.top,
+                    clearance=clearance,
+                    travel_z=travel_z,
+                )
+        return value
+
     def record(self, name: str) -> Machine:
         """Return the machine that the file describes, with the name ``name``.
 
         The settings of the machine's controller are not included.
         """
-        fields = self.model_dump(exclude={"axes", "gantry", "station", "origin", "controller"})
+        fields = self.model_dump(
+            exclude={"axes", "gantry", "station", "zone", "origin", "controller"}
+        )
         tables = self.axes
         x, y, z, c = (axis.axis() for axis in (tables.x, tables.y, tables.z, tables.c))
         gantry = None
@@ -334,4 +379,5 @@ class MachineFile(Table):
             stations=tuple(station.record() for station in self.station),
             origin=(self.origin[0], self.origin[1]),
             gantry=gantry,
+            zones=tuple(zone.record() for zone in self.zone),
         )

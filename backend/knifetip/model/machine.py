@@ -48,6 +48,18 @@ class Gantry:
 
 
 @dataclass(frozen=True, slots=True)
+class Zone:
+    """A keep-out zone: a box on the table, such as a clamp or a stop, that no tool may touch."""
+
+    name: str
+    x: float  #: left edge (mm)
+    y: float  #: lower edge (mm)
+    width: float  #: along X (mm)
+    height: float  #: along Y (mm)
+    top: float  #: height of its top above the mat (mm)
+
+
+@dataclass(frozen=True, slots=True)
 class Station:
     """A mount on the head of the machine, with one tool.
 
@@ -64,6 +76,13 @@ class Station:
     c: float  #: mounting angle (degrees)
     output: int  #: digital output of the piston that lowers the station; -1 for none
     carriage: int = 1  #: number of the carriage that carries the station, see ``Machine.carriages``
+    #: radius about the station's axis of its holder at the height of the tip (mm); 0: the tool only
+    envelope: float = 0.0
+
+    @property
+    def reach(self) -> float:
+        """Radius about the station's axis within which tool and holder lie at any heading (mm)."""
+        return max(self.envelope, self.tool.reach)
 
     @property
     def is_beam(self) -> bool:
@@ -106,6 +125,7 @@ class Machine:
     feed: str = "manual"  #: loading of sheets: ``manual`` or ``automatic``
     controller: object = None  #: settings of the controller; their type depends on its language
     gantry: Gantry | None = None  #: carriages, if the machine has more than one
+    zones: tuple[Zone, ...] = ()  #: keep-out zones on the table
 
     @property
     def carriages(self) -> tuple[Carriage, ...]:

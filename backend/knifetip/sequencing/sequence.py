@@ -25,6 +25,7 @@ from knifetip.model.machine import Machine, Station
 from knifetip.model.tool import Reversal
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.sequencing.air_moves import interference, lift_clear, turns_outside_board, unwind
+from knifetip.sequencing.keep_out import avoid_zones
 from knifetip.sequencing.order import short_order
 from knifetip.sequencing.travel import check_travel
 
@@ -74,7 +75,7 @@ def sequence(
     Raises
     ------
     PlanError
-        The toolpaths contain no moves.
+        The toolpaths contain no moves, or the work touches a keep-out zone of the machine.
     TravelExceeded
         A move would leave the limits of an axis.
     """
@@ -113,6 +114,7 @@ def sequence(
     columns["pose"] = np.concatenate([home[None], columns["pose"]])
     notes = tuple(note for toolpath in work for note in toolpath.notes)
     result = _lower_turns(Toolpath(**columns, notes=notes), machine, outline)
+    result = avoid_zones(result, machine)
     check_travel(result, machine)
     return result
 

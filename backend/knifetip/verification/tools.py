@@ -162,6 +162,20 @@ _EXPECTED: Final[Mapping[type[Tool], Callable[[Any], ExpectedTool]]] = {
 }
 
 
+def body_radius(tool: Tool) -> float:
+    """Return the radius about the head's axis that a tool fills when C turns (mm)."""
+    match tool:
+        case Knife():
+            return tool.trail + tool.blade_width
+        case VCutter():
+            return math.hypot(tool.back, tool.half_width)
+        case CreaseWheel():
+            return math.hypot(tool.radius, 0.5 * tool.width)
+        case _:
+            disc = expected_tool(tool).disc
+            return disc.radius if disc else 0.0
+
+
 def footprint_corners(tool: Tool, depth: float) -> tuple[tuple[float, float], ...]:
     """Return the corners of the area that a tool can occupy below the board's top face (mm).
 

@@ -29,6 +29,7 @@ from knifetip.verification.checks.output_checks import check_switching
 from knifetip.verification.checks.overlap_check import check_overlaps
 from knifetip.verification.checks.unreached_areas import merge_unreached
 from knifetip.verification.checks.work_order import check_work_order
+from knifetip.verification.checks.zone_check import check_zones
 from knifetip.verification.expectation.edges import place_edges
 from knifetip.verification.expectation.sheet_area import SheetArea, place_sheet
 from knifetip.verification.findings import MAX_FINDINGS, Findings
@@ -169,6 +170,7 @@ def _trace(
     tip = tip_poses(moves, machine, board)
     usable = motion_checks.check_travel(moves, machine, findings)
     check_carriages(moves, machine, findings)
+    check_zones(moves, machine, findings)
     motion_checks.check_feeds(moves, tip, machine, findings)
     motion_checks.check_outputs(moves, tip, machine, findings)
     check_switching(moves, machine, board, findings)

@@ -34,6 +34,7 @@ export const VIEWER_COLOURS: ViewerColours = {
   ground: rgba(CANVAS.table),
   tableEdge: rgba(CANVAS.tableEdge),
   sheetEdge: rgba(CANVAS.sheetEdge),
+  zone: rgba(CANVAS.zone, 0.9),
   gridMinor: rgba(CANVAS.gridMinor, 0.045),
   gridMajor: rgba(CANVAS.gridMajor, 0.07),
   axisX: rgba("#ff6b61", 0.75),

@@ -132,12 +132,21 @@ function useShownTable(viewer: MaybeViewer): void {
     if (machine === undefined || drawing === undefined || open === null) {
       viewer?.showTable(null);
       viewer?.showSheet(null);
+      viewer?.showZones([]);
       return;
     }
     const x = placement?.[0] ?? machine.origin[0] - drawing.bounds[0];
     const y = placement?.[1] ?? machine.origin[1] - drawing.bounds[1];
     viewer?.showTable([-x, -y, machine.width - x, machine.height - y]);
     viewer?.showSheet(sheetBox(sheet, { x: machine.origin[0] - x, y: machine.origin[1] - y }));
+    viewer?.showZones(
+      machine.zones.map((zone) => [
+        zone.x - x,
+        zone.y - y,
+        zone.x + zone.width - x,
+        zone.y + zone.height - y,
+      ]),
+    );
   }, [viewer, machine, drawing, placement, sheet, open]);
 }
 

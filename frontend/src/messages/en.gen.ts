@@ -983,6 +983,10 @@ export const TEXTS = {
     "text": "{path} has the unknown kind {value!r}; known kinds are {known:, }",
     "hint": ""
   },
+  "field.zone-above-travel": {
+    "text": "{path}: the top of the zone {zone} is {top:g} mm above the mat and the clearance is {clearance:g} mm, but tools travel at travel_z = {travel_z:g} mm; raise travel_z",
+    "hint": ""
+  },
   "file.7z": {
     "text": "a 7z archive",
     "hint": ""
@@ -3651,6 +3655,10 @@ export const TEXTS = {
     "text": "{letter} is at {height:.2f} mm while another carriage is in use. Its tools clear the board only at {needed:.2f} mm or higher.",
     "hint": "Lift the carriage before another one is used."
   },
+  "verify.in-zone": {
+    "text": "Station {station} touches the keep-out zone {zone}: its tip is {depth:.1f} mm below the top of the zone, and its tool or holder reaches into the zone.",
+    "hint": "Lead the move around the zone, or lift the tool above it."
+  },
   "verify.inside-part": {
     "text": "The cutter cuts into a finished part at X{x:.3f} Y{y:.3f} (coordinates of the sheet).",
     "hint": "Move the parts further apart, or choose a thinner cutter."
@@ -3942,6 +3950,10 @@ export const TEXTS = {
   "worker.timeout": {
     "text": "Processing the drawing took longer than {seconds:.0f} s in the stage {stage}.",
     "hint": "Send a smaller drawing, or split the drawing into several drawings."
+  },
+  "zone.work": {
+    "text": "{tool} (station {station}) would touch the keep-out zone {zone} at X {x:.1f}, Y {y:.1f} mm{place}: the tool with its holder needs {reach:.1f} mm around its axis.",
+    "hint": "Move the clamp or stop away from the drawing and correct its zone in the machine file, or move the origin in the machine file so that the drawing lies beside the zone."
   }
 } as const satisfies Catalogue;
 

@@ -28,6 +28,9 @@ const dimensionText = ({ dimensions }: Machine["stations"][number]["tool"]): str
 const carriageText = ({ number, letters, park }: Machine["carriages"][number]): string =>
   `Carriage ${number}: axes ${[...letters].join(", ")} · parks at ${letters[1]} ${park}\u202fmm`;
 
+const zoneText = ({ name, x, y, width, height, top }: Machine["zones"][number]): string =>
+  `Keep-out zone ${name}: X ${x} to ${x + width}, Y ${y} to ${y + height}, ${top}\u202fmm high`;
+
 export function MachinePanel() {
   const { data: machines } = useMachines();
   const chosen = useUiStore((ui) => ui.machine);
@@ -56,6 +59,17 @@ export function MachinePanel() {
             ))}
         </div>
       ))}
+      {machine.zones.length > 0 && (
+        <ul
+          className={css.note}
+          style={{ margin: 0, padding: "4px 8px", listStyle: "none" }}
+          data-testid="zones"
+        >
+          {machine.zones.map((zone) => (
+            <li key={`${zone.name} ${zone.x} ${zone.y}`}>{zoneText(zone)}</li>
+          ))}
+        </ul>
+      )}
     </Section>
   );
 }

@@ -46,6 +46,31 @@ export function frameLines(box: Box, origin: Point, colour: Rgba): Lines {
   return lines.build();
 }
 
+/** Keep-out zones: the outline of each box, with slanted lines across it. */
+export function zoneLines(boxes: readonly Box[], origin: Point, colour: Rgba): Lines {
+  const lines = new LineBuilder(origin);
+  for (const box of boxes) {
+    addFrame(lines, box, colour);
+    addHatch(lines, box, colour);
+  }
+  return lines.build();
+}
+
+/** Number of slanted lines across a zone. */
+const HATCHES = 8;
+
+/** Lines at 45° across a box, at equal distances. */
+function addHatch(lines: LineBuilder, [x0, y0, x1, y1]: Box, colour: Rgba) {
+  const span = x1 - x0 + (y1 - y0);
+  for (let index = 1; index < HATCHES; index++) {
+    // The line x + y = constant, from the lower or right side to the left or upper side.
+    const sum = (span * index) / HATCHES;
+    const low = Math.max(0, sum - (x1 - x0));
+    const high = Math.min(y1 - y0, sum);
+    lines.add(x0 + sum - low, y0 + low, x0 + sum - high, y0 + high, colour);
+  }
+}
+
 function addFrame(lines: LineBuilder, [x0, y0, x1, y1]: Box, colour: Rgba) {
   lines.add(x0, y0, x1, y0, colour);
   lines.add(x1, y0, x1, y1, colour);

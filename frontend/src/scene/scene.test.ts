@@ -5,7 +5,7 @@ import { buildTimeline } from "../geometry/timeline";
 import { tipOffset } from "../geometry/tip";
 import { dielineLines, highlightLines, type Palette } from "./dieline";
 import { NEVER, type Rgba, rgba } from "./lines";
-import { gridLines, gridStep } from "./overlays";
+import { gridLines, gridStep, zoneLines } from "./overlays";
 import { pathLines } from "./pathLines";
 
 const RED: Rgba = [255, 0, 0, 255];
@@ -167,4 +167,16 @@ describe("furniture", () => {
   test("a colour's hexadecimal is its bytes", () => {
     expect(rgba("#ff8000", 0.5)).toEqual([255, 128, 0, 128]);
   });
+});
+
+test("the lines of a keep-out zone lie in its box", () => {
+  const { count, ends } = zoneLines([[10, 20, 50, 30]], ORIGIN, RED);
+  expect(count).toBeGreaterThan(4);
+  for (let at = 0; at < ends.length; at += 2) {
+    const [x = 0, y = 0] = [(ends[at] ?? 0) + ORIGIN.x, (ends[at + 1] ?? 0) + ORIGIN.y];
+    expect(x).toBeGreaterThanOrEqual(10);
+    expect(x).toBeLessThanOrEqual(50);
+    expect(y).toBeGreaterThanOrEqual(20);
+    expect(y).toBeLessThanOrEqual(30);
+  }
 });

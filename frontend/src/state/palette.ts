@@ -90,6 +90,7 @@ export const CANVAS = {
   table: "#151a21",
   tableEdge: "#3a4554",
   sheetEdge: "#c9b48a",
+  zone: "#e0655c",
   gridMinor: "#ffffff",
   gridMajor: "#ffffff",
   hover: "#ffffff",

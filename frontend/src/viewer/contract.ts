@@ -18,6 +18,8 @@ export interface ViewerColours extends PathColours {
   readonly tableEdge: Rgba;
   /** Colour of the edge of a sheet that was cut to size. */
   readonly sheetEdge: Rgba;
+  /** Colour of keep-out zones. */
+  readonly zone: Rgba;
   readonly gridMinor: Rgba;
   readonly gridMajor: Rgba;
   readonly axisX: Rgba;

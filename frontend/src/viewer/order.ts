@@ -3,6 +3,7 @@ export const ORDER = {
   grid: 1,
   frame: 2,
   sheet: 2.5,
+  zones: 2.6,
   datum: 3,
   chosen: 4,
   retypePreviews: 4.2,

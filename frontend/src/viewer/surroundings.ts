@@ -2,7 +2,14 @@
 
 import { Mesh, MeshBasicMaterial, PlaneGeometry } from "three";
 import type { Box, Point } from "../geometry/records";
-import { datumLines, frameLines, gridLines, pinLines, ringLines } from "../scene/overlays";
+import {
+  datumLines,
+  frameLines,
+  gridLines,
+  pinLines,
+  ringLines,
+  zoneLines,
+} from "../scene/overlays";
 import type { PlaneCamera } from "./camera";
 import type { ViewerColours } from "./contract";
 import { LineLayer } from "./layer";
@@ -18,6 +25,8 @@ export class Surroundings {
   box: Box | null = null;
   /** A rectangular sheet as a box in drawing coordinates. */
   sheet: Box | null = null;
+  /** Keep-out zones as boxes in drawing coordinates. */
+  zones: readonly Box[] = [];
   /** Corners that have a type of their own. */
   corners: readonly Point[] = [];
   /** The box that a pin marks. */
@@ -26,6 +35,7 @@ export class Surroundings {
   private readonly gridLayer = new LineLayer(1, ORDER.grid);
   private readonly frameLayer = new LineLayer(1.25, ORDER.frame);
   private readonly sheetLayer = new LineLayer(1.5, ORDER.sheet);
+  private readonly zoneLayer = new LineLayer(1.5, ORDER.zones);
   private readonly datumLayer = new LineLayer(2, ORDER.datum);
   private readonly cornerLayer = new LineLayer(2, ORDER.corners);
   private readonly pinLayer = new LineLayer(2.5, ORDER.pin);
@@ -33,6 +43,7 @@ export class Surroundings {
     this.gridLayer,
     this.frameLayer,
     this.sheetLayer,
+    this.zoneLayer,
     this.datumLayer,
     this.cornerLayer,
     this.pinLayer,
@@ -49,7 +60,9 @@ export class Surroundings {
 
   /** Rebuild the table after a change of the table or of the origin. */
   updateTable(origin: Point): void {
-    const { box, sheet } = this;
+    const { box, sheet, zones } = this;
+    const { zone } = this.colours;
+    this.zoneLayer.show(zones.length === 0 ? null : zoneLines(zones, origin, zone));
     this.sheetLayer.show(sheet === null ? null : frameLines(sheet, origin, this.colours.sheetEdge));
     this.table.visible = box !== null;
     this.frameLayer.show(box === null ? null : frameLines(box, origin, this.colours.tableEdge));

@@ -172,6 +172,13 @@ export class Viewer {
     this.draw();
   }
 
+  /** Show keep-out zones, given as boxes in drawing coordinates. */
+  showZones(boxes: readonly Box[]): void {
+    this.surroundings.zones = boxes;
+    this.surroundings.updateTable(this.origin);
+    this.draw();
+  }
+
   showLayers(shown: VisibleLayers): void {
     this.shown = shown;
     if (shown.swept) this.travel.buildSwept(this.tools, this.origin);

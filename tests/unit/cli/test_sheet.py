@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from importlib import resources
 from pathlib import Path
 
 import pytest
@@ -73,3 +74,21 @@ def test_an_impossible_sheet_is_refused_with_exit_code_3(
     assert code == 3
     assert expected in err
     assert not out.exists()
+
+
+def test_the_zones_of_a_machine_are_shown_and_work_in_them_is_refused(
+    knifetip: Command, drawing: Path
+) -> None:
+    machine = drawing.with_name("mine.toml")
+    shipped = (resources.files("knifetip") / "library/machines/demo-table.toml").read_text("utf-8")
+    zone = '[[zone]]\nname = "Stop"\nx = 5.0\ny = 100.0\nwidth = 10.0\nheight = 10.0\ntop = 9.0\n'
+    machine.write_text(f"{shipped}\n{zone}")
+    _, out, _ = knifetip("machine", machine)
+    assert "keep-out zone Stop: X 5 to 15, Y 100 to 110, 9 mm high" in out
+    _, out, _ = knifetip("machine", machine, "--json")
+    assert json.loads(out)["zones"][0]["top"] == 9.0
+    words = ("--machine", machine, "--board", "greyboard-2.0", "-o", drawing.with_name("p.ngc"))
+    code, _, err = knifetip("program", drawing, *words)
+    assert code == 3
+    assert "would touch the keep-out zone Stop at X" in err
+    assert "Move the clamp or stop away" in err

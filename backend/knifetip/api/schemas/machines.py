@@ -62,6 +62,19 @@ class CarriageOut(BaseModel):
     park: float = Field(description="Position of its Y while another carriage is in use (mm)")
 
 
+class ZoneOut(BaseModel):
+    """A keep-out zone: a box on the table, such as a clamp, that no tool may touch."""
+
+    model_config = ConfigDict(from_attributes=True)
+
+    name: str = Field(description="Name of the zone")
+    x: float = Field(description="Position of the left edge on the table (mm)")
+    y: float = Field(description="Position of the lower edge on the table (mm)")
+    width: float = Field(description="Size along X (mm)")
+    height: float = Field(description="Size along Y (mm)")
+    top: float = Field(description="Height of the top of the zone above the mat (mm)")
+
+
 class StationOut(BaseModel):
     """A tool station on the head of a machine.
 
@@ -77,6 +90,10 @@ class StationOut(BaseModel):
     )
     output: int = Field(
         description="Digital output of the piston that lowers the station; -1 for none"
+    )
+    envelope: float = Field(
+        description="Radius of the holder about the axis of the station, for keep-out zones (mm); "
+        "0: the tool only"
     )
     tool: ToolOut = Field(description="Tool in the station")
 
@@ -111,6 +128,7 @@ class MachineOut(BaseModel):
     min_distance: float | None = Field(
         description="Least distance of two carriages along Y (mm); null for one carriage"
     )
+    zones: list[ZoneOut] = Field(description="Keep-out zones on the table; empty if there are none")
     stations: list[StationOut] = Field(description="Tool stations on the head of the machine")
     gateway: Literal["connected", "absent"] = Field(
         description="Whether a gateway for the machine is connected"

@@ -217,6 +217,15 @@ MESSAGES: Final[Entries] = {
         path="text",
         least="count",
     ),
+    "field.zone-above-travel": entry(
+        "{path}: the top of the zone {zone} is {top:g} mm above the mat and the clearance is "
+        "{clearance:g} mm, but tools travel at travel_z = {travel_z:g} mm; raise travel_z",
+        path="text",
+        zone="text",
+        top="number",
+        clearance="number",
+        travel_z="number",
+    ),
     "field.unknown": entry(
         "{path} is not a known field",
         path="text",

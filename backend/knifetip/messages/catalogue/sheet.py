@@ -1,4 +1,4 @@
-"""sheet: messages about the sheet on the table of a machine."""
+"""sheet: messages about the sheet on the table of a machine, and about its keep-out zones."""
 
 from __future__ import annotations
 
@@ -40,5 +40,18 @@ MESSAGES: Final[Entries] = {
     "sheet.without-outline": entry(
         "The cuts of the drawing form no closed outline, so the outline of the sheet is not known.",
         "Enter the width and the height of the sheet, or close the outline of the drawing.",
+    ),
+    "zone.work": entry(
+        "{tool} (station {station}) would touch the keep-out zone {zone} at X {x:.1f}, "
+        "Y {y:.1f} mm{place}: the tool with its holder needs {reach:.1f} mm around its axis.",
+        "Move the clamp or stop away from the drawing and correct its zone in the machine file, or "
+        "move the origin in the machine file so that the drawing lies beside the zone.",
+        tool="text",
+        station="count",
+        zone="text",
+        x="number",
+        y="number",
+        place="message?",
+        reach="number",
     ),
 }

@@ -411,6 +411,14 @@ MESSAGES: Final[Entries] = {
         station="count",
         depth="number",
     ),
+    "verify.in-zone": entry(
+        "Station {station} touches the keep-out zone {zone}: its tip is {depth:.1f} mm below the "
+        "top of the zone, and its tool or holder reaches into the zone.",
+        "Lead the move around the zone, or lift the tool above it.",
+        station="count",
+        zone="text",
+        depth="number",
+    ),
     "verify.rapid-near-sheet": entry(
         "A rapid move of station {station} is {depth:.3f} mm below the top face of the board, and "
         "it is over the sheet, too close to the sheet, or in the mat.",

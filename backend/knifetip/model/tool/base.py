@@ -107,6 +107,12 @@ class Tool(ABC):
         """
 
     @property
+    def reach(self) -> float:
+        """Radius about the head's axis within which the tool lies at any heading (mm)."""
+        circle = self.tip_circle(0.0)
+        return circle.radius + abs(circle.aside)
+
+    @property
     def reversal(self) -> tuple[Reversal, float]:
         """The ends of a track at which the tool may start, and an angle (degrees).
 

@@ -48,6 +48,11 @@ class CreaseWheel(Tool):
         return TipCircle(math.hypot(self.contact(max(depth, 0.0)), self.width / 2.0), 0.0, 0.0)
 
     @property
+    def reach(self) -> float:
+        """Radius about the head's axis within which the wheel lies at any heading (mm)."""
+        return math.hypot(self.radius, self.width / 2.0)
+
+    @property
     def reversal(self) -> tuple[Reversal, float]:
         """The ends of a track at which the wheel may start, and an angle (degrees).
 
