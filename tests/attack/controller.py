@@ -37,7 +37,7 @@ MODES = {
     "G54": "system",
 }
 #: Greatest deviation by G64 that these programs permit (mm).
-MAX_BLENDING = 0.005
+MAX_BLENDING = 0.01
 _ALONE = {"G0", "G1", "G2", "G3", "G4", "G64", "M2", "M30", "M3", "M5", "M6", "M64", "M65", *MODES}
 
 
@@ -162,7 +162,7 @@ def _block(
     run: Run,
     tooled: bool,
 ) -> None:
-    codes = [f"{letter}{value:g}" for letter, value in words if letter in "GM"]
+    codes = [f"{letter}{value + 0.0:g}" for letter, value in words if letter in "GM"]
     values = {letter: value for letter, value in words if letter not in "GM"}
     if len(values) + len(codes) != len(words):
         raise NotExecuted(f"line {number}: a letter twice")
@@ -171,7 +171,7 @@ def _block(
     if strange := set(values) - set("XYZCIJFPQST"):
         raise NotExecuted(f"line {number}: {sorted(strange)} not supported")
     for code in codes:
-        if MODES.get(code) == "feed" and code != state.feed_mode:
+        if MODES.get(code) == "feed":
             state.feed_mode, state.feed = code, math.nan
     if "F" in values:
         state.feed = values["F"]

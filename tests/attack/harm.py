@@ -252,14 +252,22 @@ def _farthest(own: list[Contact], others: list[Contact]) -> tuple[float, F64]:
         return math.inf, fresh[0].points[0]
     start = np.vstack([each.points[:-1] for each in others])
     step = np.vstack([np.diff(each.points, axis=0) for each in others])
-    size = np.maximum((step**2).sum(axis=1), 1e-18)
+    # A path without travel acts at its lowest point.
+    flat = np.array([1.0, 1.0, 0.0, 1.0, 1.0])
+    size = ((step * flat) ** 2).sum(axis=1)
+    upright = size < 1e-18
+    start[upright] += np.where(step[upright, 2:3] < 0.0, step[upright], 0.0)
+    step[upright], size[upright] = 0.0, 1.0
     for contact in fresh:
         for one, other in zip(contact.points[:-1], contact.points[1:], strict=True):
             pieces = 2 + min(200, int(np.hypot(*(other - one)[:2]) / 0.5))
             points = one + (other - one) * np.linspace(0.0, 1.0, pieces)[:, None]
             to = points[:, None] - start
-            along = np.clip((to * step).sum(axis=2) / size, 0.0, 1.0)
-            far = np.linalg.norm(to - along[..., None] * step, axis=2).min(axis=1)
+            along = np.clip((to * flat * step).sum(axis=2) / size, 0.0, 1.0)
+            to -= along[..., None] * step
+            # Above a deeper path there is nothing left to cut.
+            to[..., 2] = np.minimum(to[..., 2], 0.0)
+            far = np.linalg.norm(to, axis=2).min(axis=1)
             if far.max() > worst:
                 worst, where = float(far.max()), points[int(far.argmax())]
     return worst, where

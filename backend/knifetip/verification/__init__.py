@@ -99,6 +99,7 @@ verify.oscillation-on              checks.motion_checks
 verify.other-placement             verify
 verify.output                      checks.output_checks
 verify.output-off                  checks.motion_checks
+verify.pass-alone                  checks.milling_check
 verify.pass-too-deep               checks.groove_check, checks.milling_check
 verify.past-end                    checks.stray_work
 verify.past-open-cut               checks.milling_check
@@ -106,6 +107,7 @@ verify.past-stop                   checks.stray_work
 verify.perforation-bridge          checks.knife_check
 verify.perforation-cut             checks.knife_check
 verify.perforation-gap             checks.knife_check
+verify.perforation-uneven          checks.knife_check
 verify.plunge-without-move         checks.check_base
 verify.rapid-in-board              checks.motion_checks
 verify.slanted                     checks.motion_checks

@@ -3727,6 +3727,10 @@ export const TEXTS = {
     "text": "Station {station} processes the board while its output {output} is off, so its tool is not lowered.",
     "hint": "Switch output {output} on (M64) before the station is used."
   },
+  "verify.pass-alone": {
+    "text": "The cutter mills {length:.3f} mm only {depth:.3f} mm deep, and no other pass goes through the board there.",
+    "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
+  },
   "verify.pass-too-deep": {
     "text": "The {tool:tool} cuts {depth:.3f} mm deep in a single pass along {length:.3f} mm, but at most {step:g} mm per pass are allowed.",
     "hint": "Add a shallower pass, or allow deeper passes in the board file."
@@ -3753,6 +3757,10 @@ export const TEXTS = {
   },
   "verify.perforation-gap": {
     "text": "A gap of the perforation, which begins {place:.3f} mm from the start of the edge, is {length:.3f} mm long, but the board needs gaps of {planned:g} mm.",
+    "hint": "Compile the job again for this board."
+  },
+  "verify.perforation-uneven": {
+    "text": "A cut of the perforation is not where it is planned: the gap that begins {place:.3f} mm from the start of the edge is {first:.3f} mm long, and the gap after the cut {second:.3f} mm.",
     "hint": "Compile the job again for this board."
   },
   "verify.plunge-without-move": {

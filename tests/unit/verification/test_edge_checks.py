@@ -273,8 +273,13 @@ def test_a_perforation_has_cuts_and_gaps() -> None:
     assert perforated([(0, 3), (5, 8), (10, 13), (15, 18)]).findings == ()
     assert {f.kind for f in perforated([(0, 3), (5, 8), (15, 18)]).findings} == {"uncut"}
     assert {f.kind for f in perforated([(0, 3), (5, 8), (10, 13.2), (15, 18)]).findings} == {
-        "uncut"
+        "uncut",
+        "deviation",
     }
+    # A cut 0.008 mm off makes one gap longer and the next shorter; at 0.004 mm it is accepted.
+    assert perforated([(0, 3), (4.996, 7.996), (10, 13), (15, 18)]).findings == ()
+    shifted = perforated([(0, 3), (4.992, 7.992), (9.996, 12.996), (15, 18)]).findings
+    assert [f.message.code for f in shifted] == ["verify.perforation-uneven"]
     # A cut between two cuts leaves no board that holds.
     through = perforated([(0, 3), (2.9, 5.9), (5, 8), (10, 13), (15, 18)]).findings
     assert {(f.kind, f.edge, round(f.measure, 3)) for f in through} == {

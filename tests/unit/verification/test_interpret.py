@@ -59,6 +59,10 @@ def test_the_feed_is_cleared_when_the_feed_mode_changes() -> None:
     assert faults_of(start + "G1 X3\nM2\n") == [
         "5: rs274.timed-without-f",
     ]
+    # LinuxCNC clears it also if the mode stays.
+    assert faults_of(HEADER + "G0 X0 Y0 Z20 C0\nG1 X1 F600\nG94\nG1 X2\nM2\n") == [
+        "5: rs274.no-feed"
+    ]
 
 
 @pytest.mark.parametrize(
@@ -168,3 +172,8 @@ def test_outputs_are_switched_at_rest_without_a_tool_table() -> None:
 def test_a_line_number_is_the_first_word() -> None:
     assert faults_of(HEADER + "N5 G0 X1\nM2\n") == []
     assert faults_of(HEADER + "G0 N5 X1\nM2\n") == ["2: rs274.bad-line-number"]
+
+
+def test_linuxcnc_states_the_rounding_of_corners_before_its_first_move() -> None:
+    table = HEADER + "G0 Z20\nG64 P0.005 Q0.005\nT1 M6\nM2\n"
+    assert faults_of(table) == ["2: rs274.unbounded-rounding"]

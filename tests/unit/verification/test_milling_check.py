@@ -17,6 +17,7 @@ from knifetip.verification.curves.curve import line_curves
 from knifetip.verification.curves.intervals import uncovered_edges
 from knifetip.verification.verify import verify
 from tests.support.programs.handwritten import BOARD, CUT, MACHINE, changed, dieline
+from tests.support.shapes import with_dimensions
 
 #: A router of 3 mm radius on output 0, and nothing else.
 ROUTER: Machine = replace(
@@ -170,6 +171,21 @@ def test_a_path_that_stops_early_leaves_that_length_uncut() -> None:
 def test_a_cutter_that_is_not_through_is_refused() -> None:
     text = program(*HOLE, *SQUARE).replace(b"Z-0.3", b"Z0.1")
     assert {"depth", "uncut"} == {finding.kind for finding in faults(verdict_of(text))}
+
+
+def test_a_shallow_pass_without_a_final_pass_is_refused() -> None:
+    stepped = with_dimensions(ROUTER.stations[0].tool, step=2.0)
+    machine = replace(ROUTER, stations=(replace(ROUTER.stations[0], tool=stepped),))
+
+    def found(pass_end: int) -> list[tuple[str, int]]:
+        text = program(*HOLE, *SQUARE[:-2], "G1 X80", "G1 Z4 F1200").decode()
+        first = f"G0 X90 Y-3\nG1 Z1 F1200\nG1 X{pass_end} F6000\nG1 Z4 F1200\n"
+        text = text.replace("G0 X50 Y-3\n", first + "G0 X50 Y-3\n", 1)
+        findings = verify(text.encode(), PART, (0.0, 0.0), machine, BOARD).findings
+        return [(f.message.code, round(f.measure)) for f in findings if f.kind == "stray"]
+
+    assert found(80) == []
+    assert found(60) == [("verify.pass-alone", 20)]
 
 
 def test_a_cutter_at_rest_is_refused() -> None:

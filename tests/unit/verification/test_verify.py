@@ -202,3 +202,14 @@ def test_ten_times_the_moves_take_no_more_than_thirty_times_as_long() -> None:
 
     # A comparison of every move with every edge would take a hundred times as long.
     assert seconds(20_000) < 30.0 * seconds(2_000) + 0.1
+
+
+@BOTH
+def test_a_cut_is_not_repeated_on_loose_board(text: bytes) -> None:
+    slit = "G0 X40.0000 Y35.0000 C0.0000\nG1 Z-0.3000\nG1 X59.5944 F24000\nG1 Z4.0000 F6000\n"
+    last = "G1 X70.3527\nG1 Z4.0000 F6000\n"
+    found = verify(changed(text, last, last + slit), DIELINE, PLACEMENT, MACHINE, BOARD).findings
+    assert [(each.message.code, each.edge) for each in found] == [("verify.loose-piece", SLIT)]
+    before = "G0 X70.0000 Y20.0000 C0.0000\n"
+    again = changed(text, before, slit + before)
+    assert verify(again, DIELINE, PLACEMENT, MACHINE, BOARD).findings == ()

@@ -345,6 +345,14 @@ MESSAGES: Final[Entries] = {
         station="count",
         output="count",
     ),
+    "verify.pass-alone": entry(
+        "The cutter mills {length:.3f} mm only {depth:.3f} mm deep, and no other pass goes through "
+        "the board there.",
+        "Compile the job again. If the finding remains, report it as an internal error with the "
+        "program file.",
+        length="number",
+        depth="number",
+    ),
     "verify.pass-too-deep": entry(
         "The {tool:tool} cuts {depth:.3f} mm deep in a single pass along {length:.3f} mm, but "
         "at most {step:g} mm per pass are allowed.",
@@ -396,6 +404,15 @@ MESSAGES: Final[Entries] = {
         length="number",
         place="number",
         planned="number",
+    ),
+    "verify.perforation-uneven": entry(
+        "A cut of the perforation is not where it is planned: the gap that begins {place:.3f} mm "
+        "from the start of the edge is {first:.3f} mm long, and the gap after the cut "
+        "{second:.3f} mm.",
+        "Compile the job again for this board.",
+        first="number",
+        second="number",
+        place="number",
     ),
     "verify.plunge-without-move": entry(
         "The {tool:tool} enters the board at X{x:.3f} Y{y:.3f} (coordinates of the sheet) and "

@@ -359,7 +359,8 @@ class KnifeCheck(StationCheck):
             )
 
     def _check_perforation_bridges(self, overlaps: Overlaps, perforated: Bool, lead: float) -> None:
-        """Add a finding for each gap of a perforation that is too short to hold the board.
+        """Add a finding for each gap of a perforation that is too short to hold the board, and for
+        each that differs from the gap before it.
 
         The gaps of a path of length L are equal, and as few as keep each of them at most as long as
         the board's gap g.  With n cuts of the board's length c, one cut less would make the gaps
@@ -407,6 +408,25 @@ class KnifeCheck(StationCheck):
                     least=least[k],
                 ),
                 float(least[k] - length[k]),
+                edge=int(self.edges.row[edge[k]]),
+                line=int(first_line[bridge[k] + 1]),
+            )
+        # Each of the four ends of two gaps is rounded.
+        uneven = self.tolerance + 4.0 * self.context.resolution
+        follows = (edge[1:] == edge[:-1]) & (bridge[1:] == bridge[:-1] + 1)
+        fits = (length <= gap + self.slack) & (length >= least - self.slack)
+        follows &= fits[1:] & fits[:-1]
+        change = np.where(follows, np.abs(np.diff(length)), 0.0)
+        for k in np.flatnonzero(change > uneven)[:MAX_FINDINGS]:
+            self.context.findings.add(
+                "deviation",
+                Message(
+                    "verify.perforation-uneven",
+                    first=length[k],
+                    second=length[k + 1],
+                    place=end[bridge[k]],
+                ),
+                float(change[k]),
                 edge=int(self.edges.row[edge[k]]),
                 line=int(first_line[bridge[k] + 1]),
             )

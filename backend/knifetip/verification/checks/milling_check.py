@@ -27,7 +27,7 @@ from knifetip.verification.checks.bridge_check import check_bridges, order_bridg
 from knifetip.verification.checks.check_context import DEPTH_TOLERANCE, NEAR_EDGE, CheckContext
 from knifetip.verification.checks.milling_geometry import spans_near_points
 from knifetip.verification.checks.milling_shortfalls import report_unreached, report_wide_slits
-from knifetip.verification.checks.pass_depth import too_deep_spans
+from knifetip.verification.checks.pass_depth import too_deep_spans, unfinished_spans
 from knifetip.verification.checks.unreached_areas import unreached_areas
 from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.curves.curve import left_distance, line_curves, point_at
@@ -134,6 +134,7 @@ class _MillingCheck:
             )
         self._check_pass_steps(deep)
         is_through = deep >= planned_depth - DEPTH_TOLERANCE
+        self._check_unfinished(deep, is_through)
         pieces = cutter_paths(self.bounds, self.reach)
         gap_edge, begin, end = self._untouched_stretches(pieces, is_through)
         unreached = self._record_untouched(pieces, gap_edge, begin, end)
@@ -173,6 +174,23 @@ class _MillingCheck:
                 float(deep[row] - self.tool.step),
                 row,
             )
+
+    def _check_unfinished(self, deep: F64, is_through: Bool) -> None:
+        """Add a finding for each stretch that only shallow passes mill, such as a bridge.
+
+        A cutter that mills in a single pass has no shallow passes.
+
+        ``deep`` is the depth of the tip below the board's top face in each of the n paths of the
+        cutter's centre, (n,) mm, and ``is_through`` the mask of the paths through the board, (n,).
+        """
+        if self.tool.step == 0.0:
+            return
+        path_rows, spans = unfinished_spans(self.centres.curve, is_through, self.tolerance)
+        size = np.diff(spans)[:, 0]
+        for k in np.flatnonzero(size > self.slack)[:MAX_FINDINGS]:
+            row = int(path_rows[k])
+            message = Message("verify.pass-alone", length=size[k], depth=deep[row])
+            self._add_finding("stray", -1, message, float(size[k]), row)
 
     def _add_finding(
         self, kind: str, edge: int, message: Message, measure: float, row: int = -1

@@ -1,4 +1,6 @@
-"""Find stretches of tip paths at which a tool cuts deeper in one pass than is permitted."""
+"""Compare the passes of a cut: find stretches of tip paths that are too deep for one pass, and
+stretches that only shallow passes follow.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from knifetip.verification.checks.check_context import DEPTH_TOLERANCE
-from knifetip.verification.columns import F64, I32
+from knifetip.verification.columns import F64, I32, Bool
 from knifetip.verification.curves.curve import azimuth_at
 from knifetip.verification.curves.intervals import uncovered_curves
 from knifetip.verification.curves.overlap import find_overlaps
@@ -52,3 +54,27 @@ def too_deep_spans(
     earlier = replace(overlaps, curve=overlaps.curve[ready], along=overlaps.along[ready])
     path_rows, spans = uncovered_curves(earlier, curve[late])
     return late[path_rows].astype(np.int32), spans
+
+
+def unfinished_spans(curve: F64, is_final: Bool, near: float) -> tuple[I32, F64]:
+    """Return the stretches of tip paths that no pass at the final depth repeats.
+
+    Parameters
+    ----------
+    curve : (n, 6)
+        Tip paths: lines and arcs as rows of six numbers (see ``curves.curve``).
+    is_final : (n,)
+        Mask of the tip paths at the final depth.
+    near : mm
+        Greatest distance between two passes of the same cut.
+
+    Returns
+    -------
+    Index of the tip path of each of k stretches (k,), and the start and end of the stretch along
+    that path (k, 2) mm.
+    """
+    shallow = np.flatnonzero(~is_final)
+    final = curve[is_final]
+    overlaps = find_overlaps(curve[shallow], final, np.zeros(len(final)), final[:, 5], near)
+    path_rows, spans = uncovered_curves(overlaps, curve[shallow])
+    return shallow[path_rows].astype(np.int32), spans

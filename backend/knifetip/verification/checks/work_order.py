@@ -23,6 +23,7 @@ import numpy as np
 from knifetip.kernels import F64_1, I64_1, I64_2, kernel
 from knifetip.messages import Message
 from knifetip.model.dieline import LineType
+from knifetip.model.tool import Knife
 from knifetip.verification.checks.check_context import DEPTH_TOLERANCE, CheckContext
 from knifetip.verification.checks.cut_faces import GAP_LENGTH, CutFaces, find_cut_faces
 from knifetip.verification.columns import F64, I32, I64, Bool
@@ -119,7 +120,8 @@ def _check_cuts(
     late = spans.line > release_line
     if spans.reach == 0.0:
         # The overrun of a knife may lie on a cut that is already made.
-        late &= _new_spans(spans.edge, spans.low, spans.high)
+        overrun = _longest_overrun(context)
+        late &= _new_spans(spans.edge, spans.low, spans.high) | (spans.high - spans.low > overrun)
     late_rows = np.flatnonzero(late)
     for k in late_rows[np.unique(spans.edge[late_rows], return_index=True)[1]][:MAX_FINDINGS]:
         edge = int(spans.edge[k])
@@ -129,6 +131,22 @@ def _check_cuts(
         _add_finding(
             context, int(cuts.row[edge]), place[0], int(spans.line[k]), int(release_line[k])
         )
+
+
+def _longest_overrun(context: CheckContext) -> float:
+    """Return the greatest length by which a knife of the machine runs past the end of a cut (mm).
+
+    A blade that is slanted by an angle cuts ahead of its tip by its depth times the tangent of the
+    angle.
+    """
+    depth = context.board.caliper + context.machine.into_mat
+    angles = [
+        station.tool.blade_angle
+        for station in context.machine.stations
+        if isinstance(station.tool, Knife)
+    ]
+    longest = max((math.tan(math.radians(angle)) for angle in angles), default=0.0)
+    return depth * longest + context.tolerance
 
 
 def _check_other_edges(

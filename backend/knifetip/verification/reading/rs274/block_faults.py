@@ -166,7 +166,7 @@ def _check_modes(blocks: ProgramBlocks, state: ModalState, settle: F64) -> None:
         if first_move < blocks.count and not stated.any():
             fault(np.arange(blocks.count) == first_move, Message("rs274.moves-unstated", mode=mode))
     if state.uses_tool_table:
-        unbound = np.isinf(state.blend) & moving & ~has_code(Group.MOTION, 0)
+        unbound = np.isinf(state.blend) & moving
         if unbound.any():
             fault(
                 np.arange(blocks.count) == int(np.argmax(unbound)),

@@ -87,12 +87,10 @@ class ModalState:
         self.inverse: Bool = (
             value_in_force((blocks.group[Group.FEED] == 930).astype(np.float64), mode, 0.0) > 0.5
         )
-        changed = np.zeros(count, np.bool_)
-        changed[1:] = self.inverse[1:] != self.inverse[:-1]
         has_feed = blocks.has("F")
         stated = latest_block(has_feed)
-        # grbl clears the feed when the feed mode changes, so F must follow.
-        fresh = (stated >= 0) & (stated >= latest_block(changed))
+        # LinuxCNC clears the feed at each G93 and G94, also if the mode stays, so F must follow.
+        fresh = (stated >= 0) & (stated >= latest_block(mode))
         fresh &= ~self.inverse | has_feed
         held = value_in_force(number["F"], has_feed)
         self.feed = np.where(fresh & (held > 0.0), held, np.nan)
