@@ -17,7 +17,8 @@ from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Axis, Carriage, Gantry, Machine
 from knifetip.model.tool import Laser
-from knifetip.sequencing.duration import duration
+from knifetip.sequencing.duration import duration, durations
+from knifetip.sequencing.travel import carriage_changes
 from knifetip.verification.verify import trace_program, verify
 from tests.support.shapes import closed, dieline, edges
 from tests.support.verdicts import has_faults
@@ -158,8 +159,20 @@ def test_all_heads_are_lifted_before_outputs_are_released() -> None:
     assert re.search(r"^G0 Z20\.0000 W20\.0000$", text, re.MULTILINE)
     low = changed(text, r"^G0 Z20\.0000 W20\.0000$", "G0 Z20.0000 W5.0000")
     assert "verify.switches-low" in faults(low, machine)
+    assert "verify.moves-before-stated" in faults(low, machine)
     half = changed(text, r"^G0 Z20\.0000 W20\.0000$", "G0 Z20.0000")
     assert "verify.switches-at-unknown-height" in faults(half, machine)
+
+
+def test_a_station_is_lowered_only_if_its_own_carriage_is_lifted() -> None:
+    machine = MACHINES["own Z"]
+    knife, *others = machine.stations
+    stations = (replace(knife, carriage=2), *(replace(one, carriage=1) for one in others))
+    exchanged = replace(machine, stations=stations)
+    text = program(exchanged)
+    assert faults(text, exchanged) == []
+    low = changed(text, r"^(?=\(station 1)", "G0 W3.0000\n")
+    assert set(faults(low, exchanged)) == {"verify.idle-head-low", "verify.switches-low"}
 
 
 def test_work_beside_a_parked_carriage_is_refused_before_a_program_is_written() -> None:
@@ -188,6 +201,19 @@ def test_the_verifier_knows_the_least_distance_of_the_machine() -> None:
     assert "verify.heads-too-near" in faults(program(), wider)
 
 
+def test_the_distance_is_checked_along_the_whole_of_an_arc() -> None:
+    round_top = closed((100, 100), (300, 100), (300, 300), (100, 300))
+    line = dieline((LineType.CUT, round_top), bulge={2: 0.1})
+    text = program(line=line).encode()
+    assert TABLE.gantry
+    # The arc begins and ends 1,120 mm from the parked carriage, and reaches up to 1,110 mm.
+    for least, accepted in ((1105.0, True), (1115.0, False)):
+        machine = replace(TABLE, gantry=replace(TABLE.gantry, min_distance=least))
+        found = verify(text, line, (0.0, 0.0), machine, BOARD).findings
+        codes = {finding.message.code for finding in found}
+        assert codes == (set() if accepted else {"verify.heads-too-near"})
+
+
 def test_arcs_of_the_second_carriage_are_chords_near_the_arc() -> None:
     text = program()
     wheel = text.split("T2 M6 G43")[1].split("M65")[0]
@@ -198,16 +224,26 @@ def test_arcs_of_the_second_carriage_are_chords_near_the_arc() -> None:
     assert result.deviation.max() < 0.0062
 
 
-def test_the_speeds_of_a_carriage_count_in_the_time() -> None:
+@pytest.mark.parametrize("limit", [{"velocity": 100.0}, {"acceleration": 400.0}])
+def test_the_speeds_of_a_carriage_count_in_the_time(limit: dict[str, float]) -> None:
     toolpath = sequence([compensate(one) for one in plan(LINE, TABLE, BOARD)], TABLE)
     assert TABLE.gantry
     first, second = TABLE.gantry.carriages
-    slow = replace(second.axes[1], velocity=100.0, acceleration=500.0)
-    axes = (second.axes[0], slow, *second.axes[2:])
-    slower = replace(
-        TABLE, gantry=replace(TABLE.gantry, carriages=(first, replace(second, axes=axes)))
-    )
-    assert duration(toolpath, slower) > 1.2 * duration(toolpath, TABLE)
+    x, y, z, c = second.axes
+    slow = replace(second, axes=(x, replace(y, **limit), z, c))
+    slower = replace(TABLE, gantry=replace(TABLE.gantry, carriages=(first, slow)))
+    assert duration(toolpath, slower) > 1.1 * duration(toolpath, TABLE)
+    same = replace(TABLE, gantry=replace(TABLE.gantry, carriages=(first, second)))
+    assert duration(toolpath, same) == duration(toolpath, TABLE)
+
+
+def test_a_parked_carriage_need_not_travel_to_its_parking_position() -> None:
+    toolpath = sequence([compensate(one) for one in plan(LINE, TABLE, BOARD)], TABLE)
+    rows = carriage_changes(toolpath, TABLE)
+    assert len(rows) == 1
+    # The row leads over 1.6 m in the toolpath, which would take more than a second.
+    assert np.ptp(toolpath.pose[rows[0] : rows[0] + 2, 1]) > 1600.0
+    assert durations(toolpath, TABLE)[rows[0]] < 0.4
 
 
 def test_a_laser_on_the_second_carriage_is_switched_with_its_own_letters() -> None:

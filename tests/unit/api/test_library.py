@@ -21,6 +21,15 @@ def test_the_demo_table_shows_its_stations_with_their_dimensions(client: httpx.C
     assert client.get("/api/machines/demo-table").json() == machine
 
 
+def test_a_table_with_two_carriages_shows_all_its_axes(client: httpx.Client) -> None:
+    machine = client.get("/api/machines/two-carriage-table").json()
+    assert set(machine["axes"]) == set("xyzcva")
+    assert machine["axes"]["v"]["velocity"] == 1200.0
+    assert [row["letters"] for row in machine["carriages"]] == ["XYZC", "XVZA"]
+    assert [row["carriage"] for row in machine["stations"]] == [1, 2, 2]
+    assert machine["min_distance"] == 200.0
+
+
 def test_boards_and_profiles_are_listed_and_returned(client: httpx.Client) -> None:
     boards = client.get("/api/boards").json()
     assert {"e-flute", "greyboard-2.0", "fbb-0.4"} <= {board["name"] for board in boards}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from importlib import resources
 from pathlib import Path
 
 import pytest
@@ -270,6 +271,32 @@ def test_machine_shows_given_and_derived_tool_dimensions(knifetip: Command) -> N
     assert stations[3]["tool"]["half_width"] == 1.5
     assert stations[3]["tool"]["length"] == pytest.approx(6.0 * 2**0.5)
     assert stations[2]["datum"] == {"x": 60.0, "y": 0.0, "z": -1.5, "c": 0.0}
+
+
+def test_machine_shows_the_carriages_and_the_letters_of_their_axes(knifetip: Command) -> None:
+    code, out, _ = knifetip("machine", "two-carriage-table")
+    assert code == 0
+    assert "carriages at least 200 mm apart" in out
+    assert "carriage 2: axes X V Z A, parks at V1420, stations 2, 3" in out
+    code, out, _ = knifetip("machine", "two-carriage-table", "--tool-table")
+    assert "T3 P3 X-45.0000 V5.0000 Z0.0000 A90.0000 " in out
+    code, out, _ = knifetip("machine", "demo-table", "--json")
+    machine = json.loads(out)
+    assert machine["carriages"] == [{"number": 1, "letters": "XYZC", "park": 0.0}]
+    assert (machine["min_distance"], machine["stations"][0]["carriage"]) == (None, 1)
+
+
+def test_a_gateway_refuses_a_machine_with_several_carriages(
+    knifetip: Command, tmp_path: Path
+) -> None:
+    text = (resources.files("knifetip") / "library/machines/two-carriage-table.toml").read_text()
+    mine = tmp_path / "mine.toml"
+    mine.write_text(text.replace('"linuxcnc"', '"grblhal"'), "utf-8")
+    for command in ("gateway", "simulator"):
+        code, _, err = knifetip(command, "--machine", mine)
+        assert code != 0
+        assert "has 2 carriages" in err
+        assert "Download the program" in err
 
 
 def test_machine_prints_a_tool_table_for_linuxcnc(knifetip: Command) -> None:
