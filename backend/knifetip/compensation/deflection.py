@@ -4,7 +4,9 @@ A contour that runs at azimuth a pushes the cutter away from it by Δ = σ (−�
 δx and δy the largest deflections along X and Y, and σ = +1 if the cutter is left of travel, −1 if
 right.  So for a contour point P with left normal n and a cutter of radius r, the centre is
 programmed at P + σ diag(r − δx, r − δy) n instead of P + σ r n: every point of the offset moves by
-−σ diag(δx, δy) n.  Lines are shifted, arcs become elliptical.
+−σ diag(δx, δy) n.  Lines are shifted, arcs become elliptical.  The mean of δx and δy is taken off
+the radius before the offset; the shift has the difference of δx and δy from their mean, of which
+one is negative.
 
 Source: the paper "Tool radius compensation", eqs 6–12.  The paper does not state in which direction
 to correct; here the path moves towards the contour.
@@ -19,9 +21,9 @@ import numpy as np
 from knifetip.errors import CompensationError
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import left_normal, tan_half_angle, unit_vectors
-from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.geometry.path import Paths
-from knifetip.geometry.tolerance import BULGE
+from knifetip.geometry.tolerance import BULGE, POINT
 
 #: Least Σ sin² to determine δx, and Σ cos² to determine δy: one point within 13° of the axis.
 _MIN_WEIGHT: Final = 0.05
@@ -138,7 +140,8 @@ def shift_centres(
     The paths may go round corners on arcs or on lines (types B, C and D).  The shift of a point
     depends only on the direction of the path there.  Where the direction jumps, as at the bend of a
     corner of type C or at an inside corner, the two neighbouring segments are extended or trimmed
-    to their intersection.
+    to their intersection.  A segment of which nothing is left is dropped, and a path of which
+    nothing is left, too.
 
     Parameters
     ----------
@@ -147,7 +150,8 @@ def shift_centres(
     side
         σ, +1 if the cutter is left of travel, −1 if right.
     x, y : mm
-        δx, δy: largest deflections along X and Y.
+        δx, δy: largest deflections along X and Y; a negative value moves the path away from the
+        contours.
     tolerance : mm
         Largest distance of the returned arcs from the exact elliptical arcs.
 
@@ -157,24 +161,55 @@ def shift_centres(
         Shifted paths with m segments.
     rows : (m,)
         For each shifted segment, the index of the segment of the given ``paths`` that was shifted.
-
-    Raises
-    ------
-    CompensationError
-        A segment is too short, or the radius of an arc too small, for the deflection.
     """
     if (x == 0.0 and y == 0.0) or len(paths.bulge) == 0:
         return paths, np.arange(len(paths.bulge), dtype=np.int32)
     shifted = _ShiftedSegments(paths, side, x, y)
-    low, high = shifted.intersect_neighbours(paths)
-    rows, start, end, bulge = shifted.to_arcs(low, high, abs(x - y), tolerance)
+    segment, low, high = shifted.intersect_neighbours(paths)
+    rows, start, end, bulge = shifted.to_arcs(segment, low, high, abs(x - y), tolerance)
     count = np.bincount(paths.path_of[rows], minlength=len(paths))
-    first = np.concatenate([[0], np.cumsum(count)])
+    remains = count > 0
+    first = np.concatenate([[0], np.cumsum(count[remains])])
     # Neighbours meet within rounding; make their common point exactly equal.
     successor = np.arange(1, len(rows) + 1)
-    successor[first[1:] - 1] = np.where(paths.closed, first[:-1], -1)
+    successor[first[1:] - 1] = np.where(paths.closed[remains], first[:-1], -1)
     end[successor >= 0] = start[successor[successor >= 0]]
     return Paths(start, end, bulge, first), rows.astype(np.int32)
+
+
+def _has_jump(paths: Paths, before: I32, after: I32) -> Bool:
+    """Return whether the direction jumps from one segment to the next, for m pairs, (m,).
+
+    ``before`` (m,) and ``after`` (m,) are the indices of the segments of each pair.
+    """
+    ahead, arriving = arc.tangents(paths.start, paths.end, paths.bulge)
+    u, v = unit_vectors(arriving[before]), unit_vectors(ahead[after])
+    turn = np.arctan2(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0], (u * v).sum(axis=1))
+    jump: Bool = np.abs(turn) > _MIN_JUMP
+    return jump
+
+
+def _soonest(rows: I64, left: F64, before: I32, following: I32) -> I32:
+    """Return those of k segments that have no length left sooner than their neighbours.
+
+    Parameters
+    ----------
+    rows : (k,)
+        Indices of segments that have no length left after the shift.
+    left : (n,)
+        Length of each segment after the shift, divided by its length before; negative for a
+        segment that ends before it starts.  The smaller this quotient is, the sooner during the
+        shift no length is left.
+    before, following : (n,)
+        Neighbours of each segment, -1 for none.
+    """
+    # The last entry is the rank of a neighbour that does not exist or is not among the segments.
+    rank = np.full(len(left) + 1, len(rows))
+    rank[rows[np.argsort(left[rows], kind="stable")]] = np.arange(len(rows))
+    own = rank[rows]
+    first = (own <= rank[before[rows]]) & (own <= rank[following[rows]])
+    result: I32 = rows[first].astype(np.int32)
+    return result
 
 
 class _ShiftedSegments:
@@ -187,30 +222,24 @@ class _ShiftedSegments:
     def __init__(self, paths: Paths, side: int, x: float, y: float) -> None:
         start, end, bulge = paths.start, paths.end, paths.bulge
         self.curved: Bool = np.abs(bulge) >= BULGE
-        ahead, _ = arc.tangents(start, end, bulge)
-        self.ahead = unit_vectors(ahead)
+        ahead, arriving = arc.tangents(start, end, bulge)
         self.origin = start - deflection_at(ahead, side, x, y)
         radius = np.where(self.curved, arc.radius(start, end, bulge), 0.0)
-        middle = np.where(self.curved[:, None], arc.centre(start, end, bulge), 0.0)
         # The left normal points away from the centre of a right-hand arc, towards that of a left
         # one.
         outward = side * np.sign(bulge)
         self.half = radius[:, None] + outward[:, None] * np.array([x, y])
+        # An arc with a smaller radius than the shift becomes the line between its shifted ends.
         tight = self.curved & (self.half <= 0.0).any(axis=1)
-        if tight.any():
-            row = int(np.argmax(tight))
-            raise CompensationError(
-                "deflection.arc-too-small",
-                radius=radius[row],
-                x=start[row, 0],
-                y=start[row, 1],
-                deflection=max(x, y),
-            )
-        self.middle = middle
-        first = np.arctan2(*(start - middle).T[::-1])
+        chord = end - deflection_at(arriving, side, x, y) - self.origin
+        ahead = np.where((tight & (np.hypot(*chord.T) > POINT))[:, None], chord, ahead)
+        self.ahead = unit_vectors(ahead)
+        along = np.where(tight, np.maximum(np.hypot(*chord.T), POINT), np.hypot(*(end - start).T))
+        self.curved &= ~tight
+        self.middle = np.where(self.curved[:, None], arc.centre(start, end, bulge), 0.0)
+        first = np.arctan2(*(start - self.middle).T[::-1])
         self.low = np.where(self.curved, first, 0.0)
-        along = np.where(self.curved, arc.sweep(bulge), np.hypot(*(end - start).T))
-        self.high = self.low + along
+        self.high = self.low + np.where(self.curved, arc.sweep(bulge), along)
 
     def point(self, row: I32, t: F64) -> F64:
         """Return one point of each of m segments, (m, 2) mm.
@@ -233,30 +262,87 @@ class _ShiftedSegments:
         result: F64 = np.where(self.curved[row, None], turned, self.ahead[row])
         return result
 
-    def intersect_neighbours(self, paths: Paths) -> tuple[F64, F64]:
-        """Return the parameters at which each of n shifted segments starts and ends, (n,) each.
+    def intersect_neighbours(self, paths: Paths) -> tuple[I32, F64, F64]:
+        """Intersect neighbouring segments where the direction jumps, and drop reversed segments.
 
-        If the direction jumps from one segment of a path to the next, the shifted segments do
-        not meet.  There, the first one ends and the second one starts at their intersection.
-        All other starts and ends are unchanged.  ``paths`` contains the segments before the shift.
+        If the direction jumps from one segment of a path to the next, the shifted segments do not
+        meet.  There, the first one ends and the second one starts at their intersection.  A segment
+        that would end before it starts is dropped, and its neighbours are intersected instead.  Of
+        neighbours that both would, the one that has no length left after the smaller part of the
+        shift is dropped first.  All other starts and ends are unchanged.
 
-        Raises
-        ------
-        CompensationError
-            Two neighbouring segments do not intersect, or nothing remains of a segment.
+        Parameters
+        ----------
+        paths
+            The n segments before the shift.
+
+        Returns
+        -------
+        rows : (m,)
+            Indices of the segments that are not dropped.
+        low, high : (m,)
+            Parameters at which these segments start and end after the shift.
         """
         low, high = self.low.copy(), self.high.copy()
-        ahead, arriving = arc.tangents(paths.start, paths.end, paths.bulge)
-        first, last = paths.first[:-1], paths.first[1:] - 1
-        before = np.arange(len(paths.bulge)) - 1
-        before[first] = np.where(paths.closed, last, -1)
-        after = np.flatnonzero(before >= 0)
-        before = before[after]
-        u, v = unit_vectors(arriving[before]), unit_vectors(ahead[after])
-        jump = np.arctan2(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0], (u * v).sum(axis=1))
-        jumps = np.abs(jump) > _MIN_JUMP
-        before, after = before[jumps].astype(np.int32), after[jumps].astype(np.int32)
-        a, b = high[before].copy(), low[after].copy()
+        count = len(low)
+        kept = np.ones(count, np.bool_)
+        before = np.arange(-1, count - 1, dtype=np.int32)
+        last = paths.first[1:] - 1
+        before[paths.first[:-1]] = np.where(paths.closed, last, -1)
+        following = np.full(count, -1, np.int32)
+        following[before[before >= 0]] = np.flatnonzero(before >= 0)
+        joints = np.flatnonzero(before >= 0).astype(np.int32)
+        joints = joints[_has_jump(paths, before[joints], joints)]
+        length = self._length(np.arange(count, dtype=np.int32))
+        while True:
+            previous = before[joints]
+            high[previous], low[joints], met = self._intersect(previous, joints)
+            left = (high - low) / (self.high - self.low)
+            # Where two segments do not meet, the shift has consumed the shorter one.
+            shorter = length[previous] < length[joints]
+            left[np.where(shorter, previous, joints)[~met]] = -np.inf
+            dropped = _soonest(
+                np.flatnonzero(kept & (left * length <= POINT)), left, before, following
+            )
+            if len(dropped) == 0:
+                break
+            kept[dropped] = False
+            one, other = before[dropped], following[dropped]
+            alone = (one == other) & (one >= 0)
+            kept[one[alone]] = False
+            following[one[one >= 0]] = other[one >= 0]
+            before[other[other >= 0]] = one[other >= 0]
+            high[one[one >= 0]] = self.high[one[one >= 0]]
+            low[other[other >= 0]] = self.low[other[other >= 0]]
+            joints = other[(one >= 0) & (other >= 0) & ~alone]
+        rows = np.flatnonzero(kept).astype(np.int32)
+        return rows, low[rows], high[rows]
+
+    def _length(self, row: I32) -> F64:
+        """Return the approximate lengths of m segments before the shift, (m,) mm.
+
+        ``row`` (m,) are the indices of the segments.
+        """
+        size = np.abs(self.high[row] - self.low[row])
+        length: F64 = np.where(self.curved[row], size * self.half[row].max(axis=1), size)
+        return length
+
+    def _intersect(self, before: I32, after: I32) -> tuple[F64, F64, Bool]:
+        """Return the intersections of m pairs of shifted segments, extended beyond their ends.
+
+        Parameters
+        ----------
+        before, after : (m,)
+            Indices of the first and of the second segment of each pair.
+
+        Returns
+        -------
+        a, b : (m,)
+            Parameter of the intersection on the first and on the second segment.
+        met : (m,)
+            Whether the two segments intersect.
+        """
+        a, b = self.high[before].copy(), self.low[after].copy()
         gap = np.zeros((len(a), 2))
         # Newton iteration in two parameters; exact after one step for lines.
         for _ in range(8):
@@ -266,26 +352,29 @@ class _ShiftedSegments:
             area = np.where(np.abs(area) > 1e-12, area, np.inf)
             a += (gap[:, 0] * q[:, 1] - gap[:, 1] * q[:, 0]) / area
             b += (gap[:, 0] * p[:, 1] - gap[:, 1] * p[:, 0]) / area
-        high[before], low[after] = a, b
         gap = self.point(after, b) - self.point(before, a)
-        failed = np.zeros(len(low), np.bool_)
-        failed[after[~(np.hypot(*gap.T) < 1e-9)]] = True
-        failed |= (high - low) * (self.high - self.low) <= 0.0
-        if failed.any():
-            row = int(np.argmax(failed))
-            place = paths.start[row]
-            raise CompensationError("deflection.path-too-short", x=place[0], y=place[1])
-        return low, high
+        u = self.ahead[before]
+        # Lines one behind the other have no intersection, and need none.
+        aligned = ~self.curved[before] & ~self.curved[after]
+        aligned &= (u * self.ahead[after]).sum(axis=1) > 1.0 - 1e-15
+        aligned &= np.abs(gap[:, 0] * u[:, 1] - gap[:, 1] * u[:, 0]) < POINT
+        met = aligned | (np.hypot(*gap.T) < 1e-9)
+        # An arc is extended by less than half a turn.
+        met &= ~self.curved[before] | (np.abs(a - self.high[before]) < np.pi)
+        met &= ~self.curved[after] | (np.abs(b - self.low[after]) < np.pi)
+        return a, b, met
 
     def to_arcs(
-        self, low: F64, high: F64, difference: float, tolerance: float
+        self, segment: I32, low: F64, high: F64, difference: float, tolerance: float
     ) -> tuple[I32, F64, F64, F64]:
-        """Return the parts of the segments between two parameters as lines and circular arcs.
+        """Return the parts of k segments between two parameters as lines and circular arcs.
 
         Parameters
         ----------
-        low, high : (n,)
-            Parameters at the start and the end of each segment.
+        segment : (k,)
+            Indices of the segments.
+        low, high : (k,)
+            Parameters at the start and the end of each of them.
         difference : mm
             |δx − δy|, the difference of the half axes of the elliptical arcs.
         tolerance : mm
@@ -298,14 +387,14 @@ class _ShiftedSegments:
         start, end, bulge : (m, 2) mm, (m, 2) mm and (m,)
             Ends and bulges of the lines and arcs.
         """
-        sweep = np.where(self.curved, np.abs(high - low), 0.0)
+        sweep = np.where(self.curved[segment], np.abs(high - low), 0.0)
         longest = np.cbrt(_BIARC_ERROR * tolerance / max(difference, 1e-12))
         # One bulge covers at most half a turn; a biarc halves it again.
         pieces = np.maximum(np.ceil(sweep / min(longest, np.pi / 2.0)), 1.0).astype(np.int64)
-        row = np.repeat(np.arange(len(low), dtype=np.int32), pieces)
+        row = np.repeat(segment, pieces)
         place = np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
-        step = ((high - low) / pieces)[row]
-        t = low[row] + step * place
+        step = np.repeat((high - low) / pieces, pieces)
+        t = np.repeat(low, pieces) + step * place
         a, b = self.point(row, t), self.point(row, t + step)
         sign = np.where(self.curved[row], np.sign(step), 1.0)[:, None]
         u, v = (

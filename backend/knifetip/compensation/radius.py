@@ -76,11 +76,12 @@ def centre_paths(operation: Operation) -> CentrePaths:
     notes: tuple[Message, ...] = ()
     if operation.side != 0:
         kind, k = select_corner_types(operation)
+        common, rest = _split_deflection(operation, cutter)
         # Open paths are offset one by one: the side beyond their ends is undefined.
         group = np.where(paths.closed, 0, 1 + np.arange(len(paths)))
         try:
             offset = offset_paths(
-                paths, cutter.radius, operation.side,
+                paths, cutter.radius - common, operation.side,
                 corner=kind, k=k, interference=operation.interference, group=group,
             )  # fmt: skip
         except (CompensationError, GeometryError) as reason:
@@ -92,10 +93,31 @@ def centre_paths(operation: Operation) -> CentrePaths:
         notes = replaced_corner_notes(operation, kind, offset.replaced)
         paths, segment, unreached = offset.paths, offset.source, offset.unreached
         _check_every_path_fits(operation, cutter, segment)
-        paths, rows = shift_centres(paths, operation.side, *operation.deflection)
+        paths, rows = shift_centres(paths, operation.side, *rest)
         segment = segment[rows]
     paths, rows = start_in_middle(paths, paths.closed)
     return CentrePaths(paths, segment[rows], unreached, notes)
+
+
+def _split_deflection(operation: Operation, cutter: DiscTool) -> tuple[float, tuple[float, float]]:
+    """Return the mean of the deflections along X and Y, and what they differ from it (mm).
+
+    A deflection that is equal along X and Y acts like a smaller radius of the cutter, which the
+    offset takes into account exactly where the cutter fits and where it does not.  Only the
+    differences from the mean are left for ``shift_centres``.
+
+    Raises
+    ------
+    CompensationError
+        A deflection is as large as the cutter's radius.
+    """
+    x, y = operation.deflection
+    if max(x, y) > 0.0 and max(x, y) >= cutter.radius:
+        raise CompensationError(
+            "deflection.exceeds-radius", radius=cutter.radius, deflection=max(x, y)
+        )
+    mean = 0.5 * (x + y)
+    return mean, (x - mean, y - mean)
 
 
 def _check_every_path_fits(operation: Operation, cutter: DiscTool, segment: I32) -> None:

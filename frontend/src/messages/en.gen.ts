@@ -695,13 +695,9 @@ export const TEXTS = {
     "text": "The server cannot use an in-memory database, because all jobs would be lost when the server stops.",
     "hint": "Use a database file: sqlite:///FILE."
   },
-  "deflection.arc-too-small": {
-    "text": "Near X {x:.2f} mm, Y {y:.2f} mm the centre of the cutter moves on an arc of {radius:.3f} mm radius, which is too small to correct a deflection of {deflection:.3f} mm.",
-    "hint": "Choose a smaller parameter k for the corners, choose corner type B, or measure the deflection of the cutter again."
-  },
-  "deflection.path-too-short": {
-    "text": "Near X {x:.2f} mm, Y {y:.2f} mm the path of the centre of the cutter is too short or turns too sharply to correct the deflection of the cutter.",
-    "hint": "Join short edges near this position, or measure the deflection of the cutter again."
+  "deflection.exceeds-radius": {
+    "text": "The deflection of {deflection:.3f} mm cannot be corrected, because it is not smaller than the cutter's radius of {radius:.3f} mm.",
+    "hint": "Measure the deflection of the cutter again, or correct it in the board file."
   },
   "drawing.changing": {
     "text": "Another request is changing drawing {drawing} at the same time.",

@@ -126,16 +126,41 @@ def test_the_ends_of_an_open_path_are_shifted_only() -> None:
     np.testing.assert_allclose(path.end[-1], [10.2, 10], atol=1e-12)
 
 
-def test_an_arc_with_a_radius_below_the_deflection_is_refused() -> None:
-    with pytest.raises(CompensationError, match=r"arc of 0\.250 mm.*deflection of 0\.300"):
-        shift_centres(rounded(60.0, 0.25), -1, 0.3, 0.1)
+def test_an_arc_with_a_radius_below_the_deflection_becomes_a_line() -> None:
+    path, rows = shift_centres(rounded(60.0, 0.25), -1, 0.3, 0.1)
+    assert rows.tolist() == list(range(8))
+    assert (path.bulge == 0.0).all()
+    np.testing.assert_allclose(path.end[0], [59.75, 0.1], atol=1e-12)
+    np.testing.assert_allclose(path.end[1], [59.7, 0.25], atol=1e-12)
 
 
-def test_a_step_shorter_than_the_deflection_is_refused() -> None:
-    # A step of 0.1 mm between two long sides, which the shift makes overlap.
-    xy = np.array([[0, 0], [50, 0], [50.05, 0.05], [50, 0.1], [0, 0.1]], float)
-    with pytest.raises(CompensationError, match="too short"):
-        shift_centres(path_through(xy, np.zeros(4)), -1, 0.3, 0.3)
+def test_a_step_that_the_shift_consumes_is_dropped() -> None:
+    # A tooth 0.1 mm high in the middle of a side of 100 mm: its slopes move together or apart.
+    xy = np.array([[0, 0], [50, 0], [50.1, 0.1], [50.2, 0], [100, 0], [100, 50], [0, 50], [0, 0]])
+    path, rows = shift_centres(path_through(xy, np.zeros(7)), 1, 0.3, 0.3)
+    assert rows.tolist() == [0, 3, 4, 5, 6]
+    corners = [(-0.3, -0.3), (50.2, -0.3), (100.3, -0.3), (100.3, 50.3), (-0.3, 50.3)]
+    np.testing.assert_allclose(path.start, corners, atol=1e-6)
+    np.testing.assert_array_equal(path.end, np.roll(path.start, -1, axis=0))
+    path, rows = shift_centres(path_through(xy, np.zeros(7)), -1, 0.3, 0.3)
+    assert rows.tolist() == list(range(7))
+    np.testing.assert_allclose(path.start[1:4, 1], [0.3, 0.524264, 0.3], atol=1e-6)
+
+
+def test_a_path_that_the_shift_consumes_is_dropped() -> None:
+    xy = np.array([[0, 0], [0.4, 0], [0.4, 0.4], [0, 0.4], [0, 0]])
+    small = path_through(xy, np.zeros(4))
+    large = square(100.0)
+    both = Paths(
+        np.concatenate([small.start, large.start]),
+        np.concatenate([small.end, large.end]),
+        np.zeros(8),
+        np.array([0, 4, 8]),
+    )
+    path, rows = shift_centres(both, -1, 0.3, 0.3)
+    assert rows.tolist() == [4, 5, 6, 7]
+    assert len(path) == 1
+    assert path.closed.all()
 
 
 @given(side=st.sampled_from([1, -1]), x=given_way, y=given_way,

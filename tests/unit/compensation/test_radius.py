@@ -23,48 +23,15 @@ from knifetip.geometry.path import Paths
 from knifetip.model.dieline import LineType
 from knifetip.model.machine import Station
 from knifetip.model.operation import End, Operation
-from knifetip.model.tool import Cutter
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.planning.plan import plan
+from tests.support.contours import distance
+from tests.support.operations import ROUTER, contour
 from tests.support.shapes import BOARD, MACHINE, closed, dieline, edges, rotation
 
-ROUTER = Cutter(radius=3.0, feed=9000.0, plunge=1500.0, speed=18000.0)
 ROUTED = replace(MACHINE, stations=(Station(4, "Router", ROUTER, 0.0, 0.0, 0.0, 0.0, 3),))
 QUARTER = np.tan(np.pi / 8)
 many = settings(max_examples=300, deadline=None)
-
-
-def contour(
-    *points: F64 | tuple[float, float],
-    bulge: list[float] | None = None,
-    side: int = -1,
-    r: float = 3.0,
-    **changes: Any,
-) -> Operation:
-    """Return an operation that mills one closed contour through some corners.
-
-    Parameters
-    ----------
-    bulge
-        Bulges of the edges, None for a polygon.
-    side
-        Side of the cutter: 1 for left of travel, -1 for right.
-    r
-        Radius of the cutter (mm).
-    """
-    xy = np.array(points, float)
-    count = len(xy)
-    bent = np.zeros(count) if bulge is None else np.asarray(bulge, float)
-    plain = Operation(
-        paths=Paths(xy, np.roll(xy, -1, axis=0), bent, np.array([0, count])),
-        line_type=LineType.CUT, tool=replace(ROUTER, radius=r), station=4,
-        depth=np.full((count, 1), 2.3), caliper=2.0, clearance=2.0, feed=9000.0, plunge=1500.0,
-        swivel=0.0, end_clearance=0.0, overcut=0.0, short_crease="press",
-        start=np.array([End.CLOSED], np.uint8), finish=np.array([End.CLOSED], np.uint8),
-        source=np.arange(count, dtype=np.int32), side=side,
-        acceleration=8000.0,
-    )  # fmt: skip
-    return replace(plain, **changes)
 
 
 def open_cut(
@@ -102,29 +69,6 @@ def sampled(
         count = 3 + int(np.hypot(*(b - a)) * (1 + bend * bend) / step)
         points.append(arc.points_along(a[None], b[None], np.array([bend]), count)[0])
     return np.concatenate(points)
-
-
-def distance(points: F64, paths: Paths) -> F64:
-    """Return the distance of each point from the nearest line or arc, by brute force."""
-    best = np.full(len(points), np.inf)
-    for a, b, bend in zip(paths.start, paths.end, paths.bulge, strict=True):
-        ends = np.minimum(np.hypot(*(points - a).T), np.hypot(*(points - b).T))
-        chord = b - a
-        if abs(bend) < 1e-9:
-            share = np.clip((points - a) @ chord / (chord @ chord), 0.0, 1.0)
-            ends = np.hypot(*(points - a - share[:, None] * chord).T)
-        else:
-            normal = np.array([-chord[1], chord[0]])
-            middle = (a + b) / 2 + normal * (1 - bend * bend) / (4 * bend)
-            size = np.hypot(*(a - middle))
-            # In the arc's sector the chord is between the point and the centre, or beyond both.
-            spoke = points - middle
-            turn = np.arctan2(*(a - middle)[::-1])
-            angle = (np.arctan2(spoke[:, 1], spoke[:, 0]) - turn) * np.sign(bend) % (2 * np.pi)
-            within = angle <= 4 * np.arctan(abs(bend))
-            ends = np.where(within, np.abs(np.hypot(*spoke.T) - size), ends)
-        best = np.minimum(best, ends)
-    return best
 
 
 def within(points: F64, polygon: F64) -> Bool:

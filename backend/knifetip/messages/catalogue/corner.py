@@ -104,23 +104,12 @@ MESSAGES: Final[Entries] = {
         type="text",
         where="message?",
     ),
-    "deflection.arc-too-small": entry(
-        "Near X {x:.2f} mm, Y {y:.2f} mm the centre of the cutter moves on an arc of "
-        "{radius:.3f} mm radius, which is too small to correct a deflection of "
-        "{deflection:.3f} mm.",
-        "Choose a smaller parameter k for the corners, choose corner type B, or measure the "
-        "deflection of the cutter again.",
+    "deflection.exceeds-radius": entry(
+        "The deflection of {deflection:.3f} mm cannot be corrected, because it is not smaller than "
+        "the cutter's radius of {radius:.3f} mm.",
+        "Measure the deflection of the cutter again, or correct it in the board file.",
         radius="number",
-        x="number",
-        y="number",
         deflection="number",
-    ),
-    "deflection.path-too-short": entry(
-        "Near X {x:.2f} mm, Y {y:.2f} mm the path of the centre of the cutter is too short or "
-        "turns too sharply to correct the deflection of the cutter.",
-        "Join short edges near this position, or measure the deflection of the cutter again.",
-        x="number",
-        y="number",
     ),
     "calibration.bad-points": entry(
         "The {count:# measured point|# measured points} of the test cut cannot be used. At "
