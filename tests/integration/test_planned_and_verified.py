@@ -218,6 +218,22 @@ def test_a_crease_on_a_curve_is_as_deep_as_its_tangent_requires(board: str) -> N
     assert verdict.accepted, verdict.findings[:2]
 
 
+@pytest.mark.parametrize("board", ["fbb-0.4", "greyboard-3.0", "b-flute"])
+@pytest.mark.parametrize("turn", [0.2, 0.5, 0.9, -0.9])
+def test_a_crease_along_the_chords_of_a_curve_is_accepted(board: str, turn: float) -> None:
+    # From 45° to the grain on, the depth changes with every chord, up or down.
+    direction = np.radians(45.0 + turn * np.arange(40))
+    steps = 2.5 * np.stack([np.cos(direction), np.sin(direction)], axis=1)
+    corners = np.cumsum(np.concatenate([np.array([[150.0, 130.0]]), steps]), axis=0)
+    chords = np.stack([corners[:-1], corners[1:]], axis=1)
+    values = load.board(board)
+    verdict = verdict_of(
+        dieline(OUTLINE, (CREASE, chords)),
+        **{name: getattr(values, name) for name in BOARD_DEPTHS},
+    )
+    assert verdict.accepted, verdict.findings[:2]
+
+
 @pytest.mark.parametrize("degrees", [60.0, 180.0])
 def test_a_crease_of_one_depth_along_a_curve_is_refused(
     monkeypatch: pytest.MonkeyPatch, degrees: float

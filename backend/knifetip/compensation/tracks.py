@@ -150,7 +150,8 @@ def _write_moves(
     """Return the moves of n strokes as columns of a ``Toolpath``.
 
     A stroke is the feed along one segment of a track.  With its travel, plunge, turn and lift it
-    has up to six moves.
+    has up to six moves.  Where a tool turns and changes its depth between two strokes, it turns at
+    the smaller depth.
 
     Parameters
     ----------
@@ -200,14 +201,21 @@ def _write_moves(
             poses[row + 1] = start[i]
             kind[row + 1], speed[row + 1] = _PLUNGE, plunge
             row += 2
-        if depth_changes[i]:
+        turns_first = turns[i] and depth_changes[i] and start[i, 2] < end[i - 1, 2]
+        if depth_changes[i] and not turns_first:
             poses[row] = end[i - 1]
             poses[row, 2] = start[i, 2]
             kind[row], speed[row] = _PLUNGE, plunge
             row += 1
         if turns[i]:
             poses[row] = start[i]
+            if turns_first:
+                poses[row, 2] = end[i - 1, 2]
             kind[row], speed[row], bent[row] = _SWIVEL, swivel, swing[i]
+            row += 1
+        if turns_first:
+            poses[row] = start[i]
+            kind[row], speed[row] = _PLUNGE, plunge
             row += 1
         if travels[i]:
             poses[row] = end[i]

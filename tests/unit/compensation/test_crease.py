@@ -91,10 +91,18 @@ def test_long_and_short_creases_keep_their_drawing_order() -> None:
     assert path.track[path.motion == Motion.LIFT].tolist() == [0, 1, 2]
 
 
-def test_a_crease_that_bends_by_less_than_a_degree_turns_in_the_board() -> None:
-    path = crease_toolpath(planned(edges(((0, 0), (0, 50)), ((0, 50), (0.5, 100)))))
-    assert path.motion.tolist() == [
+def test_a_wheel_turns_at_the_smaller_depth_where_a_crease_bends_by_less_than_a_degree() -> None:
+    # One half is 0.573° off the grain and deeper by 0.2 sin² of that angle.
+    step = 0.2 * (0.5 / 50.0025) ** 2
+    deeper = crease_toolpath(planned(edges(((0, 0), (0, 50)), ((0, 50), (0.5, 100)))))
+    assert deeper.motion.tolist() == [
+        Motion.PLUNGE, Motion.FEED, Motion.SWIVEL, Motion.PLUNGE, Motion.FEED, Motion.LIFT,
+    ]  # fmt: skip
+    assert np.diff(deeper.pose[2:5, 2]) == pytest.approx([0.0, -step], rel=1e-6)
+    assert np.diff(deeper.pose[2:5, 3]) == pytest.approx([-0.57294, 0.0], abs=1e-5)
+    shallower = crease_toolpath(planned(edges(((0.5, 100), (0, 50)), ((0, 50), (0, 0)))))
+    assert shallower.motion.tolist() == [
         Motion.PLUNGE, Motion.FEED, Motion.PLUNGE, Motion.SWIVEL, Motion.FEED, Motion.LIFT,
     ]  # fmt: skip
-    # The second half is 0.573° off the grain and deeper by 0.2 sin² of that angle.
-    assert path.pose[3, 2] - path.pose[2, 2] == pytest.approx(-0.2 * (0.5 / 50.0025) ** 2, rel=1e-6)
+    assert np.diff(shallower.pose[2:5, 2]) == pytest.approx([step, 0.0], rel=1e-6)
+    assert np.diff(shallower.pose[2:5, 3]) == pytest.approx([0.0, 0.57294], abs=1e-5)
