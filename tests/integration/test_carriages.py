@@ -15,7 +15,7 @@ from knifetip.gateway.table import Table
 from knifetip.languages.registry import find_language, with_language
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.machine import Axis, Carriage, Gantry, Machine
+from knifetip.model.machine import Axis, Carriage, Gantry, Machine, Zone
 from knifetip.model.tool import Laser
 from knifetip.sequencing.duration import duration, durations
 from knifetip.sequencing.travel import carriage_changes
@@ -244,6 +244,17 @@ def test_a_parked_carriage_need_not_travel_to_its_parking_position() -> None:
     # The row leads over 1.6 m in the toolpath, which would take more than a second.
     assert np.ptp(toolpath.pose[rows[0] : rows[0] + 2, 1]) > 1600.0
     assert durations(toolpath, TABLE)[rows[0]] < 0.4
+
+
+def test_a_clamp_between_two_parked_carriages_is_not_in_the_way_of_a_change() -> None:
+    toolpath = sequence([compensate(one) for one in plan(LINE, TABLE, BOARD)], TABLE)
+    x = float(toolpath.pose[carriage_changes(toolpath, TABLE)[0], 0])
+    clamp = Zone("Clamp", x - 20.0, 700.0, 40.0, 60.0, 25.0)
+    clamped = replace(TABLE, zones=(clamp,))
+    text = program(clamped)
+    # The carriage in use goes over the clamp to its parking position.
+    assert text.count("G0 Z27.0000") == 1
+    assert faults(text, clamped) == []
 
 
 def test_a_laser_on_the_second_carriage_is_switched_with_its_own_letters() -> None:

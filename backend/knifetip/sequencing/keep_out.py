@@ -25,6 +25,7 @@ from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.messages import Message
 from knifetip.model.machine import Machine, Station, Zone
 from knifetip.model.toolpath import Motion, Toolpath
+from knifetip.sequencing.travel import carriage_changes
 
 #: Distance in addition to the radius of the tool (mm), so that rounding does not matter.
 _SPARE: Final = 0.05
@@ -41,8 +42,11 @@ def avoid_zones(toolpath: Toolpath, machine: Machine) -> Toolpath:
         The work on an edge would touch a keep-out zone.
     """
     detours: dict[int, F64] = {}
+    travels = np.ones(len(toolpath), np.bool_)
+    # Such a row leads from one parked carriage to another, and neither moves along the gantry.
+    travels[carriage_changes(toolpath, machine)] = False
     for station in machine.stations if machine.zones else ():
-        rows = np.flatnonzero(toolpath.tool == station.number)
+        rows = np.flatnonzero((toolpath.tool == station.number) & travels)
         if len(rows) == 0:
             continue
         touched = np.stack([_touches(toolpath, rows, station, zone) for zone in machine.zones])
