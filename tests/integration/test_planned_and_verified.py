@@ -15,7 +15,7 @@ from knifetip.geometry.columns import F64, Bool
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
-from knifetip.model.verdict import Verdict
+from knifetip.model.verdict import Severity, Verdict
 from knifetip.planning import blade_operations, crease_operations, groove_operations
 from knifetip.verification.verify import verify
 from tests.support.modules import original
@@ -312,3 +312,52 @@ def test_a_row_of_dashes_drawn_over_the_outline() -> None:
     row = edges(*[((99 + 6 * k, 150), (103 + 6 * k, 150)) for k in range(20)])
     verdict = verdict_of(clean(dieline(OUTLINE, (CREASE, row))).dieline)
     assert verdict.accepted, verdict.findings[:2]
+
+
+def notes_of(verdict: Verdict, code: str) -> list[dict[str, Any]]:
+    return [
+        dict(each.message.arguments)
+        for each in verdict.findings
+        if each.message.code == code and each.severity == Severity.NOTE
+    ]
+
+
+@pytest.mark.parametrize("pair", [0.0, 2.0])
+def test_notes_about_cuts_at_creases(pair: float) -> None:
+    cuts = edges(((200, 130), (200, 170)), ((250, 150), (250, 200)), ((150, 250), (150, 270)))
+    creases = edges(((150, 150), (300, 150)), ((150, 160), (300, 160)), ((150, 240), (300, 240)))
+    verdict = verdict_of(dieline(OUTLINE, (CREASE, creases), (CUT, cuts)), double_crease=pair)
+    assert verdict.accepted, verdict.findings[:2]
+    (stop,) = notes_of(verdict, "verify.crease-stops-at-cut")
+    assert stop["count"] == 2
+    assert stop["distance"] == pytest.approx(np.sqrt(0.6 * 29.4) + BOARD.end_clearance, abs=0.5)
+    # The cut at x = 250 ends on the first crease from above, and crosses the second one.
+    assert notes_of(verdict, "verify.crease-meets-cuts") == [{"count": 1}]
+
+
+def test_no_notes_about_creases_that_end_on_cuts() -> None:
+    verdict = verdict_of(dieline(OUTLINE, (CREASE, edges(((100, 200), (400, 200))))))
+    assert verdict.accepted
+    assert verdict.findings == ()
+
+
+@pytest.mark.parametrize("others", [[], [((150, 150), (300, 150))]])
+def test_a_crease_too_short_for_the_wheel_is_a_shortfall(
+    others: list[tuple[tuple[float, float], tuple[float, float]]],
+) -> None:
+    drawn = dieline(OUTLINE, (CREASE, edges(((200, 200), (200, 204)), *others)))
+    verdict = verdict_of(drawn, short_crease="refuse")
+    (finding,) = verdict.findings
+    assert (finding.severity, finding.edge) == (Severity.SHORTFALL, 4)
+    assert finding.message.code == "verify.crease-too-short"
+    assert not verdict.accepted
+    assert verdict.setback[4] == pytest.approx(4.0)
+
+
+def test_a_press_on_a_board_that_refuses_short_creases_is_a_fault() -> None:
+    drawn = dieline(OUTLINE, (CREASE, edges(((200, 200), (200, 204)), ((150, 150), (300, 150)))))
+    operations = plan(drawn, MACHINE, BOARD)
+    toolpath = sequence([compensate(operation) for operation in operations], MACHINE)
+    text = process(toolpath, MACHINE, "grblhal").text
+    verdict = verify(text, drawn, (0.0, 0.0), MACHINE, replace(BOARD, short_crease="refuse"))
+    assert any(finding.severity == Severity.FAULT for finding in verdict.findings)

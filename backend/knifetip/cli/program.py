@@ -222,7 +222,8 @@ def print_verdict(verdict: Verdict) -> None:
         f"the controller {verdict.blending.max(initial=0.0):.4f}, curve fit "
         f"{verdict.fit_error.max(initial=0.0):.4f}), "
         f"overcut {verdict.overcut.max(initial=0.0):.3f} mm, "
-        f"uncut {verdict.uncut.sum():.3f} mm, {verdict.seconds:.1f} s",
+        f"uncut {verdict.uncut.sum():.3f} mm, setback {verdict.setback.sum():.3f} mm, "
+        f"{verdict.seconds:.1f} s",
         "green" if verdict.accepted else "red",
     )
     if len(verdict.areas):

@@ -13,7 +13,6 @@ from __future__ import annotations
 import numpy as np
 
 from knifetip.compensation.tracks import Strokes, at_height, headings
-from knifetip.errors import EdgeTooShort
 from knifetip.geometry.columns import F64, I32
 from knifetip.geometry.path import point_along, select_paths, trim_ends
 from knifetip.geometry.tolerance import POINT
@@ -48,14 +47,9 @@ def crease_toolpath(operation: Operation) -> Toolpath:
     """Return the toolpath of a crease wheel along every path, set back at free ends.
 
     A free end is one at which no other path continues, so that the wheel must not crease beyond it.
-    A path too short for the setback is pressed in one position at a smaller depth, or refused,
-    depending on the ``short_crease`` setting of the board.
-
-    Raises
-    ------
-    EdgeTooShort
-        A path is shorter than its end clearances, or shorter than the wheel's contact on a board
-        that refuses short creases.
+    A path too short for the setback is pressed in one position at a smaller depth.  A path that is
+    shorter than its end clearances is not made, nor is a short path on a board that refuses short
+    creases (``short_crease``).  The verifier reports such a path as a shortfall.
     """
     wheel = operation.tool
     assert isinstance(wheel, CreaseWheel)
@@ -95,7 +89,7 @@ def crease_toolpath(operation: Operation) -> Toolpath:
 
 
 def _presses(operation: Operation, wheel: CreaseWheel, short_paths: I32) -> Strokes:
-    """Return one press of the wheel for each path that is too short for its setback.
+    """Return one press of the wheel for each short path on which the wheel can be pressed.
 
     A press lowers and lifts the wheel without travel.  If other paths continue the path at one end,
     the wheel is pressed at this end, because it may crease beyond it.  If both ends are free, it is
@@ -105,31 +99,21 @@ def _presses(operation: Operation, wheel: CreaseWheel, short_paths: I32) -> Stro
     ----------
     short_paths
         Indices of the short paths in the operation.
-
-    Raises
-    ------
-    EdgeTooShort
-        The board refuses short creases, or a path is not longer than its end clearances.
     """
+    lengths = operation.paths.lengths[short_paths]
+    both_free = (operation.start[short_paths] == End.FREE) & (
+        operation.finish[short_paths] == End.FREE
+    )
+    half = np.where(both_free, lengths / 2.0, lengths) - operation.end_clearance
+    possible = (half > POINT) & (operation.short_crease != "refuse")
+    short_paths, half = short_paths[possible], half[possible]
     paths, _ = select_paths(operation.paths, short_paths)
     free_start = operation.start[short_paths] == End.FREE
     free_end = operation.finish[short_paths] == End.FREE
     length = paths.lengths
     position = np.where(free_start & free_end, length / 2.0, np.where(free_start, length, 0.0))
-    half = np.where(free_start & free_end, length / 2.0, length) - operation.end_clearance
     xy, heading, segment = point_along(paths, position)
     rows = operation.paths.first[:-1][short_paths] + segment - paths.first[:-1]
-    bad = np.flatnonzero((half <= POINT) | (operation.short_crease == "refuse"))
-    if len(bad):
-        listed = operation.source[rows[bad]]
-        raise EdgeTooShort(
-            "crease.too-short",
-            edge=listed[0],
-            length=length[bad[0]],
-            radius=wheel.radius,
-            clearance=operation.end_clearance,
-            source=[str(row) for row in listed[:10]],
-        )
     depth = np.minimum(depth_at_contact(half, wheel), operation.depth[rows, 0])
     pose = np.column_stack([xy, operation.caliper - depth, heading])
     once = np.ones(len(short_paths), np.bool_)

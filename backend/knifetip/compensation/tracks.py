@@ -57,7 +57,7 @@ def at_height(pose: F64, height: float) -> F64:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Strokes:
-    """n ≥ 1 segments of the tip's path in machining order, with the poses of the head at both ends.
+    """n segments of the tip's path in machining order, with the poses of the head at both ends.
 
     A segment with equal ends is a press: the tool plunges and lifts without travel.
     """
@@ -97,8 +97,12 @@ class Strokes:
     def to_toolpath(self, operation: Operation) -> Toolpath:
         """Return the toolpath of all strokes: air moves, plunges, swivels, feeds and lifts.
 
-        ``operation`` contains the feeds and the station of the tool.
+        ``operation`` contains the feeds and the station of the tool.  Without strokes, the toolpath
+        has no moves.
         """
+        if len(self.track) == 0:
+            none, rows, codes = np.zeros(0), np.zeros(0, np.int32), np.zeros(0, np.uint8)
+            return Toolpath(np.zeros((1, 4)), none, codes, none, rows, codes, rows)
         pose, bulge, motion, feed, source, track = _write_moves(
             self.start,
             self.end,

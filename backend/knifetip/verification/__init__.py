@@ -67,6 +67,8 @@ verify.cleaning-type               checks.cleaning_check
 verify.comes-out-anywhere          checks.track_ends
 verify.comes-out-past              checks.track_ends
 verify.comes-out-short             checks.track_ends
+verify.crease-meets-cuts           checks.crease_check
+verify.crease-stops-at-cut         checks.crease_check
 verify.crease-too-short            checks.crease_check
 verify.cuts-part                   checks.milling_check
 verify.cutter-at-rest              tools
@@ -82,6 +84,7 @@ verify.groove-shallower            checks.groove_check
 verify.head-not-located            checks.carriage_check
 verify.heads-too-near              checks.carriage_check
 verify.idle-head-low               checks.carriage_check
+verify.in-zone                     checks.zone_check
 verify.inside-part                 checks.milling_check
 verify.knife-at-rest               tools
 verify.laser-off                   tools
@@ -110,6 +113,7 @@ verify.perforation-gap             checks.knife_check
 verify.perforation-uneven          checks.knife_check
 verify.plunge-without-move         checks.check_base
 verify.rapid-in-board              checks.motion_checks
+verify.rapid-near-sheet            checks.motion_checks
 verify.slanted                     checks.motion_checks
 verify.spindle                     checks.output_checks
 verify.stray                       checks.milling_check, checks.stray_work

@@ -631,10 +631,6 @@ export const TEXTS = {
     "text": "The double crease at edge {edge} is bent with a radius of {radius:.2f} mm, which is too small for a second crease line {offset:.2f} mm inside the bend.",
     "hint": "Draw the crease with a larger radius, or set the double crease of the board to 0."
   },
-  "crease.too-short": {
-    "text": "The crease at edge {edge} is {length:.2f} mm long, which is too short for a creasing wheel of {radius:.1f} mm radius that must stop {clearance:.2f} mm before each end.",
-    "hint": "Join the crease to a crease on the same straight line, set its line type to ignored, or choose a board on which short creases are pressed."
-  },
   "curve.bad-ellipse": {
     "text": "An ellipse has an angle range that is not valid, or one of its values is not a number.",
     "hint": "Delete the ellipse and draw it again."
@@ -2192,8 +2188,8 @@ export const TEXTS = {
     "hint": "Resume the job."
   },
   "job.no-work": {
-    "text": "The drawing contains nothing to cut, crease or groove: every edge is ignored.",
-    "hint": "Give at least one edge a line type for which the machine has a tool."
+    "text": "The drawing contains nothing to cut, crease or groove: every edge is ignored or too short for its tool.",
+    "hint": "Give at least one edge a line type for which the machine has a tool. If creases are too short, choose a board on which short creases are pressed or a smaller creasing wheel."
   },
   "job.not-confirmed": {
     "text": "Job {job} was started, although the operator has not confirmed that the table is ready.",
@@ -3591,9 +3587,17 @@ export const TEXTS = {
     "text": "The knife leaves the board {distance:.3f} mm before the end of the edge.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
+  "verify.crease-meets-cuts": {
+    "text": "Cuts end on {count} creases from one side. These creases are made without interruption, because all creases are made before the cuts.",
+    "hint": ""
+  },
+  "verify.crease-stops-at-cut": {
+    "text": "Cuts cross {count} creases. The wheel stops before these cuts, and up to {distance:.2f} mm on each side of a cut are not creased.",
+    "hint": "If the fold needs this length, choose a smaller creasing wheel, or move the cut."
+  },
   "verify.crease-too-short": {
-    "text": "The crease is too short for the creasing wheel.",
-    "hint": "Join the crease to a crease on the same straight line, set its line type to ignored, or choose a smaller creasing wheel."
+    "text": "The crease is too short for the creasing wheel and is not made: it is {length:.2f} mm long, the wheel has a radius of {radius:.1f} mm, and it must stop {clearance:.2f} mm before each free end.",
+    "hint": "Join the crease to a crease on the same straight line, set its line type to ignored, or choose a board on which short creases are pressed or a smaller creasing wheel."
   },
   "verify.cuts-part": {
     "text": "The cutter cuts sideways into a part, up to {depth:.3f} mm from the edge of the part.",

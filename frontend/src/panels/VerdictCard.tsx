@@ -62,6 +62,10 @@ export function VerdictCard({ job }: { job: Job }) {
           <dd>{formatLength(verdict.uncut)}</dd>
         </div>
         <div>
+          <dt>Total length left out as planned</dt>
+          <dd>{formatLength(verdict.setback_total)}</dd>
+        </div>
+        <div>
           <dt>Time on the machine</dt>
           <dd>{formatDuration(verdict.seconds)}</dd>
         </div>

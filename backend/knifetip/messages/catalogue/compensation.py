@@ -27,16 +27,6 @@ MESSAGES: Final[Entries] = {
         radius="number",
         offset="number",
     ),
-    "crease.too-short": entry(
-        "The crease at edge {edge} is {length:.2f} mm long, which is too short for a creasing "
-        "wheel of {radius:.1f} mm radius that must stop {clearance:.2f} mm before each end.",
-        "Join the crease to a crease on the same straight line, set its line type to ignored, "
-        "or choose a board on which short creases are pressed.",
-        edge="count",
-        length="number",
-        radius="number",
-        clearance="number",
-    ),
     "cut.too-many-crossings": entry(
         "The drawing has more than {limit:,} pairs of cuts that cross each other or lie beside "
         "each other.",

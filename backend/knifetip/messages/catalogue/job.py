@@ -168,8 +168,10 @@ MESSAGES: Final[Entries] = {
         job="text",
     ),
     "job.no-work": entry(
-        "The drawing contains nothing to cut, crease or groove: every edge is ignored.",
-        "Give at least one edge a line type for which the machine has a tool.",
+        "The drawing contains nothing to cut, crease or groove: every edge is ignored or too short "
+        "for its tool.",
+        "Give at least one edge a line type for which the machine has a tool. If creases are too "
+        "short, choose a board on which short creases are pressed or a smaller creasing wheel.",
     ),
     "job.not-confirmed": entry(
         "Job {job} was started, although the operator has not confirmed that the table is ready.",

@@ -136,10 +136,27 @@ MESSAGES: Final[Entries] = {
         "program file.",
         distance="number",
     ),
+    "verify.crease-meets-cuts": entry(
+        "Cuts end on {count} creases from one side. These creases are made without interruption, "
+        "because all creases are made before the cuts.",
+        count="count",
+    ),
+    "verify.crease-stops-at-cut": entry(
+        "Cuts cross {count} creases. The wheel stops before these cuts, and up to {distance:.2f} "
+        "mm on each side of a cut are not creased.",
+        "If the fold needs this length, choose a smaller creasing wheel, or move the cut.",
+        count="count",
+        distance="number",
+    ),
     "verify.crease-too-short": entry(
-        "The crease is too short for the creasing wheel.",
-        "Join the crease to a crease on the same straight line, set its line type to ignored, "
-        "or choose a smaller creasing wheel.",
+        "The crease is too short for the creasing wheel and is not made: it is {length:.2f} mm "
+        "long, the wheel has a radius of {radius:.1f} mm, and it must stop {clearance:.2f} mm "
+        "before each free end.",
+        "Join the crease to a crease on the same straight line, set its line type to ignored, or "
+        "choose a board on which short creases are pressed or a smaller creasing wheel.",
+        length="number",
+        radius="number",
+        clearance="number",
     ),
     "verify.cuts-part": entry(
         "The cutter cuts sideways into a part, up to {depth:.3f} mm from the edge of the part.",

@@ -11,10 +11,13 @@ import numpy as np
 from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import CreaseWheel
+from knifetip.model.verdict import Severity
 from knifetip.verification.checks.check_base import StationCheck
 from knifetip.verification.checks.check_context import CURVED_DEPTH_TOLERANCE
 from knifetip.verification.checks.stray_work import check_stray_work
-from knifetip.verification.columns import F64, I32
+from knifetip.verification.columns import F64, I32, Bool
+from knifetip.verification.curves.curve import line_curves
+from knifetip.verification.curves.overlap import find_overlaps
 from knifetip.verification.expectation.crease_depth import depth_range
 from knifetip.verification.expectation.crease_lines import (
     concatenate_edges,
@@ -22,6 +25,13 @@ from knifetip.verification.expectation.crease_lines import (
     double_lines,
     ends_at,
     split_at_cuts,
+)
+from knifetip.verification.expectation.edges import (
+    STRAIGHT_ANGLE,
+    TOUCH_DISTANCE,
+    Edges,
+    angle_between,
+    pairs_within,
 )
 from knifetip.verification.expectation.expected_work import WORKED_TYPES, expected_creases
 from knifetip.verification.findings import MAX_FINDINGS
@@ -51,6 +61,7 @@ class CreaseCheck(StationCheck):
             concatenate_edges(all_creases, between), self.context.edges.with_types(LineType.CUT)
         )
         parts = ends_at(single, crossings)
+        self._note_junctions(single, crossings)
         many = 2 if pair > 0.0 else 1
         if pair > 0.0:
             single, all_creases, parts = (
@@ -62,8 +73,8 @@ class CreaseCheck(StationCheck):
         expected = expected_creases(self.edges, self.context.board, wheel, all_creases, parts)
         self.low, self.high, self.depth = expected.low, expected.high, expected.press_depth
         self.depth_tolerance[self.edges.curve[:, 0] != 0.0] = CURVED_DEPTH_TOLERANCE
-        for edge in np.flatnonzero(expected.refused)[:MAX_FINDINGS]:
-            self.add_finding("uncut", edge, Message("verify.crease-too-short"), self.size[edge])
+        self._report_short_creases(expected.refused, wheel)
+        self._note_stops(parts)
         overlaps = self.match_edges()
         self.check_position(overlaps)
         check_stray_work(self, overlaps, self.curve[:, 5])
@@ -73,6 +84,58 @@ class CreaseCheck(StationCheck):
         depth = np.maximum(self.context.board.caliper - self.z, 0.0)
         contact = np.sqrt(np.maximum(depth * (2.0 * wheel.radius - depth), 0.0))
         self.check_heading(overlaps, contact, 180.0)
+
+    def _report_short_creases(self, refused: Bool, wheel: CreaseWheel) -> None:
+        """Report the creases that are too short for the wheel, ``refused`` (n,), as shortfalls."""
+        for edge in np.flatnonzero(refused)[:MAX_FINDINGS]:
+            message = Message(
+                "verify.crease-too-short",
+                length=self.size[edge],
+                radius=wheel.radius,
+                clearance=self.context.board.end_clearance,
+            )
+            size = float(self.size[edge])
+            self.add_finding("uncut", edge, message, size, severity=Severity.SHORTFALL)
+
+    def _note_stops(self, split_ends: Bool) -> None:
+        """Add a note if the wheel stops at cuts that cross creases.
+
+        ``split_ends`` is the mask of the ends at which a cut splits a crease, (2n,): end 2i is the
+        start of edge i, and end 2i + 1 is its end.
+        """
+        ends = np.flatnonzero(split_ends)
+        points = self.edges.ends[ends]
+        one, other = (ends[pair] for pair in pairs_within(points, points, TOUCH_DISTANCE))
+        outward = self.edges.outward
+        # A crease that only ends on the cut has no counterpart beyond the cut.
+        beyond = angle_between(outward[one], outward[other] + 180.0) <= STRAIGHT_ANGLE
+        stopped = one[beyond & (one != other)]
+        if len(stopped):
+            edge, at_end = stopped // 2, stopped % 2 == 1
+            distance = np.where(at_end, self.size[edge] - self.high[edge], self.low[edge])
+            # An edge on which the wheel does no work is short over its whole length.
+            distance = np.where(self.high[edge] < self.low[edge], self.size[edge], distance)
+            most, count = float(distance.max()), len(np.unique(self.edges.row[edge]))
+            message = Message("verify.crease-stops-at-cut", count=count, distance=most)
+            self.findings.add("planned", message, most, severity=Severity.NOTE)
+
+    def _note_junctions(self, creases: Edges, crossings: F64) -> None:
+        """Add a note if cuts end on creases, between the ends of the crease and from one side.
+
+        The wheel passes such an end.  ``creases`` are the drawn creases, split at the points
+        ``crossings``, (k, 2) mm, at which cuts cross them.
+        """
+        points, size = self.context.edges.with_types(LineType.CUT).ends, creases.curve[:, 5]
+        met = find_overlaps(
+            line_curves(points, points), creases.curve, np.zeros(len(creases)), size, TOUCH_DISTANCE
+        )
+        place = met.place.mean(axis=1)
+        inner = (place > TOUCH_DISTANCE) & (place < size[met.edge] - TOUCH_DISTANCE)
+        inner[pairs_within(points[met.curve], crossings, 2.0 * TOUCH_DISTANCE)[0]] = False
+        count = len(np.unique(creases.row[met.edge[inner]]))
+        if count:
+            message = Message("verify.crease-meets-cuts", count=count)
+            self.findings.add("planned", message, 0.0, severity=Severity.NOTE)
 
     def planned_depths(self, edge: I32, place: F64) -> tuple[F64, F64]:
         """Return the least and the greatest planned depth of the wheel along k stretches, (k,) mm

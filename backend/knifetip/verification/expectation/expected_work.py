@@ -67,7 +67,7 @@ class ExpectedCreases:
     low: F64  #: (n,) mm along the edge at which the tip may begin
     high: F64  #: (n,) mm at which the tip must stop; less than ``low`` if there is no work
     pressed: Bool  #: (n,) the wheel presses the crease at one point
-    refused: Bool  #: (n,) too short to roll, and pressing is forbidden or impossible
+    refused: Bool  #: (n,) not made: too short to roll, and pressing is forbidden or impossible
 
 
 def expected_creases(
@@ -127,10 +127,12 @@ def expected_creases(
         reach = np.clip(half, 0.0, wheel.radius)
         fits = wheel.radius - np.sqrt(wheel.radius**2 - reach**2)
         rolled = depth_towards(azimuth_at(edges.curve[row], place), board)
-        press_depth[row] = np.minimum(rolled, fits)
+        possible = (board.short_crease == "press") & (half > 0.0)
+        refused[row] = ~possible
+        row, place = row[possible], place[possible]
+        press_depth[row] = np.minimum(rolled, fits)[possible]
         low[row] = high[row] = place
         pressed[row] = True
-        refused[row] = (board.short_crease != "press") | (half <= 0.0)
     return ExpectedCreases(edges, press_depth, low, high, pressed, refused)
 
 
