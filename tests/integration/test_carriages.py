@@ -77,6 +77,15 @@ def test_all_tools_of_both_carriages_are_accepted(name: str, dialect: str) -> No
     assert set(moves.station.tolist()) >= {0, 1, 2}
 
 
+def test_grblhal_calls_the_axes_of_the_second_carriage_a_and_b() -> None:
+    first, second = TABLE.carriages
+    gantry = Gantry((first, replace(second, letters="XAZB")), 200.0)
+    machine = replace(TABLE, gantry=gantry, dialect="grblhal")
+    text = program(machine, "grblhal")
+    assert faults(text, machine) == []
+    assert text == program(TABLE, "grblhal").translate(str.maketrans("VA", "AB"))
+
+
 def test_each_station_has_the_words_of_its_carriage() -> None:
     parts = re.split(r"^\(station (\d).*\)$", program(), flags=re.MULTILINE)[1:]
     letters = {
@@ -151,6 +160,20 @@ def test_an_idle_head_with_its_own_z_must_be_lifted(dialect: str) -> None:
     # The last lift of carriage 2 before the knife: its crease wheel and V-cutter are up then.
     lowered = changed(text, r"^(?=.*M64 P0)", "G0 W5.0000\n")
     assert "verify.idle-head-low" in faults(lowered, machine)
+
+
+def test_a_carriage_rests_where_its_longest_station_clears_the_board() -> None:
+    machine = MACHINES["own Z"]
+    # Only the wheel works on carriage 2; the V-cutter beside it reaches 1.5 mm lower.
+    line = dieline(
+        (LineType.CREASE, edges(((100, 150), (300, 150)))),
+        (LineType.CUT, closed((100, 100), (300, 100), (300, 300), (100, 300))),
+    )
+    text = program(machine, line=line).encode()
+    moves, _, _ = trace_program(text, machine, BOARD)
+    height = moves.axes_end[moves.station == 0, list(machine.axes).index("W")]
+    assert (height == machine.travel_z).all()
+    assert not verify(text, line, (0.0, 0.0), machine, BOARD).findings
 
 
 def test_all_heads_are_lifted_before_outputs_are_released() -> None:

@@ -94,7 +94,9 @@ def sequence(
             previous = machine.station(tool)
             if previous.carriage != station.carriage:
                 turned[previous.carriage] = float(current[3]) + previous.c
-                current = _parked(current, previous, machine)
+                current = _at_height(
+                    _parked(current, previous, machine), _idle_height(previous, machine)
+                )
                 parts.append(_air_move(current, tool))
                 current = _parked_beside(current, previous, station, machine)
                 current[3] = turned[station.carriage] - station.c
@@ -151,6 +153,21 @@ def _parked(pose: F64, station: Station, machine: Machine) -> F64:
     return parked
 
 
+def _idle_height(station: Station, machine: Machine) -> float:
+    """Return the height of the tip of a station while its carriage is not in use (mm).
+
+    If the carriages have different Z axes, the carriage rises until all its stations are at travel
+    height.  If they share one, the next carriage moves it to the travel height of its own station.
+    """
+    letters = [carriage.letters[2] for carriage in machine.carriages]
+    if len(set(letters)) == 1:
+        return machine.travel_z
+    z = machine.carriage_of(station).axes[2]
+    letter = letters[station.carriage - 1]
+    datum = [one.z for one in machine.stations if letters[one.carriage - 1] == letter]
+    return min(machine.travel_z + max(datum), z.high) - station.z
+
+
 def _parked_beside(pose: F64, previous: Station, station: Station, machine: Machine) -> F64:
     """Return the pose of a station on a parked carriage, (4,), with X of the gantry as it is.
 
@@ -158,7 +175,7 @@ def _parked_beside(pose: F64, previous: Station, station: Station, machine: Mach
     if the station could not reach it.
     """
     x = machine.carriage_of(station).axes[0]
-    beside = _parked(pose, station, machine)
+    beside = _at_height(_parked(pose, station, machine), machine.travel_z)
     beside[0] = min(max(pose[0] + previous.x, x.low), x.high) - station.x
     return beside
 
