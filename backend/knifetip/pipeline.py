@@ -31,8 +31,8 @@ from knifetip.languages.registry import with_language
 from knifetip.library import custom_profiles, load
 from knifetip.messages import Message
 from knifetip.model.board import Board
+from knifetip.model.choices import Choices
 from knifetip.model.cleaned import Cleaned
-from knifetip.model.corners import Corners
 from knifetip.model.dieline import Dieline
 from knifetip.model.drawing import Drawing
 from knifetip.model.interpretation import Interpretation
@@ -47,7 +47,7 @@ from knifetip.model.toolpath import Toolpath
 from knifetip.model.verdict import Finding, Severity, Verdict
 from knifetip.planning.boundary import BoardOutline
 from knifetip.planning.placement import placement
-from knifetip.planning.plan import plan
+from knifetip.planning.plan import check_corners, plan
 from knifetip.planning.questions import tool_questions
 from knifetip.planning.sheet_outline import sheet_outline
 from knifetip.post.emit import process
@@ -63,6 +63,7 @@ from knifetip.verification.checks.cleaning_check import check_cleaning
 __all__ = [
     "TOLERANCE",
     "Compiled",
+    "check_choices",
     "classify",
     "clean",
     "compensate",
@@ -79,6 +80,8 @@ __all__ = [
 
 #: Maximum distance of the tool's tip from the drawn line (mm).
 TOLERANCE = 0.01
+
+_NO_CHOICES = Choices()
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -167,8 +170,7 @@ def compile(
     machine: Machine,
     board: Board,
     *,
-    corners: Corners | None = None,
-    sheet: Sheet | None = None,
+    choices: Choices = _NO_CHOICES,
     dialect: str = "",
     notes: Sequence[str] = (),
     progress: Progress = no_progress,
@@ -181,12 +183,8 @@ def compile(
         The drawing, and its edges with their line types.
     machine, board
         The machine that runs the program, and the material.
-    corners
-        How the cutter moves round outer corners: on an arc (type B), on straight lines (C), or on a
-        line, an arc and a line (D).  None chooses the types that are fastest on the machine.
-    sheet
-        The sheet, if it was cut to size: the tool turns without a lift beside it.  None if there
-        may be board everywhere on the table.
+    choices
+        The user's choices: path of the cutter at outer corners, sheet, and height of turns.
     dialect
         Name of a controller language; "" for the machine's own.
     notes
@@ -209,8 +207,7 @@ def compile(
     cleaned = clean(dieline)
     offset = placement(cleaned.dieline, machine)
     try:
-        target = _Target(machine, board, corners, sheet)
-        toolpath = _toolpath(cleaned, offset, target, progress)
+        toolpath = _toolpath(cleaned, offset, machine, board, choices, progress)
     except (PlanError, CompensationError) as error:
         raise _located(error, drawing, cleaned.dieline.source) from None
     progress(Stage.PROCESS, 0.5)
@@ -218,12 +215,12 @@ def compile(
         f"machine {machine.name}",
         f"board {board.name} caliper {board.caliper:g}",
         f"placement X{offset[0]:.4f} Y{offset[1]:.4f}",
-        *([sheet.note] if sheet else []),
+        *([choices.sheet.note] if choices.sheet else []),
         *notes,
     )
     program = process(toolpath, machine, tolerance=TOLERANCE, notes=head)
     progress(Stage.VERIFY, 0.7)
-    verdict = _verdict(program.text, dieline, cleaned, offset, machine, board, sheet=sheet)
+    verdict = _verdict(program.text, dieline, cleaned, offset, machine, board, sheet=choices.sheet)
     verdict = replace(verdict, findings=(*verdict.findings, *_notes(toolpath.notes)))
     progress(Stage.DONE, 1.0)
     full = duration(with_full_retracts(toolpath, machine), machine)
@@ -280,18 +277,27 @@ def verify(
     )
 
 
-@dataclass(frozen=True, slots=True)
-class _Target:
-    """The machine and the board of a compile, and the choices of the user."""
+def check_choices(choices: Choices, machine: Machine) -> None:
+    """Raise an error if a machine cannot carry out the user's choices for a job.
 
-    machine: Machine
-    board: Board
-    corners: Corners | None  #: path of the cutter at outer corners; None: the fastest
-    sheet: Sheet | None  #: the sheet if it was cut to size
+    Raises
+    ------
+    PlanError
+        A corner type is invalid, or the machine has no milling cutter or no least lift.
+    """
+    if choices.corners is not None:
+        check_corners(choices.corners, machine)
+    if choices.lift == "least" and machine.turn_clearance == 0.0:
+        raise PlanError("lift.not-stated", machine=machine.title)
 
 
 def _toolpath(
-    cleaned: Cleaned, offset: tuple[float, float], target: _Target, progress: Progress
+    cleaned: Cleaned,
+    offset: tuple[float, float],
+    machine: Machine,
+    board: Board,
+    choices: Choices,
+    progress: Progress,
 ) -> Toolpath:
     """Return the tool path for cleaned edges.
 
@@ -302,8 +308,8 @@ def _toolpath(
     ----------
     offset
         Shift (x, y) in mm that moves the drawing to its position on the machine's table.
-    target
-        The machine, the board, and the choices of the user.
+    choices
+        The user's choices for the job.
     progress
         Called at the start of each stage with the completed fraction of the compile, 0 … 1.
 
@@ -312,20 +318,22 @@ def _toolpath(
     PlanError, CompensationError
         The drawing cannot be made on this machine, board and sheet.
     """
-    machine, corners = target.machine, target.corners
+    check_choices(choices, machine)
+    corners, safety = choices.corners, machine.turn_clearance if choices.lift == "least" else 0.0
     shifted = replace(cleaned.dieline, ends=cleaned.dieline.ends + np.array(offset))
     progress(Stage.PLAN, 0.05)
     chosen = None if corners is None else replace(corners, placement=offset)
     outlines: list[BoardOutline | None] = [None]
-    if target.sheet is not None:
-        outlines.append(sheet_outline(target.sheet, shifted, machine))
+    if choices.sheet is not None:
+        outlines.append(sheet_outline(choices.sheet, shifted, machine))
     found = []
     for outline in outlines:
-        operations: Sequence[Operation] = plan(shifted, machine, target.board, chosen, outline)
+        operations: Sequence[Operation] = plan(shifted, machine, board, chosen, outline)
         progress(Stage.COMPENSATE, 0.2)
         toolpaths = [compensate(operation) for operation in operations]
         progress(Stage.SEQUENCE, 0.4)
-        found.append(sequence(toolpaths, machine, None if outline is None else outline.edges))
+        edges = None if outline is None else outline.edges
+        found.append(sequence(toolpaths, machine, edges, safety))
     # Leaving the sheet takes time, too: it does not pay for each drawing.
     toolpath = min(found, key=lambda one: duration(one, machine)) if len(found) > 1 else found[0]
     source = cleaned.dieline.source[np.maximum(toolpath.source, 0)]

@@ -43,6 +43,7 @@ from knifetip.jobs.readings import StoredDrawing
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Drawing, Job
 from knifetip.messages import hint, render
+from knifetip.model.choices import Choices
 from knifetip.model.corners import Corners
 from knifetip.model.interpretation import Interpretation
 from knifetip.model.sheet import Sheet
@@ -110,7 +111,7 @@ def _interpretation(service: Service, order: JobIn, drawing: Drawing) -> Interpr
     service
         The server.
     order
-        The request; it can contain a profile, line types of edges, corner types, and a sheet.
+        The request; it can contain a profile, line types of edges, and the choices for the job.
     drawing
         The stored drawing.
     """
@@ -121,12 +122,13 @@ def _interpretation(service: Service, order: JobIn, drawing: Drawing) -> Interpr
     if order.overrides:
         overrides = merge_overrides(drawing.edges, drawing.overrides, order.overrides)
         interpretation = replace(interpretation, overrides=overrides)
-    if order.corners is not None:
-        corners = Corners.from_json(order.corners.model_dump())
-        interpretation = replace(interpretation, corners=corners)
-    if order.sheet is not None:
-        interpretation = replace(interpretation, sheet=Sheet.from_json(order.sheet.model_dump()))
-    return interpretation
+    corners, sheet = order.corners, order.sheet
+    choices = Choices(
+        None if corners is None else Corners.from_json(corners.model_dump()),
+        None if sheet is None else Sheet.from_json(sheet.model_dump()),
+        order.lift,
+    )
+    return replace(interpretation, choices=choices)
 
 
 @router.get("")

@@ -49,6 +49,8 @@ def _machine_out(machine: Machine, connected: bool, job: str | None) -> MachineO
             "dialect": machine.dialect,
             "origin": machine.origin,
             "travel_z": machine.travel_z,
+            "clearance": machine.clearance,
+            "turn_clearance": machine.turn_clearance,
             "into_mat": machine.into_mat,
             "offset_cuts": machine.offset_cuts,
             "feed": machine.feed,

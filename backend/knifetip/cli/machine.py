@@ -26,6 +26,7 @@ def machine_json(machine: Machine) -> dict[str, Any]:
         "origin": list(machine.origin),
         "travel_z": machine.travel_z,
         "clearance": machine.clearance,
+        "turn_clearance": machine.turn_clearance,
         "into_mat": machine.into_mat,
         "settle": machine.settle,
         "feed": machine.feed,

@@ -35,6 +35,7 @@ from knifetip.cli.terminal import (
 from knifetip.errors import PlanError, ProgramUnreadable
 from knifetip.library import load
 from knifetip.model.board import Board
+from knifetip.model.choices import Choices
 from knifetip.model.corners import CornerAt, Corners
 from knifetip.model.drawing import Drawing
 from knifetip.model.machine import Machine
@@ -73,6 +74,17 @@ class Interference(Enum):
 
     TRIM = "trim"
     REFUSE = "refuse"
+
+
+class Lift(Enum):
+    """Height of the tool above the board in turns.
+
+    ``clearance`` is the clearance of the machine, ``least`` its turn clearance where that is
+    faster.
+    """
+
+    CLEARANCE = "clearance"
+    LEAST = "least"
 
 
 def parse_corner(text: str) -> CornerAt:
@@ -280,6 +292,13 @@ def program(
     reading: ReadingOptions,
     corner_options: CornerOptions,
     sheet_options: SheetOptions,
+    lift: Annotated[
+        Lift,
+        typer.Option(
+            help="Height of the tool above the board in turns: the clearance of the machine, or "
+            "the least lift, which leaves its turn_clearance where that is faster."
+        ),
+    ] = Lift.CLEARANCE,
     dialect: Annotated[
         str,
         typer.Option(
@@ -303,7 +322,8 @@ def program(
     2 while questions about the drawing are open.
     """
     machine, board = target.load()
-    corners, sheet = corner_options.corners(machine), sheet_options.record()
+    choices = Choices(corner_options.corners(machine), sheet_options.record(), lift.value)
+    corners, sheet = choices.corners, choices.sheet
     with progress(file.name) as report_progress:
         loaded = reading.load(file)
         _refuse_questions(loaded, machine)
@@ -312,8 +332,7 @@ def program(
             loaded.dieline,
             machine,
             board,
-            corners=corners,
-            sheet=sheet,
+            choices=choices,
             dialect=dialect,
             progress=report_progress,
         )
@@ -325,6 +344,7 @@ def program(
             "profile": reading.profile,
             "corners": None if corners is None else corners.as_json(),
             "sheet": None if sheet is None else sheet.as_json(),
+            "lift": choices.lift,
             **_compiled_json(result, loaded.drawing),
         }
         write_bytes(report, json_bytes(data))

@@ -1,7 +1,7 @@
 """Functions that convert between an ``Interpretation`` and the columns of a drawing or a job.
 
 An interpretation contains the user's decisions about a drawing: unit, profile, overrides (line
-types of single edges), corner types and sheet.
+types of single edges), and choices for a job (corner types, sheet and height of turns).
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from knifetip.jobs.tables import Drawing, Job
+from knifetip.model.choices import Choices
 from knifetip.model.corners import Corners
 from knifetip.model.interpretation import Interpretation
 from knifetip.model.sheet import Sheet
@@ -24,14 +25,21 @@ def interpretation_of(row: Drawing | Job, overrides: bytes) -> Interpretation:
     overrides
         The column ``overrides`` of ``row``, which the caller has loaded separately.
     """
-    corners, sheet = (row.corners, row.sheet) if isinstance(row, Job) else (None, None)
     return Interpretation(
         unit=row.unit_given,
         profile=row.profile,
         rules=row.rules,
         overrides=overrides,
-        corners=None if corners is None else Corners.from_json(corners),
-        sheet=None if sheet is None else Sheet.from_json(sheet),
+        choices=_choices_of(row) if isinstance(row, Job) else Choices(),
+    )
+
+
+def _choices_of(row: Job) -> Choices:
+    """Return the choices stored with a job."""
+    return Choices(
+        None if row.corners is None else Corners.from_json(row.corners),
+        None if row.sheet is None else Sheet.from_json(row.sheet),
+        row.lift,
     )
 
 
@@ -47,9 +55,10 @@ def drawing_columns(interpretation: Interpretation) -> dict[str, Any]:
 
 def job_columns(interpretation: Interpretation) -> dict[str, Any]:
     """Return the columns of a job that store an interpretation, by name of the column."""
-    corners, sheet = interpretation.corners, interpretation.sheet
+    corners, sheet = interpretation.choices.corners, interpretation.choices.sheet
     return {
         **drawing_columns(interpretation),
         "corners": None if corners is None else corners.as_json(),
         "sheet": None if sheet is None else sheet.as_json(),
+        "lift": interpretation.choices.lift,
     }

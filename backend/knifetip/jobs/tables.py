@@ -131,6 +131,8 @@ class Job(Base):
     corners: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
     #: size of a sheet that was cut before the job; None: larger than the drawing
     sheet: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
+    #: height of the tool in turns: see ``Choices``
+    lift: Mapped[str] = mapped_column(sa.String(16), default="clearance")
     overrides: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)
     program: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)
     toolpath: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)

@@ -141,15 +141,14 @@ def open_questions(
     Raises
     ------
     PlanError
-        Corner types are set for a machine that does not mill.
+        Corner types are set for a machine that does not mill, or the least lift for a machine
+        without one.
     """
     from knifetip import pipeline
-    from knifetip.planning.plan import check_corners
 
     progress(Stage.READ, 0.0)
     table = load.machine(machine)
-    if interpretation.corners is not None:
-        check_corners(interpretation.corners, table)
+    pipeline.check_choices(interpretation.choices, table)
     drawing, dieline = restore_or_read(stored, interpretation)
     return [question.as_json() for question in pipeline.questions(drawing, dieline, table)]
 
@@ -196,8 +195,7 @@ def compile(
         dieline,
         table,
         load.board(board),
-        corners=interpretation.corners,
-        sheet=interpretation.sheet,
+        choices=interpretation.choices,
         notes=notes,
         progress=progress,
     )

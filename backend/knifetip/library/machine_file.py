@@ -287,6 +287,11 @@ class MachineFile(Table):
         description="travel height: height of the tip above the mat in air moves (mm)"
     )
     clearance: Positive = Field(description="height above the board at which plunging starts (mm)")
+    turn_clearance: NotNegative = Field(
+        0.0,
+        description="least distance of the lowest point of a tool from the board in turns, for "
+        "jobs with the least lift (mm); 0: such jobs are refused",
+    )
     into_mat: NotNegative = Field(description="depth of a through cut in the mat (mm)")
     settle: NotNegative = Field(description="waiting time after an output is switched (s)")
     feed: Annotated[Literal["manual", "automatic"], LISTED] = Field(
@@ -335,6 +340,14 @@ class MachineFile(Table):
                     carriage=station.carriage,
                     count=count,
                 )
+        return value
+
+    @field_validator("turn_clearance")
+    @classmethod
+    def _below_clearance(cls, value: float, info: ValidationInfo) -> float:
+        clearance = info.data.get("clearance")
+        if clearance is not None and value > clearance:
+            raise field_error("field.above-clearance", value=value, clearance=clearance)
         return value
 
     @field_validator("zone")

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Final
 
 import numpy as np
 
 from knifetip.geometry.columns import U8
-from knifetip.model.corners import Corners
-from knifetip.model.sheet import Sheet
+from knifetip.model.choices import Choices
 
 #: In a column of overrides: the edge keeps the line type of its classification.
 NO_OVERRIDE: Final = 255
@@ -17,7 +16,7 @@ NO_OVERRIDE: Final = 255
 
 @dataclass(frozen=True, slots=True)
 class Interpretation:
-    """The user's decisions about a drawing: unit, profile, overrides, corner types and sheet.
+    """The user's decisions about a drawing: unit, profile, overrides, and choices for a job.
 
     An override is a line type that the user has set for one edge.  The record contains only plain
     data, so that it can be stored and sent to another process.
@@ -28,8 +27,9 @@ class Interpretation:
     rules: str = ""  #: TOML text of a customer's profile; "" for a profile of the library
     #: one byte per edge, ``NO_OVERRIDE`` or a LineType; b"" if no edge is overridden
     overrides: bytes = b""
-    corners: Corners | None = None  #: corner types; None: the fastest on the machine
-    sheet: Sheet | None = None  #: the sheet if it was cut to size
+    choices: Choices = field(
+        default_factory=Choices
+    )  #: corner types, sheet and height of turns of a job
 
     @property
     def override_column(self) -> U8 | None:

@@ -126,6 +126,8 @@ class Machine:
     controller: object = None  #: settings of the controller; their type depends on its language
     gantry: Gantry | None = None  #: carriages, if the machine has more than one
     zones: tuple[Zone, ...] = ()  #: keep-out zones on the table
+    #: least distance of a tool from the board in turns with the least lift (mm); 0 for no such lift
+    turn_clearance: float = 0.0
 
     @property
     def carriages(self) -> tuple[Carriage, ...]:

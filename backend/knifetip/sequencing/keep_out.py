@@ -25,6 +25,7 @@ from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.messages import Message
 from knifetip.model.machine import Machine, Station, Zone
 from knifetip.model.toolpath import Motion, Toolpath
+from knifetip.sequencing.rest_time import rest_times
 from knifetip.sequencing.travel import carriage_changes
 
 #: Distance in addition to the radius of the tool (mm), so that rounding does not matter.
@@ -167,23 +168,10 @@ def _detour(start: F64, end: F64, met: Sequence[Zone], station: Station, machine
     if around is None:
         return over
     axes = machine.carriage_of(station).axes
-    limits = np.array([[axis.velocity for axis in axes], [axis.acceleration for axis in axes]])
-    times = [_seconds(np.concatenate([start[None], poses]), limits) for poses in (over, around)]
+    times = [
+        rest_times(np.concatenate([start[None], poses]), axes).sum() for poses in (over, around)
+    ]
     return around if times[1] < times[0] else over
-
-
-def _seconds(pose: F64, limits: F64) -> float:
-    """Return the time for moves through n poses, with a stop at each pose (s).
-
-    ``pose`` is (n, 4), and ``limits`` are the greatest velocity and acceleration of each axis,
-    (2, 4).
-    """
-    travel = np.abs(np.diff(pose, axis=0))
-    velocity, acceleration = limits
-    ramp = velocity**2 / acceleration
-    short = 2.0 * np.sqrt(travel / acceleration)
-    seconds = np.where(travel < ramp, short, travel / velocity + velocity / acceleration)
-    return float(seconds.max(axis=1).sum())
 
 
 def _around(start: F64, end: F64, station: Station, machine: Machine) -> F64 | None:

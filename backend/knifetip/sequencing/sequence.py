@@ -27,6 +27,7 @@ from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.sequencing.air_moves import interference, lift_clear, turns_outside_board, unwind
 from knifetip.sequencing.keep_out import avoid_zones
 from knifetip.sequencing.order import short_order
+from knifetip.sequencing.rest_time import rest_times
 from knifetip.sequencing.travel import check_travel
 
 #: Motion of each kind of move when it is run backwards.
@@ -56,7 +57,10 @@ class _Moves:
 
 
 def sequence(
-    toolpaths: Sequence[Toolpath], machine: Machine, outline: Paths | None = None
+    toolpaths: Sequence[Toolpath],
+    machine: Machine,
+    outline: Paths | None = None,
+    safety: float = 0.0,
 ) -> Toolpath:
     """Return one toolpath that starts and ends at the parking position, at travel height.
 
@@ -71,6 +75,10 @@ def sequence(
         Outline of the whole board that lies on the table (a blank is only a part of it).  With an
         outline, a tool that is off the board by the machine's clearance turns without a lift; with
         None, every turn is lifted.
+    safety : mm
+        Least distance between the lowest point of the tool and the board's top face in turns
+        between two cuts of the same tool.  Where a lift to this height is faster, it replaces the
+        lift to the machine's clearance; 0 for the clearance everywhere.
 
     Raises
     ------
@@ -115,7 +123,7 @@ def sequence(
     }
     columns["pose"] = np.concatenate([home[None], columns["pose"]])
     notes = tuple(note for toolpath in work for note in toolpath.notes)
-    result = _lower_turns(Toolpath(**columns, notes=notes), machine, outline)
+    result = _lower_turns(Toolpath(**columns, notes=notes), machine, outline, safety)
     result = avoid_zones(result, machine)
     check_travel(result, machine)
     return result
@@ -290,13 +298,18 @@ def _order_tracks(
     )
 
 
-def _lower_turns(toolpath: Toolpath, machine: Machine, outline: Paths | None) -> Toolpath:
+def _lower_turns(
+    toolpath: Toolpath, machine: Machine, outline: Paths | None, safety: float
+) -> Toolpath:
     """Return the toolpath with every turn at the least height that clears the board.
 
     A turn is a rapid between a lift and a plunge; in ``toolpath`` it is above the board's top face
     by the machine's clearance.  A turn that is entirely outside ``outline``, the outline of the
     board, by the machine's clearance is lowered further, because the tool only has to clear the mat
     under the board.  If ``outline`` is None, all turns clear the board.
+
+    With a ``safety`` (mm), other turns are lowered until the lowest point of the tool is above the
+    top face by ``safety``, where that takes less time.
     """
     rapid = np.flatnonzero(toolpath.motion[1:-1] == Motion.RAPID) + 1
     turns = rapid[
@@ -311,6 +324,16 @@ def _lower_turns(toolpath: Toolpath, machine: Machine, outline: Paths | None) ->
         circle = station.tool.tip_circle(0.0)
         for end in (own, own + 1):
             pose[end] = lift_clear(pose[end], interference(pose[end], circle, face), circle)
+        if safety > 0.0 and not station.is_beam:
+            lowered = own[_has_own_lift(toolpath, own)]
+            lows = [
+                lift_clear(cut, interference(cut, circle, face) + safety, circle)
+                for cut in (toolpath.pose[lowered - 1], toolpath.pose[lowered + 2])
+            ]
+            before = _turn_times(toolpath, lowered, pose[lowered], pose[lowered + 1], machine)
+            quick = _turn_times(toolpath, lowered, lows[0], lows[1], machine) < before
+            for rows, low in zip((lowered, lowered + 1), lows, strict=True):
+                pose[rows[quick]] = low[quick]
         if outline is None:
             continue
         low, high = toolpath.pose[own - 1], toolpath.pose[own + 2]
@@ -339,6 +362,24 @@ def _lower_turns(toolpath: Toolpath, machine: Machine, outline: Paths | None) ->
         track=toolpath.track[rows],
         notes=toolpath.notes,
     )
+
+
+def _turn_times(toolpath: Toolpath, turns: I64, start: F64, end: F64, machine: Machine) -> F64:
+    """Return the times of t turns of one station, each with its lift and its plunge, (t,) s.
+
+    Parameters
+    ----------
+    turns
+        Rows of the turns in the toolpath.
+    start, end : (t, 4)
+        Poses at the start and the end of each rapid.
+    """
+    station = machine.station(int(toolpath.tool[turns[0]])) if len(turns) else machine.stations[0]
+    axes, plunge = machine.carriage_of(station).axes, station.tool.plunge
+    lifts = np.stack([toolpath.pose[turns - 1], start], axis=1)
+    plunges = np.stack([end, toolpath.pose[turns + 2]], axis=1)
+    times: F64 = rest_times(np.stack([start, end], axis=1), axes)[:, 0]
+    return times + rest_times(lifts, axes, plunge)[:, 0] + rest_times(plunges, axes, plunge)[:, 0]
 
 
 def _has_own_lift(toolpath: Toolpath, turns: I64) -> Bool:

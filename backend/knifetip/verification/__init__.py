@@ -20,7 +20,7 @@ kind        modules
 program     readers in ``reading``, ``output_checks`` (unset outputs, early switching),
             ``motion_checks`` (outputs in the board, unknown positions), ``verify``
             (placement)
-travel      ``motion_checks``, ``carriage_check``
+travel      ``motion_checks``, ``carriage_check``, ``zone_check``
 feed        ``motion_checks``
 heading     ``check_base`` (along edges), ``motion_checks`` (turns in the board),
             ``overlap_check`` (turns in place)
@@ -36,7 +36,8 @@ uncut       ``check_base``, ``crease_check`` (short creases), ``knife_check``
 overcut     ``stray_work`` and ``track_ends`` (past an end), ``groove_check``
             (run-outs, flanks through cuts), ``bridge_check``, ``milling_check``,
             ``knife_check`` (short gaps of perforations)
-stray       ``stray_work``, ``milling_check``, ``motion_checks`` (rapids in the board)
+stray       ``stray_work``, ``milling_check``, ``motion_checks`` (rapids in
+            the board, too near to it or to the sheet)
 order       ``work_order``
 unreached   ``milling_shortfalls`` (a shortfall)
 kerf        ``milling_shortfalls`` (a shortfall)
@@ -114,6 +115,7 @@ verify.perforation-uneven          checks.knife_check
 verify.plunge-without-move         checks.check_base
 verify.rapid-in-board              checks.motion_checks
 verify.rapid-near-sheet            checks.motion_checks
+verify.rapid-too-low               checks.motion_checks
 verify.slanted                     checks.motion_checks
 verify.spindle                     checks.output_checks
 verify.stray                       checks.milling_check, checks.stray_work

@@ -51,6 +51,7 @@ describe("an error", () => {
         copies: 1,
         corners: null,
         sheet: null,
+        lift: "clearance",
       }),
     ).rejects.toMatchObject({ problem: { questions: [question] } });
   });

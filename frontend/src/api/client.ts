@@ -28,9 +28,11 @@ export type JobOrder = Pick<Schemas["JobIn"], "drawing" | "machine" | "board"> &
   copies: number;
   corners: Corners | null;
   sheet: Sheet | null;
+  lift: Lift;
 };
 export type JobState = Job["state"];
 export type ImportReportRow = Schemas["ImportReportRow"];
+export type Lift = Job["lift"];
 export type Machine = Schemas["MachineOut"];
 export type Override = Schemas["Override"];
 export type Profile = Schemas["ProfileOut"];

@@ -823,6 +823,10 @@ export const TEXTS = {
     "text": "{path} is {value}, but must be at most {limit:g}",
     "hint": ""
   },
+  "field.above-clearance": {
+    "text": "{path} is {value:g} mm, but must not be more than clearance, {clearance:g} mm",
+    "hint": ""
+  },
   "field.bad-arguments": {
     "text": "{path} has arguments that do not fit the message code {name!r}",
     "hint": ""
@@ -2327,6 +2331,10 @@ export const TEXTS = {
     "text": "The {shelf} {name!r} cannot be read: {detail}.",
     "hint": "Correct the TOML file of the {shelf}."
   },
+  "lift.not-stated": {
+    "text": "The machine file of {machine} does not state turn_clearance, so the least lift is not known.",
+    "hint": "Choose the lift to the clearance of the machine, or set turn_clearance in the machine file, for example to 0.5 mm for board that lies flat."
+  },
   "machine.busy": {
     "text": "Job {job} already occupies the table of {machine}.",
     "hint": "Wait until that job has ended. If that job is interrupted, choose what to do with it: mark as finished, queue again or scrap."
@@ -3774,6 +3782,10 @@ export const TEXTS = {
   "verify.rapid-near-sheet": {
     "text": "A rapid move of station {station} is {depth:.3f} mm below the top face of the board, and it is over the sheet, too close to the sheet, or in the mat.",
     "hint": "Lift the tool above the board before the rapid move, or keep the tool beside the sheet by the clearance of the machine."
+  },
+  "verify.rapid-too-low": {
+    "text": "A rapid move of station {station} is only {height:.3f} mm above the board; the turn_clearance of the machine is {needed:g} mm.",
+    "hint": "Lift the tool higher before the rapid move."
   },
   "verify.slanted": {
     "text": "Station {station} moves {distance:.3f} mm sideways (away from the axis of its tool) while the tool enters or leaves the board.",

@@ -1,6 +1,6 @@
 /** Machine, board and number of copies, and the button that compiles. */
 
-import { Button, NumberInput, Select } from "@mantine/core";
+import { Button, Checkbox, NumberInput, Select } from "@mantine/core";
 import { IconBolt } from "@tabler/icons-react";
 import { useEffect } from "react";
 import { compile } from "../state/actions";
@@ -8,6 +8,7 @@ import { DEFAULT_CORNERS } from "../state/corners";
 import { pluralize } from "../state/format";
 import { isCompiling } from "../state/jobs";
 import { useBoards, useDrawing, useJob, useMachines } from "../state/queries";
+import { hasLeastLift } from "../state/sheet";
 import { useUiStore } from "../state/store";
 import { CornersForm } from "./CornersForm";
 import css from "./panels.module.css";
@@ -22,6 +23,7 @@ export function OrderPanel() {
   const machine = useUiStore((ui) => ui.machine);
   const board = useUiStore((ui) => ui.board);
   const copies = useUiStore((ui) => ui.copies);
+  const lift = useUiStore((ui) => ui.lift);
   const busy = useUiStore((ui) => ui.busy);
   const set = useUiStore((ui) => ui.set);
 
@@ -39,11 +41,13 @@ export function OrderPanel() {
         board: job.board,
         corners: job.corners ?? DEFAULT_CORNERS,
         sheet: job.sheet ?? null,
+        lift: job.lift,
       });
     }
   }, [job?.id, set]);
 
   if (drawing === undefined) return null;
+  const chosen = machines?.find(({ name }) => name === machine);
   const open = drawing.questions.length;
   const missing =
     open > 0
@@ -65,7 +69,7 @@ export function OrderPanel() {
           onChange={(value) => set({ machine: value })}
           data-testid="machine-select"
         />
-        {machines?.find(({ name }) => name === machine)?.offset_cuts === true && <CornersForm />}
+        {chosen?.offset_cuts === true && <CornersForm />}
         <Select
           label="Board"
           placeholder="Choose a board"
@@ -79,6 +83,17 @@ export function OrderPanel() {
           width={drawing.bounds[2] - drawing.bounds[0]}
           height={drawing.bounds[3] - drawing.bounds[1]}
         />
+        {hasLeastLift(chosen) && (
+          <Checkbox
+            label={`Least lift in turns (${chosen?.turn_clearance} mm above the board)`}
+            description="Saves time. Only for board that lies flat on the table."
+            checked={lift === "least"}
+            onChange={({ currentTarget }) =>
+              set({ lift: currentTarget.checked ? "least" : "clearance" })
+            }
+            data-testid="least-lift"
+          />
+        )}
         <div
           style={{ display: "grid", gridTemplateColumns: "72px 1fr", gap: 8, alignItems: "end" }}
         >

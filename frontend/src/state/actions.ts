@@ -24,6 +24,7 @@ import {
 import { notifyError } from "./notifications";
 import { useProfileDraft } from "./profileDraft";
 import { queries, queryClient, upsertJob } from "./queries";
+import { hasLeastLift } from "./sheet";
 import { useUiStore } from "./store";
 
 export function uploadFiles(files: readonly File[]): Promise<void> {
@@ -180,11 +181,13 @@ export function compile(machine: string, board: string): Promise<void> {
     if (drawing === null) return;
     useUiStore.getState().set({ pickingCorners: false });
     const machines = queryClient.getQueryData(queries.machines().queryKey);
-    const milled = machines?.find(({ name }) => name === machine)?.offset_cuts === true;
-    const corners = milled ? useUiStore.getState().corners : null;
+    const chosen = machines?.find(({ name }) => name === machine);
+    const { corners: types, lift: height } = useUiStore.getState();
+    const corners = chosen?.offset_cuts === true ? types : null;
+    const lift = hasLeastLift(chosen) ? height : "clearance";
     try {
       const revision = displayedRevision(drawing);
-      const order = { drawing, revision, machine, board, copies, corners, sheet };
+      const order = { drawing, revision, machine, board, copies, corners, sheet, lift };
       const job = await service.compile(order);
       upsertJob(job);
       useUiStore.getState().openJob(job.id);

@@ -1,6 +1,6 @@
-/** The sheet of a job, if it was cut to size. */
+/** The sheet of a job, if it was cut to size, and the height of its turns. */
 
-import type { Sheet } from "../api/client";
+import type { Machine, Sheet } from "../api/client";
 import type { Box, Point } from "../geometry/records";
 
 /** A sheet that was cut to the outline of the drawing. */
@@ -30,3 +30,7 @@ export function sheetText(sheet: Sheet): string {
   if (size === null) return "cut to the outline of the drawing";
   return `${size[0]} × ${size[1]} mm, drawing ${sheet.margin} mm from its left and lower edge`;
 }
+
+/** Whether a machine states the distance from the board that the least lift leaves. */
+export const hasLeastLift = (machine: Machine | undefined): boolean =>
+  machine !== undefined && machine.turn_clearance > 0;

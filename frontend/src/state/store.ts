@@ -5,7 +5,7 @@
  */
 
 import { create } from "zustand";
-import type { Corners, Question, Sheet } from "../api/client";
+import type { Corners, Lift, Question, Sheet } from "../api/client";
 import type { ConnectionState } from "../api/events";
 import type { Box, LineType } from "../geometry/records";
 import { DEFAULT_CORNERS } from "./corners";
@@ -75,6 +75,8 @@ export interface UiState {
   readonly corners: Corners;
   /** The sheet if it was cut to size; null if it may be larger than the drawing. */
   readonly sheet: Sheet | null;
+  /** Height of the tool in turns; unused on machines without a turn clearance. */
+  readonly lift: Lift;
   /** A click on the canvas selects a corner instead of an edge. */
   readonly pickingCorners: boolean;
   /** Questions that the last compile request was refused with. */
@@ -121,6 +123,7 @@ type UiValues = Pick<
   | "corners"
   | "pickingCorners"
   | "sheet"
+  | "lift"
   | "compileQuestions"
   | "retypePreviews"
   | "editedProfile"
@@ -172,6 +175,7 @@ export const useUiStore = create<UiState>()((set) => ({
   corners: DEFAULT_CORNERS,
   pickingCorners: false,
   sheet: null,
+  lift: "clearance",
   compileQuestions: [],
   retypePreviews: [],
   editedProfile: null,

@@ -363,3 +363,23 @@ def test_half_a_sheet_is_refused_on_order(client: httpx.Client, sheet: dict[str,
     assert answer.status_code == 422
     assert answer.headers["content-type"] == "application/problem+json"
     assert "sheet" in answer.json()["detail"]
+
+
+def test_the_least_lift_is_kept_with_the_job_and_saves_time(
+    client: httpx.Client, ready: dict[str, Any]
+) -> None:
+    assert ready["lift"] == "clearance"
+    drawing = upload_drawing(client, square())["id"]
+    order = {"drawing": drawing, "board": ready["board"], "lift": "least"}
+    answer = client.post("/api/jobs", json=order)
+    assert answer.status_code == 201, answer.text
+    job = wait_for_state(client, answer.json()["id"], "ready", "refused")
+    assert (job["state"], job["lift"]) == ("ready", "least")
+    assert job["seconds"] < ready["seconds"]
+
+
+def test_the_least_lift_is_refused_on_order_for_a_machine_without_one(client: httpx.Client) -> None:
+    drawing = upload_drawing(client, square())["id"]
+    answer = client.post("/api/jobs", json={"drawing": drawing, **MILLS, "lift": "least"})
+    assert answer.status_code == 422
+    assert answer.json()["code"] == "lift.not-stated"

@@ -92,3 +92,26 @@ def test_the_zones_of_a_machine_are_shown_and_work_in_them_is_refused(
     assert code == 3
     assert "would touch the keep-out zone Stop at X" in err
     assert "Move the clamp or stop away" in err
+
+
+def test_the_least_lift_is_lower_and_needs_a_stated_turn_clearance(
+    knifetip: Command, drawing: Path
+) -> None:
+    seconds = []
+    for name in ("clearance", "least"):
+        report = drawing.with_name(f"{name}.json")
+        out = drawing.with_name(f"{name}.ngc")
+        words = ("program", drawing, *RIGID, "-o", out, "--report", report, "--lift", name)
+        code, _, err = knifetip(*words)
+        assert code == 0, err
+        data = json.loads(report.read_text())
+        assert data["lift"] == name
+        seconds.append(data["seconds"])
+    assert seconds[1] < 0.99 * seconds[0]
+    machine = drawing.with_name("mine.toml")
+    shipped = (resources.files("knifetip") / "library/machines/demo-table.toml").read_text("utf-8")
+    machine.write_text(shipped.replace("turn_clearance = 0.5", ""))
+    least = ("--machine", machine, "--board", "greyboard-2.0", "--lift", "least")
+    code, _, err = knifetip("program", drawing, *least, "-o", drawing.with_name("p.ngc"))
+    assert code == 3
+    assert "does not state turn_clearance" in err

@@ -63,3 +63,10 @@ def test_a_wrong_zone_is_refused_with_its_field(
     with pytest.raises(LibraryError) as caught:
         loaded(tmp_path, FILE + ZONE.replace(old, new))
     assert expected in str(caught.value)
+
+
+def test_the_turn_clearance_is_at_most_the_clearance(tmp_path: Path) -> None:
+    assert load.machine("demo-table").turn_clearance == 0.5
+    assert loaded(tmp_path, FILE.replace("turn_clearance = 0.5", "")).turn_clearance == 0.0
+    with pytest.raises(LibraryError, match="must not be more than clearance, 2 mm"):
+        loaded(tmp_path, FILE.replace("turn_clearance = 0.5", "turn_clearance = 2.1"))

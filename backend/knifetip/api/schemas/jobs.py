@@ -34,6 +34,7 @@ CornerType = Annotated[Literal["auto", "B", "C", "D"], LISTED]
 CornerParameter = Annotated[
     float, Field(gt=0.0, lt=1.0, description="Parameter k of type D: 0 is like B, 1 is like C")
 ]
+Lift = Annotated[Literal["clearance", "least"], LISTED]
 SheetSize = Annotated[float, Field(gt=0.0, le=10_000.0)]
 
 
@@ -153,6 +154,12 @@ class JobIn(Strict):
         default=None,
         description="Sheet that was cut to size before the job; null if the sheet may be larger "
         "than the drawing",
+    )
+    lift: Lift = Field(
+        default="clearance",
+        description="Height of the tool above the board in turns. clearance: the clearance of the "
+        "machine. least: the `turn_clearance` of the machine where that is faster; only for board "
+        "that lies flat",
     )
     release: bool = Field(
         default=False,
@@ -328,6 +335,7 @@ class JobOut(BaseModel):
         description="Sheet that was cut to size before the job; the operator must load this "
         "sheet. Null if the sheet may be larger than the drawing",
     )
+    lift: Lift = Field(description="Height of the tool above the board in turns")
     program_sha256: str = Field(
         description="SHA-256 of the program (64 hexadecimal digits); empty before the job is "
         "compiled"

@@ -110,6 +110,13 @@ class MachineOut(BaseModel):
         description="Position of the lower left corner of a drawing on the table (mm)"
     )
     travel_z: float = Field(description="Height of the tip above the mat in air moves (mm)")
+    clearance: float = Field(
+        description="Height of the tip above the board where plunging begins (mm)"
+    )
+    turn_clearance: float = Field(
+        description="Least distance of a tool from the board in turns, for jobs with the least "
+        "lift (mm); 0 if the machine has no such lift"
+    )
     into_mat: float = Field(description="Depth of a through cut in the mat (mm)")
     offset_cuts: bool = Field(
         description="Whether cuts are offset from their edge, so that corner types can be chosen"

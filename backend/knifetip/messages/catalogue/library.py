@@ -49,6 +49,12 @@ MESSAGES: Final[Entries] = {
         value="text",
         limit="number",
     ),
+    "field.above-clearance": entry(
+        "{path} is {value:g} mm, but must not be more than clearance, {clearance:g} mm",
+        path="text",
+        value="number",
+        clearance="number",
+    ),
     "field.bad-arguments": entry(
         "{path} has arguments that do not fit the message code {name!r}",
         path="text",

@@ -1,4 +1,6 @@
-"""sheet: messages about the sheet on the table of a machine, and about its keep-out zones."""
+"""sheet: messages about the sheet on the table of a machine, and about its keep-out zones,
+and about the height of turns.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +9,13 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
+    "lift.not-stated": entry(
+        "The machine file of {machine} does not state turn_clearance, so the least lift is not "
+        "known.",
+        "Choose the lift to the clearance of the machine, or set turn_clearance in the machine "
+        "file, for example to 0.5 mm for board that lies flat.",
+        machine="text",
+    ),
     "sheet.bad-size": entry(
         "{text!r} is not a size of a sheet.",
         "Give the width and the height in mm as WIDTHxHEIGHT, with the distance of the drawing "

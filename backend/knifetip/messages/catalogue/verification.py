@@ -461,6 +461,14 @@ MESSAGES: Final[Entries] = {
         station="count",
         depth="number",
     ),
+    "verify.rapid-too-low": entry(
+        "A rapid move of station {station} is only {height:.3f} mm above the board; the "
+        "turn_clearance of the machine is {needed:g} mm.",
+        "Lift the tool higher before the rapid move.",
+        station="count",
+        height="number",
+        needed="number",
+    ),
     "verify.slanted": entry(
         "Station {station} moves {distance:.3f} mm sideways (away from the axis of its tool) "
         "while the tool enters or leaves the board.",

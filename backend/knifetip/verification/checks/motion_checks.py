@@ -36,6 +36,8 @@ MIN_MINUTES: Final = 2e-6
 TRAVEL_TOLERANCE: Final = 1e-6
 #: A line may replace an arc with a sagitta up to this: controllers reject smaller arcs (mm).
 MAX_BOW: Final = 1e-3
+#: Part of the turn clearance that may be missing because heights are rounded (mm).
+HEIGHT_TOLERANCE: Final = 1e-3
 
 
 def move_lengths(moves: Moves) -> F64:
@@ -230,9 +232,10 @@ def check_board_moves(
     sheet: SheetArea | None,
     findings: Findings,
 ) -> None:
-    """Check the moves of a tool in the board.
+    """Check the moves of a tool in the board, and the height of rapids above it.
 
-    Adds a finding for each rapid in the board, each plunge or lift that is slanted, and each turn
+    Adds a finding for each rapid in the board or nearer to it than the turn clearance of the
+    machine, each plunge or lift that is slanted, and each turn
     of C in the board that is too large.  A feed move from or to an unknown position gives a finding
     too.
 
@@ -247,12 +250,23 @@ def check_board_moves(
     beam = beam_moves(moves, machine)
     _check_beam(moves, tip, beam, findings)
     unknown, sideways = unknown_positions(moves.start, moves.end)
-    rapids = np.flatnonzero(tip.inside & ~beam & (moves.code == 0))
+    rapid = ~beam & (moves.code == 0)
+    goes = (moves.end != moves.start)[:, [0, 1, 3]].any(axis=1)
+    needed = board.caliper + machine.turn_clearance
+    low = rapid & goes & (moves.station >= 0) & (lowest < needed - HEIGHT_TOLERANCE)
     if sheet is not None:
-        known = np.flatnonzero(tip.inside & ~beam & (moves.code == 0) & ~unknown)
-        beside = stays_beside_sheet(moves, known, machine, board, sheet)
-        rapids = np.setdiff1d(rapids, known[beside])
-    for row in rapids[:MAX_FINDINGS]:
+        known = np.flatnonzero(rapid & (tip.inside | low) & ~unknown)
+        beside = known[stays_beside_sheet(moves, known, machine, board, sheet)]
+        rapid[beside] = False
+    for row in np.flatnonzero(rapid & low & ~tip.inside)[:MAX_FINDINGS]:
+        message = Message(
+            "verify.rapid-too-low",
+            station=_number(moves, machine, row),
+            height=lowest[row] - board.caliper,
+            needed=machine.turn_clearance,
+        )
+        findings.add("stray", message, needed - lowest[row], line=moves.line[row])
+    for row in np.flatnonzero(rapid & tip.inside)[:MAX_FINDINGS]:
         depth = board.caliper - lowest[row]
         number = _number(moves, machine, row)
         code = "verify.rapid-in-board" if sheet is None else "verify.rapid-near-sheet"
