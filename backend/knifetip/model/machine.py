@@ -133,8 +133,8 @@ class Machine:
     def carriages(self) -> tuple[Carriage, ...]:
         """The carriages of the machine, in the order of their numbers, from 1.
 
-        A machine without a gantry has one carriage, which parks at the end of its Y that is nearest
-        to Y 0.
+        A machine without a gantry has one carriage, which parks at the position of its Y that is
+        nearest to 0.
         """
         if self.gantry:
             return self.gantry.carriages

@@ -103,10 +103,10 @@ def sequence(
             if previous.carriage != station.carriage:
                 turned[previous.carriage] = float(current[3]) + previous.c
                 current = _at_height(
-                    _parked(current, previous, machine), _idle_height(previous, machine)
+                    _park_pose(current, previous, machine), _idle_height(previous, machine)
                 )
                 parts.append(_air_move(current, tool))
-                current = _parked_beside(current, previous, station, machine)
+                current = _next_pose(current, previous, station, machine)
                 current[3] = turned[station.carriage] - station.c
                 parts.append(_air_move(current, station.number))
         moves = _order_tracks(toolpath, station, machine, current, count)
@@ -151,10 +151,10 @@ def _parking_pose(station: Station, machine: Machine) -> F64:
             0.0,
         ]
     )
-    return _parked(pose, station, machine) if machine.gantry else pose
+    return _park_pose(pose, station, machine) if machine.gantry else pose
 
 
-def _parked(pose: F64, station: Station, machine: Machine) -> F64:
+def _park_pose(pose: F64, station: Station, machine: Machine) -> F64:
     """Return a pose of a station, (4,), with the station's carriage at its parking position."""
     parked = pose.copy()
     parked[1] = machine.carriage_of(station).park - station.y
@@ -176,16 +176,16 @@ def _idle_height(station: Station, machine: Machine) -> float:
     return min(machine.travel_z + max(datum), z.high) - station.z
 
 
-def _parked_beside(pose: F64, previous: Station, station: Station, machine: Machine) -> F64:
-    """Return the pose of a station on a parked carriage, (4,), with X of the gantry as it is.
+def _next_pose(pose: F64, previous: Station, station: Station, machine: Machine) -> F64:
+    """Return the pose of the next station, (4,), whose carriage is still parked.
 
-    ``pose`` is the pose of the station ``previous``, which is on another carriage.  X changes only
-    if the station could not reach it.
+    ``pose`` is the pose of the station ``previous`` on another carriage.  The gantry remains at its
+    position along X, unless the next station cannot be at that position.
     """
     x = machine.carriage_of(station).axes[0]
-    beside = _at_height(_parked(pose, station, machine), machine.travel_z)
-    beside[0] = min(max(pose[0] + previous.x, x.low), x.high) - station.x
-    return beside
+    result = _at_height(_park_pose(pose, station, machine), machine.travel_z)
+    result[0] = min(max(pose[0] + previous.x, x.low), x.high) - station.x
+    return result
 
 
 def _air_move(pose: F64, tool: int) -> _Moves:

@@ -41,8 +41,8 @@ def check_carriages(moves: Moves, machine: Machine, findings: Findings) -> None:
     for near, far in pairwise(order):
         first, second = letters.index(near.letters[1]), letters.index(far.letters[1])
         gap = low[:, second] - high[:, first]
-        begins = _begins(gap < least - TRAVEL_TOLERANCE)
-        for row in begins[:MAX_FINDINGS]:
+        rows = _run_starts(gap < least - TRAVEL_TOLERANCE)
+        for row in rows[:MAX_FINDINGS]:
             message = Message(
                 "verify.heads-too-near",
                 first=near.letters[1],
@@ -76,7 +76,7 @@ def _check_idle(moves: Moves, machine: Machine, letters: list[str], findings: Fi
         column = letters.index(letter)
         height = moves.axes_end[:, column]
         low = ~(height >= needed - PRINT_ROUNDING) & (moves.station >= 0) & (selected != column)
-        for row in _begins(low)[:MAX_FINDINGS]:
+        for row in _run_starts(low)[:MAX_FINDINGS]:
             if np.isnan(height[row]):
                 findings.add(
                     "program", Message("verify.unknown-position"), 0.0, line=moves.line[row]
@@ -88,7 +88,7 @@ def _check_idle(moves: Moves, machine: Machine, letters: list[str], findings: Fi
             findings.add("travel", message, needed - height[row], line=moves.line[row])
 
 
-def _begins(rows: Bool) -> I64:
+def _run_starts(rows: Bool) -> I64:
     """Return the first index of each run of True in a mask of n moves."""
     before = np.concatenate([[False], rows[:-1]])
     result: I64 = np.flatnonzero(rows & ~before)
