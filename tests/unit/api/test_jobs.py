@@ -65,6 +65,9 @@ def test_the_verdict_has_a_row_for_every_edge(client: httpx.Client, ready: dict[
     verdict = client.get(f"/api/jobs/{ready['id']}/verdict").json()
     assert len(verdict["edge_deviation"]) == len(verdict["edge_uncut"]) == 4
     assert verdict["deviation"] == max(verdict["edge_deviation"])
+    for part in ("path_deviation", "blending", "fit_error"):
+        assert len(verdict[f"edge_{part}"]) == 4
+        assert verdict[part] == max(verdict[f"edge_{part}"])
     assert verdict["findings"] == []
 
 

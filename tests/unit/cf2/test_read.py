@@ -16,6 +16,7 @@ from numpy.testing import assert_allclose
 from knifetip.cf2.read import read
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.formats.limits import Limits
+from knifetip.geometry.tolerance import CURVE
 from knifetip.library import load
 from knifetip.messages import Message
 from knifetip.model.dieline import LineType
@@ -144,6 +145,10 @@ def test_an_unevenly_scaled_circle_is_an_ellipse() -> None:
     drawing = read(cf2("C,A,0,0,0,3,1", subs=sub("A", arc(10, 0, 10, 0, 0, 0), line(0, 0, 1, 0))))
     assert_allclose(drawing.bounds, [-30, -10, 30, 10], atol=0.011)
     assert drawing.ends[-1].tolist() == [[0, 0], [3, 0]]
+    # The line is exact; the ellipse is approximated.
+    assert drawing.fit_error[-1] == 0.0
+    assert (drawing.fit_error[:-1] > 0.0).all()
+    assert drawing.fit_error.max() <= CURVE
 
 
 def test_calls_may_be_nested() -> None:

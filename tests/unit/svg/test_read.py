@@ -55,6 +55,22 @@ def test_groups_transform_their_content() -> None:
     assert_allclose(drawing.ends, [[[0, 5], [0, 15]]], atol=1e-12)
 
 
+@pytest.mark.parametrize("scale", [1.0, 0.1])
+def test_an_edge_has_its_distance_from_the_curve_in_millimetres(scale: float) -> None:
+    shape = '<path d="M10 50C10 90 80 90 80 50L10 50"/>'
+    drawing = only(f'<g transform="scale({scale})">{shape}</g>')
+    t = np.linspace(0.0, 1.0, 100_000)[:, None]
+    r = 1.0 - t
+    x, y = 10 * r**2 * (1 + 2 * t) + 80 * t**2 * (3 - 2 * t), 50 + 120 * r * t
+    true = np.hstack([scale * x, 100.0 - scale * y])
+    starts, ends = drawing.ends[:-1, 0], drawing.ends[:-1, 1]
+    points = arc.points_along(starts, ends, drawing.bulge[:-1], 9).reshape(-1, 2)
+    far = max(float(np.hypot(*(true - point).T).min()) for point in points)
+    assert 0.98 * far <= drawing.fit_error.max() <= 0.0035
+    # The last edge is a line of the file.
+    assert drawing.fit_error[-1] == 0.0
+
+
 def test_a_circle_is_two_exact_arcs() -> None:
     drawing = only('<circle cx="50" cy="40" r="7"/>')
     assert_allclose(drawing.bulge, [-1.0, -1.0], rtol=1e-15)
