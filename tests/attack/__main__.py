@@ -5,13 +5,15 @@
 Each mutant is a program of one of the ``subjects`` with one or two random changes (``mutation``).
 Harm is measured without the verifier (``harm``), by the tests' own ``controller`` and ``plotter``;
 if rs274 is installed, LinuxCNC's interpreter must agree with ``controller`` on accepted mutants.
-Prints the escapes, a table of all subjects, and the rate; the exit status is 1 if any escaped.
+Prints the escapes, a table of all subjects, and the rate, also if it is interrupted; the exit
+status is 1 if any escaped.
 """
 
 from __future__ import annotations
 
 import argparse
 import sys
+from contextlib import suppress
 from pathlib import Path
 
 from tests.attack.campaign import Tally, run
@@ -28,11 +30,12 @@ def main() -> int:
     options = parser.parse_args()
     chosen = [subject for subject in subjects() if options.only in subject.name]
     tally = Tally()
-    for escape in run(chosen, options.mutants, options.seed, tally):
-        print(f"ESCAPE {escape}", flush=True)
-        if options.keep:
-            options.keep.mkdir(parents=True, exist_ok=True)
-            (options.keep / f"{escape.number:06}.txt").write_bytes(escape.text)
+    with suppress(KeyboardInterrupt):
+        for escape in run(chosen, options.mutants, options.seed, tally):
+            print(f"ESCAPE {escape}", flush=True)
+            if options.keep:
+                options.keep.mkdir(parents=True, exist_ok=True)
+                (options.keep / f"{escape.number:06}.txt").write_bytes(escape.text)
     print(tally.table())
     return 1 if tally.escapes else 0
 

@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from knifetip.geometry.columns import F64
-from knifetip.model.machine import Machine
+from knifetip.model.machine import Carriage, Machine
 
 _TOKEN = re.compile(r"([A-Z])([+-]?(?:\d+\.?\d*|\.\d+))")
 _COMMENT = re.compile(r"\([^)]*\)|;.*")
@@ -51,8 +51,11 @@ class Motion:
 
     line: int
     code: int  #: 0 rapid, 1 line, 2 arc clockwise, 3 arc counter-clockwise
-    start: tuple[float, ...]  #: joints X Y Z in mm, C in degrees; NaN: unknown
+    #: joints X Y Z in mm, C in degrees, of the carriage of the station; NaN: unknown
+    start: tuple[float, ...]
     end: tuple[float, ...]
+    axes_start: dict[str, float]  #: joints of all axes of the machine, by their letters
+    axes_end: dict[str, float]
     centre: tuple[float, float]
     station: int  #: index of the station whose offset the numbers have, -1 for none
     outputs: frozenset[int]  #: outputs that are on
@@ -61,7 +64,7 @@ class Motion:
     seconds: float  #: duration at the feed, NaN for a rapid
     stops_before: bool  #: the head is at rest between the move before and this move
     waited: float  #: dwell since the last switching of an output or the spindle (s)
-    offset: tuple[float, ...]  #: part of the joints that the tool table adds to the numbers
+    offset: dict[str, float]  #: part of the joints that the tool table adds to the numbers
     given: frozenset[str]  #: axes that have had a word since the last tool change
 
 
@@ -72,7 +75,7 @@ class Switching:
     line: int
     output: int
     on: bool
-    height: float  #: joint Z, NaN if it is unknown
+    heights: dict[str, float]  #: joints of all axes, NaN if unknown
     station: int
     moving: bool  #: the moves before may still be running
     lowered: frozenset[int]  #: outputs that are on after it
@@ -91,8 +94,9 @@ class Run:
 
 @dataclass
 class _State:
-    joints: list[float]
-    offset: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0)
+    joints: dict[str, float]
+    offset: dict[str, float] = field(default_factory=dict)
+    blending: float = math.inf
     modes: set[str] = field(default_factory=set)
     feed_mode: str = ""
     feed: float = math.nan
@@ -119,7 +123,7 @@ def execute(text: bytes, machine: Machine, *, tooled: bool) -> Run:
     NotExecuted
         A line is wrong, or has a word that is not supported.
     """
-    run, state = Run(), _State([math.nan] * 4)
+    run, state = Run(), _State(dict.fromkeys(machine.axes, math.nan))
     for number, line in enumerate(text.decode("latin-1").split("\n"), 1):
         words = _words(line, number)
         if words:
@@ -130,7 +134,7 @@ def execute(text: bytes, machine: Machine, *, tooled: bool) -> Run:
     left = {f"output {one}" for one in used if one in state.on or one not in state.stated}
     if state.spindle != 0.0:
         left.add("spindle")
-    if state.offset != (0.0, 0.0, 0.0, 0.0):
+    if any(state.offset.values()):
         left.add("tool offset")
     run.left = ", ".join(sorted(left))
     return run
@@ -168,7 +172,7 @@ def _block(
         raise NotExecuted(f"line {number}: a letter twice")
     if strange := set(codes) - _ALONE:
         raise NotExecuted(f"line {number}: {sorted(strange)} not supported")
-    if strange := set(values) - set("XYZCIJFPQST"):
+    if strange := set(values) - {*machine.axes, *"IJFPQST"}:
         raise NotExecuted(f"line {number}: {sorted(strange)} not supported")
     for code in codes:
         if MODES.get(code) == "feed":
@@ -199,13 +203,16 @@ def _block(
         if not tooled or state.loaded < 0:
             raise NotExecuted(f"line {number}: G43 without a tool")
         held = machine.stations[state.loaded]
-        state.offset = (held.x, held.y, held.z, held.c)
+        letters = machine.carriage_of(held).letters
+        datum = (held.x, held.y, held.z, held.c)
+        state.offset = dict(zip(letters, datum, strict=True))
     if "G49" in codes:
-        state.offset = (0.0, 0.0, 0.0, 0.0)
+        state.offset = {}
     if "G64" in codes:
         limit = values.get("P", 0.0)
-        if not tooled or not 0.0 < max(limit, values.get("Q", limit)) <= MAX_BLENDING:
-            raise NotExecuted(f"line {number}: G64 without tool table or with a wide limit")
+        if not tooled:
+            raise NotExecuted(f"line {number}: G64 without a tool table")
+        state.blending = max(limit, values.get("Q", limit)) if limit > 0.0 else math.inf
         state.modes.add("path")
     _move(codes, values, number, state, machine, run, tooled)
     if {"M2", "M30"} & set(codes):
@@ -250,7 +257,7 @@ def _switch(
                 number,
                 output,
                 on,
-                state.joints[2],
+                dict(state.joints),
                 _working(state, machine, tooled),
                 not tooled and not state.stopped,
                 frozenset(state.on),
@@ -291,7 +298,7 @@ def _move(
     for word in codes:
         if word in ("G0", "G1", "G2", "G3"):
             state.motion = word
-    axes = [letter for letter in "XYZC" if letter in values]
+    axes = [letter for letter in machine.axes if letter in values]
     if not axes:
         if {"I", "J"} & values.keys():
             raise NotExecuted(f"line {number}: a centre without an arc")
@@ -299,12 +306,19 @@ def _move(
     if not state.motion:
         raise NotExecuted(f"line {number}: an axis without a motion")
     code = int(state.motion[1])
+    if tooled and code and state.blending > MAX_BLENDING:
+        raise NotExecuted(f"line {number}: corners rounded by {state.blending:g} mm")
     state.given.update(axes)
-    start = tuple(state.joints)
-    end = tuple(
-        values[letter] + state.offset[k] if letter in values else state.joints[k]
-        for k, letter in enumerate("XYZC")
+    before = dict(state.joints)
+    for letter in axes:
+        state.joints[letter] = values[letter] + state.offset.get(letter, 0.0)
+    station = _working(state, machine, tooled)
+    carriage = machine.carriages[machine.stations[station].carriage - 1 if station >= 0 else 0]
+    start, end = (
+        tuple(joints[letter] for letter in carriage.letters) for joints in (before, state.joints)
     )
+    if code >= 2 and not carriage.is_first:
+        raise NotExecuted(f"line {number}: an arc of a further carriage")
     centre = (math.nan, math.nan)
     if code >= 2:
         if not {"I", "J"} & values.keys() or not {"X", "Y"} & values.keys():
@@ -321,19 +335,21 @@ def _move(
             code,
             start,
             end,
+            before,
+            dict(state.joints),
             centre,
-            _working(state, machine, tooled),
+            station,
             frozenset(state.on),
             _unknown(state, machine, tooled),
             0.0 if math.isnan(state.spindle) else state.spindle,
-            _seconds(code, start, end, centre, state, machine, number, "F" in values),
+            _seconds(code, start, end, centre, state, carriage, number, "F" in values, tooled),
             state.stopped,
             state.waited,
-            state.offset,
+            dict(state.offset),
             frozenset(state.given),
         )
     )
-    state.joints, state.stopped = list(end), False
+    state.stopped = False
 
 
 def _seconds(
@@ -342,23 +358,34 @@ def _seconds(
     end: tuple[float, ...],
     centre: tuple[float, float],
     state: _State,
-    machine: Machine,
+    carriage: Carriage,
     number: int,
     stated: bool,
+    tooled: bool,
 ) -> float:
-    """Return the duration of a move at its feed, NaN for a rapid."""
+    """Return the duration of a move at its feed, NaN for a rapid.
+
+    In G94 LinuxCNC applies the feed to X, Y and Z alone if they move; grblHAL to all axes alike.
+    """
     if code == 0:
         return math.nan
     if not state.feed > 0.0 or (state.feed_mode == "G93" and not stated):
         raise NotExecuted(f"line {number}: no feed")
     if state.feed_mode == "G93":
         return 60.0 / state.feed
-    length = math.hypot(math.dist(start[:2], end[:2]), end[2] - start[2])
+    rise, turn = end[2] - start[2], abs(end[3] - start[3])
+    flat = math.dist(start[:2], end[:2])
     if code >= 2:
-        sweep = abs(arc_sweep(code, start, end, centre))
-        length = math.hypot(sweep * math.dist(start[:2], centre), end[2] - start[2])
-    turn = abs(end[3] - start[3])
-    least = turn / machine.c.velocity
+        flat = abs(arc_sweep(code, start, end, centre)) * math.dist(start[:2], centre)
+    if tooled and not carriage.is_first:
+        moves = [
+            abs(after - before)
+            for letter, before, after in zip(carriage.letters, start, end, strict=True)
+            if letter in "XYZ"
+        ]
+        flat, rise = math.hypot(*moves), 0.0
+    length = math.hypot(flat, rise) if tooled else math.hypot(flat, rise, turn)
+    least = turn / carriage.axes[3].velocity
     return max(60.0 * (length or turn) / state.feed, least)
 
 

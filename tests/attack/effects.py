@@ -11,7 +11,7 @@ import numpy as np
 
 from knifetip.geometry.columns import F64
 from knifetip.model.board import Board
-from knifetip.model.machine import Machine, Station
+from knifetip.model.machine import Carriage, Machine, Station
 from knifetip.model.tool import CreaseWheel, Cutter, Knife, Laser, Tool, VCutter
 from tests.attack.controller import Motion, Run, Switching, sample
 
@@ -94,7 +94,7 @@ def _within(motion: Motion, poses: F64, machine: Machine, board: Board) -> F64:
     """Return the part of a path of the tip that is in the board, (m, 4), which may be empty."""
     if motion.station < 0:
         lowest = machine.travel_z + min(held.z for held in machine.stations)
-        return poses[:0] if not poses[:, 2].min() < lowest - 1.0 else poses
+        return poses if poses[:, 2].min() < lowest - 1.0 else poses[:0]
     if isinstance(machine.stations[motion.station].tool, Laser):
         return poses if motion.spindle > 0.0 else poses[:0]
     if not (poses[:, 2] < board.caliper - 1e-6).any():
@@ -119,28 +119,76 @@ def _with_blade(poses: F64, tool: Tool) -> F64:
 
 def _state_danger(motion: Motion, machine: Machine) -> str:
     """Return what is dangerous about the state in which a move runs, "" if nothing is."""
-    start, end = np.array(motion.start), np.array(motion.end)
-    changed = ~((start == end) | (np.isnan(start) & np.isnan(end)))
-    upright = not changed[[0, 1, 3]].any()
-    high = min(machine.travel_z + max(held.z for held in machine.stations), machine.z.high)
-    lifts = upright and motion.code == 0 and end[2] >= high - 1e-3
+    before, after = motion.axes_start, motion.axes_end
+    changed = {letter for letter in after if before[letter] != after[letter]} - {
+        letter for letter in after if math.isnan(before[letter]) and math.isnan(after[letter])
+    }
+    lifts = motion.code == 0 and changed <= _travel_heights(machine).keys()
+    lifts &= all(
+        after[letter] >= height - 1e-3 for letter, height in _travel_heights(machine).items()
+    )
     modes = {one for one in motion.unknown if "output" not in one and one != "spindle"}
     if modes:
         return f"moves while {sorted(modes)} are not stated"
     if motion.unknown and not lifts:
         return f"moves while {sorted(motion.unknown)} are unknown"
-    if math.isnan(start[2]) and not lifts:
+    if any(math.isnan(before[letter]) for letter in _travel_heights(machine)) and not lifts:
         return "moves from an unknown height"
-    if motion.code > 0 and (np.isnan(start).any() or np.isnan(end).any()):
+    if motion.code > 0 and any(math.isnan(value) for value in (*motion.start, *motion.end)):
         return "feeds from an unknown position"
     pistons = {held.output for held in machine.stations if held.output >= 0}
     if len(motion.outputs & pistons) > 1:
         return f"outputs {sorted(motion.outputs)} are lowered together"
+    letters = _carriage(motion, machine).letters
+    if motion.code > 0 and (others := changed - set(letters)):
+        return f"feeds the axes {sorted(others)} of another carriage"
     poses = sample(motion)
-    for column, axis in enumerate((machine.x, machine.y, machine.z, machine.c)):
-        values = poses[:, column][~np.isnan(poses[:, column])]
-        if len(values) and not (values.min() > axis.low - 1e-3 and values.max() < axis.high + 1e-3):
-            return f"axis {'XYZC'[column]} leaves its travel"
+    ranges = {letter: np.array([before[letter], after[letter]]) for letter in after}
+    ranges |= {letter: poses[:, column] for column, letter in enumerate(letters)}
+    for letter, values in ranges.items():
+        axis, known = machine.axes[letter], values[~np.isnan(values)]
+        if len(known) and not (known.min() > axis.low - 1e-3 and known.max() < axis.high + 1e-3):
+            return f"axis {letter} leaves its travel"
+    return _collision(motion, poses, machine)
+
+
+def _travel_heights(machine: Machine) -> dict[str, float]:
+    """Return the position of each Z axis at which all its stations are at travel height (mm)."""
+    heights: dict[str, float] = {}
+    for held in machine.stations:
+        letter = machine.carriage_of(held).letters[2]
+        high = min(machine.travel_z + held.z, machine.axes[letter].high)
+        heights[letter] = max(heights.get(letter, -math.inf), high)
+    return heights
+
+
+def _carriage(motion: Motion, machine: Machine) -> Carriage:
+    held = machine.stations[motion.station] if motion.station >= 0 else machine.stations[0]
+    return machine.carriage_of(held) if motion.station >= 0 else machine.carriages[0]
+
+
+def _collision(motion: Motion, poses: F64, machine: Machine) -> str:
+    """Return which heads or zones a move brings too close, "" if none."""
+    if machine.gantry and not math.isnan(poses[0, 1]):
+        own = _carriage(motion, machine)
+        for other in machine.carriages:
+            if other.letters == own.letters:
+                continue
+            letter = other.letters[1]
+            rival = np.linspace(motion.axes_start[letter], motion.axes_end[letter], len(poses))
+            apart = np.abs(poses[:, 1] - rival)
+            if apart.min() < machine.gantry.min_distance - 1e-3:
+                return f"heads only {apart.min():.2f} mm apart"
+    if motion.station < 0:
+        return ""
+    tips = _tip_poses(motion, machine)[:, :3]
+    steps = np.linspace(0.0, 1.0, 50)[:, None]
+    fine = np.vstack([a + (b - a) * steps for a, b in pairwise(tips)])
+    for zone in machine.zones:
+        over = (fine[:, 0] > zone.x) & (fine[:, 0] < zone.x + zone.width)
+        over &= (fine[:, 1] > zone.y) & (fine[:, 1] < zone.y + zone.height)
+        if (fine[over, 2] < zone.top).any():
+            return f"a tip enters the zone {zone.name}"
     return ""
 
 
@@ -192,10 +240,11 @@ def _feed_danger(motion: Motion, held: Station, machine: Machine) -> list[str]:
     level = abs(motion.end[2] - motion.start[2]) < 1e-6
     own = (held.tool.feed if level else held.tool.plunge) / 60.0
     turn = abs(motion.end[3] - motion.start[3])
-    least = max(length / own, turn / machine.c.velocity)
+    velocity = machine.carriage_of(held).axes[3].velocity
+    least = max(length / own, turn / velocity)
     tip = np.diff(_tip_poses(motion, machine)[[0, -1], :2], axis=0)
     if np.hypot(*tip[0]) < 1e-3 and level and turn:
-        least = turn / machine.c.velocity  # the head moves round the tip
+        least = turn / velocity  # the head moves round the tip
     if abs(motion.seconds - least) > 0.01 * least + 1e-3:
         return [f"{length / motion.seconds * 60:.0f} mm/min in the board"]
     return []
@@ -214,7 +263,13 @@ def _switching_danger(switching: Switching, machine: Machine, board: Board) -> s
         if output in switching.lowered or f"output {output}" in switching.unknown
     ]
     others += [held for held in [pistons.get(switching.output)] if held]
-    tip = switching.height - max((held.z for held in others), default=0.0)
+    tip = min(
+        (
+            switching.heights[machine.carriage_of(held).letters[2]] - held.z
+            for held in others or machine.stations
+        ),
+        default=math.nan,
+    )
     if not tip >= board.caliper + machine.clearance - 1e-3:
         return f"switches with a tip at {tip:g} mm"
     if switching.on and switching.output in pistons:
@@ -235,7 +290,6 @@ def _overlaps(motions: list[Motion], inside: list[bool], machine: Machine) -> li
     The joints blend for as long as the slowest needs to change its speed (ADR 8).
     """
     faults = []
-    thrust = min(machine.x.acceleration, machine.y.acceleration)
     for k, (one, other) in enumerate(pairwise(motions)):
         if other.stops_before or not one.code or not other.code or not (inside[k] or inside[k + 1]):
             continue
@@ -249,7 +303,8 @@ def _overlaps(motions: list[Motion], inside: list[bool], machine: Machine) -> li
             continue
         change = abs(math.radians(turn / length - turn_b / length_b))
         fast = max(speed, speed_b)
-        time = max(fast / thrust, fast * change / math.radians(machine.c.acceleration))
+        x, y, _, c = (axis.acceleration for axis in _carriage(other, machine).axes)
+        time = max(fast / min(x, y), fast * change / math.radians(c))
         if change * (fast * time) ** 2 / 2.0 > 2.0 * TOLERANCE:
             faults.append(f"line {other.line}: overlaps the move before without a stop")
     return faults

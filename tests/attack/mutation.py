@@ -263,7 +263,7 @@ def _motion(lines: Lines, row: int, rng: Random) -> bool:
 
 def _radius_arc(lines: Lines, row: int, rng: Random) -> bool:
     """Give an arc its radius instead of its centre."""
-    found = re.search(r"I(-?[\d.]+) J(-?[\d.]+)", lines[row])
+    found = re.search(r"I(-?\d+\.\d+) J(-?\d+\.\d+)(?![\d.])", lines[row])
     if not found:
         return False
     radius = (float(found[1]) ** 2 + float(found[2]) ** 2) ** 0.5
@@ -287,7 +287,7 @@ def _tail_shifted(lines: Lines, row: int, rng: Random) -> bool:
         if not whole and at > row and lines[at].startswith("G0 X"):
             break
         if lines[at][:2] in ("G0", "G1", "G2", "G3", "G9"):
-            lines[at] = re.sub(rf"{letter}(-?[\d.]+)", moved, lines[at])
+            lines[at] = re.sub(rf"{letter}(-?\d+(?:\.\d*)?)(?![\d.])", moved, lines[at])
     return True
 
 

@@ -9,13 +9,13 @@ from knifetip import compensate, pipeline, plan, process, sequence
 from knifetip.library import load
 from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.machine import Machine
+from knifetip.model.machine import Machine, Zone
 from knifetip.model.verdict import Severity
 from knifetip.verification.verify import verify
 from tests.support.programs import laser
-from tests.support.programs.engines import BLANK, ENGINES, MILLED, ROUTER, THICK
+from tests.support.programs.engines import BLANK, DEMO, ENGINES, FOLDS, GREY, MILLED, ROUTER, THICK
 from tests.support.programs.mixed_carton import mixed_carton
-from tests.support.shapes import dieline, edges, with_dimensions
+from tests.support.shapes import closed, dieline, edges, with_dimensions
 
 #: Controller languages that are dialects of RS274/NGC.
 DIALECTS = ("linuxcnc", "grblhal")
@@ -68,7 +68,14 @@ class Subject:
 @cache
 def subjects() -> tuple[Subject, ...]:
     """Return all subjects, each of which the verifier accepts."""
-    found = [*_of_engines(), *_of_routers(), *_of_lasers(), _of_plotter()]
+    found = [
+        *_of_engines(),
+        *_of_nested(),
+        *_of_tables(),
+        *_of_routers(),
+        *_of_lasers(),
+        _of_plotter(),
+    ]
     for subject in found:
         assert subject.accepts(subject.text), subject.name
     return tuple(found)
@@ -92,6 +99,32 @@ def _of_engines() -> list[Subject]:
         subject
         for engine in ENGINES.values()
         for subject in _made(engine.name, engine.line, engine.machine, engine.board, engine.corner)
+    ]
+
+
+def _of_nested() -> list[Subject]:
+    """Return programs of a part with a crease in the window of another part."""
+    nested = dieline(
+        BLANK,
+        (LineType.CUT, closed((120, 120), (200, 120), (200, 165), (120, 165))),
+        (LineType.CUT, closed((130, 130), (180, 130), (180, 155), (130, 155))),
+        (LineType.CREASE, edges(((150, 130), (150, 155)), ((110, 100), (110, 180)))),
+    )
+    return _made("nested parts", nested, DEMO, GREY)
+
+
+def _of_tables() -> list[Subject]:
+    """Return programs of a table with two carriages, and of one with a clamp beside the sheet."""
+    mixed = dieline(
+        BLANK,
+        (LineType.V_GROOVE, edges(((120, 100), (120, 180)))),
+        (LineType.CREASE, edges(((160, 100), (160, 180)))),
+        bulge={0: 0.1},
+    )
+    clamp = Zone("clamp", 245.0, 120.0, 30.0, 30.0, 25.0)
+    return [
+        *_made("two carriages", mixed, load.machine("two-carriage-table"), GREY),
+        *_made("clamp", FOLDS, replace(DEMO, zones=(clamp,)), GREY),
     ]
 
 
