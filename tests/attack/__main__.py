@@ -12,6 +12,7 @@ status is 1 if any escaped.
 from __future__ import annotations
 
 import argparse
+import signal
 import sys
 from contextlib import suppress
 from pathlib import Path
@@ -30,6 +31,7 @@ def main() -> int:
     options = parser.parse_args()
     chosen = [subject for subject in subjects() if options.only in subject.name]
     tally = Tally()
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     with suppress(KeyboardInterrupt):
         for escape in run(chosen, options.mutants, options.seed, tally):
             print(f"ESCAPE {escape}", flush=True)

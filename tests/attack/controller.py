@@ -35,9 +35,8 @@ MODES = {
     "G49": "length",
     "G43": "length",
     "G54": "system",
+    "G92.1": "shift",
 }
-#: Greatest deviation by G64 that these programs permit (mm).
-MAX_BLENDING = 0.01
 _ALONE = {"G0", "G1", "G2", "G3", "G4", "G64", "M2", "M30", "M3", "M5", "M6", "M64", "M65", *MODES}
 
 
@@ -65,6 +64,7 @@ class Motion:
     stops_before: bool  #: the head is at rest between the move before and this move
     waited: float  #: dwell since the last switching of an output or the spindle (s)
     offset: dict[str, float]  #: part of the joints that the tool table adds to the numbers
+    blending: float  #: greatest deviation by G64 (mm), 0 for grblHAL
     given: frozenset[str]  #: axes that have had a word since the last tool change
 
 
@@ -306,8 +306,6 @@ def _move(
     if not state.motion:
         raise NotExecuted(f"line {number}: an axis without a motion")
     code = int(state.motion[1])
-    if tooled and code and state.blending > MAX_BLENDING:
-        raise NotExecuted(f"line {number}: corners rounded by {state.blending:g} mm")
     state.given.update(axes)
     before = dict(state.joints)
     for letter in axes:
@@ -346,6 +344,7 @@ def _move(
             state.stopped,
             state.waited,
             dict(state.offset),
+            state.blending if tooled else 0.0,
             frozenset(state.given),
         )
     )

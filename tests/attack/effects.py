@@ -291,6 +291,9 @@ def _overlaps(motions: list[Motion], inside: list[bool], machine: Machine) -> li
     """
     faults = []
     for k, (one, other) in enumerate(pairwise(motions)):
+        if inside[k + 1] and min(one.blending, other.blending) > TOLERANCE:
+            faults.append(f"line {other.line}: the corner is rounded by {other.blending:g} mm")
+            continue
         if other.stops_before or not one.code or not other.code or not (inside[k] or inside[k + 1]):
             continue
         (length, turn, speed), (length_b, turn_b, speed_b) = (

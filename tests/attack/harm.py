@@ -60,9 +60,11 @@ class Oracle:
     def _tolerance(self) -> float:
         """Greatest distance from the path of the correct program (mm).
 
-        A plotter rounds both paths to its units, by up to 0.0177 mm each.
+        At an end, the tip may be off by the tolerance beside the line and along it.  A plotter
+        rounds both paths to its units, by up to 0.0177 mm each.
         """
-        return TOLERANCE if self.subject.language in DIALECTS else TOLERANCE + 2.0 * 0.0177
+        limit = math.sqrt(2.0) * TOLERANCE
+        return limit if self.subject.language in DIALECTS else limit + 2.0 * 0.0177
 
     @cached_property
     def base(self) -> Effect:

@@ -116,7 +116,7 @@ def centre(shape: Shape, radius: float, corner: Corner) -> Paths:
 def program(path: Paths, feed: float, laps: int) -> bytes:
     """Return a program that follows a closed path ``laps`` times, with a dwell before and after."""
     x, y = path.start[0] + PLACE
-    lines = ["G21 G90 G91.1 G17 G40 G49 G94 G54", "G64 P0.005 Q0.005"]
+    lines = ["G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1", "G64 P0.005 Q0.005"]
     lines += [f"G0 X{x:.4f} Y{y:.4f}", "G4 P0.05", f"F{feed:g}"]
     middles = arc.centre(path.start, path.end, path.bulge)
     for a, b, bend, middle in [*zip(path.start, path.end, path.bulge, middles, strict=True)] * laps:

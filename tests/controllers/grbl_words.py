@@ -13,7 +13,7 @@ import numpy as np
 
 LINE = 80
 MOTION = {"G0", "G1", "G2", "G3"}
-OTHER = {"G21", "G90", "G91.1", "G17", "G40", "G49", "G94", "G93", "G54", "G4"}
+OTHER = {"G21", "G90", "G91.1", "G17", "G40", "G49", "G94", "G93", "G54", "G92.1", "G4"}
 STOPS = {"M3", "M5", "M64", "M65", "M30"}
 AXES = "XYZC"
 

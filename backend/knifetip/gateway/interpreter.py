@@ -30,6 +30,7 @@ _AXES = {"X": 0, "Y": 1, "Z": 2, "C": 3, "A": 3}
 # Modal group of every command that is understood; a group may appear once in a line.
 _GROUP: dict[tuple[str, float], str] = {
     **{("G", code): "dwell" for code in (4.0,)},
+    **{("G", code): "shift" for code in (92.1,)},
     **{("G", code): "motion" for code in (0.0, 1.0, 2.0, 3.0, 80.0)},
     **{("G", code): "plane" for code in (17.0,)},
     **{("G", code): "unit" for code in (20.0, 21.0)},

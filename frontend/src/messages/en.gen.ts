@@ -2907,6 +2907,10 @@ export const TEXTS = {
     "text": "arc centres relative to the start of the arc (G91.1)",
     "hint": ""
   },
+  "rs274.mode-g92-1": {
+    "text": "no shift of the coordinates (G92.1)",
+    "hint": ""
+  },
   "rs274.mode-g94": {
     "text": "the feed in mm/min (G94)",
     "hint": ""

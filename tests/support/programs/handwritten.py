@@ -105,7 +105,7 @@ LINUXCNC = b"""\
 (machine hand-table)
 (board hand-board caliper 2)
 (placement X20.0000 Y20.0000)
-G21 G90 G91.1 G17 G40 G49 G94 G54
+G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1
 G64 P0.0050 Q0.0050
 G0 Z20.0000
 M65 P0
@@ -187,7 +187,7 @@ M2
 #: The same job with station datums in the coordinates and inverse-time feeds (G93) for arcs.
 GRBLHAL = b"""\
 (placement X20.0000 Y20.0000)
-G21 G90 G91.1 G17 G40 G49 G94 G54
+G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1
 G0 Z20.0000
 G4 P0
 M65 P0
@@ -278,7 +278,7 @@ def cutter_program(*lines: str) -> bytes:
 
 
 def _program(number: int, down: str, up: str, lines: tuple[str, ...]) -> bytes:
-    head = "G21 G90 G91.1 G17 G40 G49 G94 G54\nG64 P0.0050 Q0.0050\nG0 Z20.0000"
+    head = "G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1\nG64 P0.0050 Q0.0050\nG0 Z20.0000"
     off = "M65 P0\nM65 P1\nM65 P2\nM5"
     body = "\n".join(lines)
     return f"{head}\n{off}\nT{number} M6 G43\n{down}\n{body}\nG0 Z20.0000\n{up}\nG49\nM2\n".encode()

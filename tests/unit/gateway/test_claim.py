@@ -29,7 +29,7 @@ from tests.support.messages import stored
 MACHINE = load.machine("demo-table")
 
 # The coordinates include the datum of station 2, the crease wheel: X +60, Z -1.5.
-PROGRAM = b"""G21 G90 G91.1 G17 G40 G49 G94 G54
+PROGRAM = b"""G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1
 G0 Z20.0000
 M64 P1
 G4 P0.15

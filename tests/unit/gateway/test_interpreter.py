@@ -16,7 +16,7 @@ from knifetip.gateway.motion import Move
 def read(*lines: bytes) -> Block:
     """Interpret lines after a header in millimetres; return the last block."""
     interpreter = Interpreter()
-    interpreter.read(b"G21 G90 G91.1 G17 G40 G49 G94 G54")
+    interpreter.read(b"G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1")
     return [interpreter.read(line) for line in lines][-1]
 
 

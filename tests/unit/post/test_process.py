@@ -86,7 +86,7 @@ def test_a_program_for_linuxcnc_leaves_datums_to_the_tool_table() -> None:
     )
     assert program.text.decode().splitlines() == [
         "(placement X20.0000 Y20.0000)",
-        "G21 G90 G91.1 G17 G40 G49 G94 G54",
+        "G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1",
         "G64 P0.0050 Q0.0050",
         "G0 Z20.0000",
         "M65 P0",
@@ -137,7 +137,7 @@ def test_a_program_for_grblhal_has_the_datums_in_its_numbers() -> None:
     # The wheel's datum is X +60, Z -1.5; the quarter circle of r 10 is 15.708 mm at 24,000 mm/min.
     assert program.text.decode().splitlines() == [
         "(placement X20.0000 Y20.0000)",
-        "G21 G90 G91.1 G17 G40 G49 G94 G54",
+        "G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1",
         "G0 Z20.0000",
         "G4 P0",
         "M65 P0",
@@ -198,7 +198,7 @@ def test_every_program_starts_and_ends_with_a_lift_and_then_releases_all_outputs
 def test_the_first_lift_stays_within_the_travel() -> None:
     low = replace(TABLE, z=replace(TABLE.z, high=19.0))
     text = process(toolpath(rapid(1, 1, 10.0)), low, "grblhal").text
-    assert b"G54\nG0 Z19.0000\n" in text
+    assert b"G92.1\nG0 Z19.0000\n" in text
 
 
 def test_leaving_the_oscillating_knife_stops_it_and_lifts_its_piston() -> None:
@@ -442,7 +442,7 @@ def test_notes_cannot_contain_commands() -> None:
             "(line G0 Z-50)",
             "(gr e)",
             f"({'x' * 66})",
-            "G21 G90 G91.1 G17 G40 G49 G94 G54",
+            "G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1",
         ]
 
 

@@ -9,7 +9,7 @@ from knifetip.verification.reading.rs274.interpret import interpret
 from knifetip.verification.reading.rs274.parse import parse_words
 from tests.support.programs.handwritten import LINUXCNC, MACHINE, changed
 
-HEADER = "G21 G90 G91.1 G17 G40 G49 G94 G54\n"
+HEADER = "G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1\n"
 
 
 def moves_of(text: str) -> tuple[Moves, list[tuple[int, Message]]]:
@@ -78,6 +78,8 @@ def test_the_feed_is_cleared_when_the_feed_mode_changes() -> None:
         ("G0 X1 X2", "rs274.repeated-word"),
         ("G0 G1 X1 F5", "rs274.repeated-word"),
         ("G54 G54", "rs274.repeated-word"),
+        ("G4 P0 G92.1", "rs274.repeated-word"),
+        ("G92 X0", "rs274.unknown-word"),
         ("X1", "rs274.axis-without-motion"),
         ("G1 F100", "rs274.motion-without-axis"),
         ("G1 X1 I2 F5", "rs274.centre-without-arc"),
@@ -114,6 +116,7 @@ def test_a_line_with_other_words_is_a_fault(line: str, code: str) -> None:
         ("G49 ", "rs274.mode-g49"),
         ("G94 ", "rs274.mode-g94"),
         (" G54", "rs274.mode-g54"),
+        (" G92.1", "rs274.mode-g92-1"),
     ],
 )
 def test_modes_must_be_set_before_the_first_move(word: str, mode: str) -> None:

@@ -58,7 +58,7 @@ BETWEEN = (
 
 
 def program(*lines: str) -> bytes:
-    head = "G21 G90 G91.1 G17 G40 G49 G94 G54\nG64 P0.0050 Q0.0050\nG0 Z20.0000"
+    head = "G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1\nG64 P0.0050 Q0.0050\nG0 Z20.0000"
     body = "\n".join(lines)
     down, up = "M64 P0\nM3 S20000\nG4 P0.15\nG0 C0", "M65 P0\nM5"
     return f"{head}\nT1 M6 G43\n{down}\n{body}\nG0 Z20.0000\n{up}\nG49\nM2\n".encode()

@@ -108,7 +108,7 @@ def test_only_lifts_may_come_before_all_states_are_set(
 def test_the_first_lift_clears_the_longest_station() -> None:
     long = replace(MACHINE, stations=(replace(MACHINE.stations[0], z=6.0), *MACHINE.stations[1:]))
     lift = (
-        "G21 G90 G91.1 G17 G40 G49 G94 G54\n"
+        "G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1\n"
         + HEAD.replace("M65 P0", "G4 P0\nM65 P0")
         + "G49\nM2\n"
     )
@@ -161,7 +161,7 @@ def test_a_spindle_is_not_started_again_in_the_board(program: bytes) -> None:
 
 
 def test_a_program_without_work_must_set_all_states() -> None:
-    bare = b"G21 G90 G91.1 G17 G40 G49 G94 G54\nG0 Z20.0000\nM2\n"
+    bare = b"G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1\nG0 Z20.0000\nM2\n"
     assert program_findings(bare, drawn=False) == [
         f"The program never switches off {thing}, although an earlier program may have left it on. "
         f"Switch off {thing} at the beginning of the program."
@@ -176,5 +176,5 @@ def test_a_program_without_work_must_set_all_states() -> None:
 
 def test_a_station_without_an_output_needs_no_state() -> None:
     fixed = replace(MACHINE, stations=(replace(MACHINE.stations[0], output=-1),))
-    bare = b"G21 G90 G91.1 G17 G40 G49 G94 G54\nG0 Z20.0000\nM5\nG4 P0.15\nG0 X5 Y5\nM2\n"
+    bare = b"G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1\nG0 Z20.0000\nM5\nG4 P0.15\nG0 X5 Y5\nM2\n"
     assert program_findings(bare, fixed, drawn=False) == []

@@ -104,3 +104,9 @@ def test_comments_that_linuxcnc_executes_are_faults() -> None:
         b"(cut, then crease)\nG0 X1 (PY, stop\n; py, stop\n( abort,x)\n(msg, wait)\n(logopen,a)\n"
     )
     assert [line for line, _ in active_comments(program)] == [2, 3, 4, 6]
+
+
+def test_a_zero_byte_in_a_comment_is_a_fault() -> None:
+    for text in (b"(a\0b)\nG0 X1\n", b"; a\0b\nG0 X1\n"):
+        ((line, message),) = parse_words(text).faults
+        assert (line, message.code) == (1, "rs274.bad-character")

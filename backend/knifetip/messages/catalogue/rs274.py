@@ -106,6 +106,7 @@ MESSAGES: Final[Entries] = {
     ),
     "rs274.mode-g90": entry("absolute coordinates (G90)"),
     "rs274.mode-g91-1": entry("arc centres relative to the start of the arc (G91.1)"),
+    "rs274.mode-g92-1": entry("no shift of the coordinates (G92.1)"),
     "rs274.mode-g94": entry("the feed in mm/min (G94)"),
     "rs274.motion-without-axis": entry(
         "The program line has a motion word (G0 to G3), but no coordinates.",

@@ -31,8 +31,8 @@ from knifetip.post.rs274.beam import switch_beam
 from knifetip.post.rs274.controller import Dialect
 
 #: Modes of a program: mm, absolute positions, arc centres relative to the start, XY plane, no tool
-#: compensation, feeds in mm/min.
-HEADER: Final = "G21 G90 G91.1 G17 G40 G49 G94 G54"
+#: compensation, feeds in mm/min, work coordinates, and no shift of them by an earlier G92.
+HEADER: Final = "G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1"
 #: A dwell of zero seconds, which waits until the machine is at rest.
 WAIT_FOR_REST: Final = "G4 P0"
 #: Largest tolerance from which the permitted blending is computed (mm).

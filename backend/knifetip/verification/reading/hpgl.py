@@ -129,6 +129,12 @@ def _parse_instructions(text: bytes, device: Device, faults: _Faults) -> _Instru
         byte = f"{int(raw[at]):#04x}"
         faults.append((int(line_of[at]), Message("hpgl.bad-byte", byte=byte)))
 
+    shown = np.flatnonzero(raw != 32)
+    commas = np.flatnonzero(raw[shown] == 44)
+    before, after = np.append(digit[shown], False), np.append((digit | sign)[shown], False)
+    lone_commas = commas[~(before[commas - 1] & after[commas + 1])]
+    _add_faults(faults, line_of[shown[lone_commas]], Message("hpgl.bad-byte", byte="0x2c"))
+
     at = np.flatnonzero(letter)
     if len(at) % 2 or (at[1::2] != at[0::2] + 1).any():
         lone = at[: len(at) // 2 * 2].reshape(-1, 2)

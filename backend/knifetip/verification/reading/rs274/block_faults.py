@@ -29,6 +29,7 @@ _REQUIRED_MODES: Final[Mapping[Group, Message]] = {
     Group.LENGTH: Message("rs274.mode-g49"),
     Group.FEED: Message("rs274.mode-g94"),
     Group.SYSTEM: Message("rs274.mode-g54"),
+    Group.SHIFT: Message("rs274.mode-g92-1"),
 }
 
 
@@ -66,6 +67,8 @@ def _check_words(blocks: ProgramBlocks, state: ModalState) -> None:
         other |= has_code(group)
     fault(moving & other, Message("rs274.moves-and-switches"))
 
+    # G4 and G92.1 have one modal group.
+    fault(has_code(Group.DWELL) & has_code(Group.SHIFT), Message("rs274.repeated-word"))
     timed, switched, bounded = has_code(Group.DWELL), has_code(Group.OUTPUT), has_code(Group.PATH)
     used = timed | switched | bounded
     twice = (timed & switched) | (timed & bounded) | (switched & bounded)

@@ -36,6 +36,7 @@ class Group(IntEnum):
     SPINDLE = 12
     CHANGE = 13
     OUTPUT = 14
+    SHIFT = 15
 
 
 #: Number of a G word times ten -> modal group.
@@ -49,6 +50,7 @@ _G: Final = {
     210: Group.UNITS,
     900: Group.DISTANCE,
     911: Group.CENTRES,
+    921: Group.SHIFT,
     930: Group.FEED,
     940: Group.FEED,
     400: Group.RADIUS,

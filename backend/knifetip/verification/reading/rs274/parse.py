@@ -190,12 +190,17 @@ def _scan_words(raw: U8_1, longest: int, greatest: float) -> Any:
             at += 1
         elif byte == 59:  # ; to the end of the line
             while at < size and raw[at] != 10:
+                # LinuxCNC ends the line at a zero byte.
+                if raw[at] < 9:
+                    code, byte = 1, raw[at]
                 at += 1
         elif byte == 40:  # ( … )
             at += 1
             while at < size and raw[at] != 41 and raw[at] != 10:
                 if raw[at] == 40:
                     code = 2
+                if raw[at] < 9:
+                    code, byte = 1, raw[at]
                 at += 1
             if at < size and raw[at] == 41:
                 at += 1
