@@ -14,6 +14,7 @@ from knifetip.compensation.radius import CentrePaths
 from knifetip.geometry.columns import F64, I32, U8, Bool
 from knifetip.geometry.path import Paths
 from knifetip.library import load
+from knifetip.messages import Message
 from knifetip.model.board import Board, Deflection
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
@@ -74,8 +75,8 @@ def test_a_cutter_on_the_wrong_side_is_refused(monkeypatch: pytest.MonkeyPatch) 
     assert has_faults(verdict())
 
 
-def _without_leads(centre: CentrePaths) -> tuple[Paths, I32, U8]:
-    return centre.paths, centre.segment, np.full(len(centre.segment), Motion.FEED, np.uint8)
+def _without_leads(centre: CentrePaths) -> tuple[Paths, I32, U8, tuple[Message, ...]]:
+    return centre.paths, centre.segment, np.full(len(centre.segment), Motion.FEED, np.uint8), ()
 
 
 def test_a_deflection_of_the_board_is_accepted_and_its_opposite_is_refused(
@@ -100,6 +101,7 @@ def verdict_of(
 
 
 CUT = LineType.CUT
+FRAME = (CUT, closed((50, 50), (250, 50), (250, 200), (50, 200)))
 HELD = replace(BOARD, bridge_width=0.8, bridge_spacing=160.0)
 OUTLINE = (CUT, closed((100, 100), (400, 100), (400, 300), (100, 300)))
 ROUND = (CUT, edges(((100, 200), (300, 200)), ((300, 200), (100, 200))))
@@ -116,8 +118,8 @@ def test_corners_near_another_contour_are_milled_as_type_b(corner: str) -> None:
     line = dieline(OUTLINE, (CUT, closed(*LUGS)))
     work = [compensate(replace(each, corner=corner)) for each in plan(line, ROUTER, BOARD)]
     toolpath = sequence(work, ROUTER)
-    assert [note.code for note in toolpath.notes] == ["corner.replaced"]
-    assert toolpath.notes[0].arguments["count"] == 2
+    (note,) = (each for each in toolpath.notes if each.code == "corner.replaced")
+    assert note.arguments["count"] == 2
     text = process(toolpath, ROUTER, "linuxcnc").text
     result = verify(text, line, (0.0, 0.0), ROUTER, BOARD)
     assert not has_faults(result), result.findings[:3]
@@ -181,3 +183,42 @@ def test_blanks_and_holes_that_touch_in_a_point_are_accepted() -> None:
     )
     assert not has_faults(verdict_of(dieline((CUT, one), (CUT, other))))
     assert not has_faults(verdict_of(dieline(OUTLINE, (CUT, one), (CUT, other))))
+
+
+def with_lead(angle: float) -> Machine:
+    """Return the router's machine with a lead-in of 7 mm at this angle."""
+    stations = [
+        replace(held, tool=replace(held.tool, approach=angle, lead=7.0))
+        if isinstance(held.tool, Cutter)
+        else held
+        for held in ROUTER.stations
+    ]
+    return replace(ROUTER, stations=tuple(stations))
+
+
+@pytest.mark.parametrize("corner", ["B", "C", "D"])
+@pytest.mark.parametrize("angle", [-120.0, -90.0, -60.0, -30.0, 30.0, 60.0, 90.0])
+def test_lead_ins_of_every_angle_are_accepted(angle: float, corner: str) -> None:
+    # A frame with a round window and an L-shaped one, whose corner the tool goes round inside.
+    ell = closed((130, 130), (220, 130), (220, 170), (180, 170), (180, 220), (130, 220))
+    line = dieline(
+        OUTLINE, (CUT, ell), (CUT, ROUND[1] * 0.4 + (220.0, 120.0)), bulge={10: 1, 11: 1}
+    )
+    machine = with_lead(angle)
+    operations = [replace(each, corner=corner) for each in plan(line, machine, BOARD)]
+    work = [compensate(operation) for operation in operations]
+    text = process(sequence(work, machine), machine, "linuxcnc").text
+    result = verify(text, line, (0.0, 0.0), machine, BOARD)
+    assert not has_faults(result), result.findings[:3]
+    leads = sum(int((path.motion == Motion.LEAD_IN).sum()) for path in work)
+    codes = [note.code for path in work for note in path.notes]
+    # The disc goes round 90° of the outline and of the L, but the round window has no corner.
+    arcs = 2 if -90.0 <= angle < 0.0 else 0
+    assert leads == 2 * (3 + arcs)
+    assert codes == (["lead.no-corner"] * (2 if angle == -120.0 else 1) if angle < 0.0 else [])
+
+
+def test_a_contour_without_room_for_a_lead_in_is_noted() -> None:
+    line = dieline((CUT, closed((100, 100), (160, 100), (160, 106.2), (100, 106.2))), FRAME)
+    work = [compensate(operation) for operation in plan(line, ROUTER, BOARD)]
+    assert [note.code for path in work for note in path.notes] == ["lead.no-room"]

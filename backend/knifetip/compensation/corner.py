@@ -38,7 +38,7 @@ _MIN_K: Final = 0.05
 _AUTO: Final = TYPES.index("auto")
 #: Smallest turn that counts as a corner (radians).
 _MIN_TURN: Final = 1e-9
-#: Number of corners whose positions a message lists.
+#: Number of positions that a message lists.
 _LISTED: Final = 10
 
 
@@ -301,7 +301,15 @@ def replaced_corner_notes(operation: Operation, kind: U8, replaced: I32) -> tupl
                     "corner.replaced",
                     count=len(position),
                     type=other.name,
-                    places=[f"({x:.2f}, {y:.2f})" for x, y in position[:_LISTED]],
+                    places=list_places(position),
                 )
             )
     return tuple(notes)
+
+
+def list_places(position: F64) -> list[str]:
+    """Return the first positions of a message that concerns many, as texts.
+
+    ``position`` (m, 2) are points on the sheet (mm).
+    """
+    return [f"({x:.2f}, {y:.2f})" for x, y in position[:_LISTED]]

@@ -4,12 +4,14 @@ The computation is the same for a router and for a laser, with the radius r = ke
 plunges and lifts in the waste.  On a straight lead-in, which is longer than r, the centre moves
 from the waste to the offset path; on a lead-out it moves back into the waste.  Without room for
 leads the tool plunges on the offset path.  The last pass of a hole cuts its waste loose, so the
-tool lifts from there without a lead-out.  Contours are milled in several passes; a cut without a
+tool lifts from there without a lead-out; where the lead-out is not on the lead-in, all passes of a
+hole end so.  Contours are milled in several passes; a cut without a
 side is milled on its centre line, forth and back.
 
 Source: the paper "Tool radius compensation", eqs 1–5.  The offset is set up and cancelled as
 controllers do: on a straight line to the start of the offset path (type A), or on a line and an arc
-around the start of the contour (type B).
+around the start of the contour (type B).  A closed contour that is set up with type B begins at a
+corner that the cutter goes round, all others begin in the middle of a segment.
 """
 
 from __future__ import annotations
@@ -18,15 +20,21 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from knifetip.compensation.corner import replaced_corner_notes, select_corner_types
+from knifetip.compensation.corner import (
+    list_places,
+    replaced_corner_notes,
+    select_corner_types,
+    turn_angles,
+)
 from knifetip.compensation.deflection import shift_centres
 from knifetip.compensation.tracks import Strokes, at_height
 from knifetip.errors import CompensationError, GeometryError
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import left_normal, unit_vectors
 from knifetip.geometry.columns import F64, I32, U8, Bool
-from knifetip.geometry.path import Paths, insert_gaps, reverse_paths, start_in_middle
+from knifetip.geometry.path import Paths, insert_gaps, reverse_paths, start_at, start_in_middle
 from knifetip.geometry.points_on_segments import find_points_on_segments
 from knifetip.geometry.tolerance import JOIN, POINT
 from knifetip.messages import Message
@@ -39,6 +47,10 @@ from knifetip.offset.offset_paths import offset_paths
 _LEAD_CHECKS: Final = 8
 #: Fractions of the full lead, tried from the longest.
 _LEAD_FRACTIONS: Final = (1.0, 0.5, 0.0)
+#: Largest distance by which a lead-in round a corner may come nearer to a contour than r (mm).
+_CLEARANCE_ERROR: Final = 0.0005
+#: Largest angle by which a corner may turn less than a lead-in round it (degrees).
+_ANGLE_TOLERANCE: Final = 1e-6
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -50,7 +62,8 @@ class CentrePaths:
     unreached: (
         F64  #: (p,) area beside each path of the operation that the cutter cannot reach (mm²)
     )
-    #: one message for each corner type that type B replaces, with the positions of the corners
+    approach: F64  #: (q,) angle of the lead-in to each path (degrees), as in ``DiscTool``
+    #: what the paths change as planned, such as corner types
     notes: tuple[Message, ...] = ()
 
 
@@ -59,7 +72,9 @@ def centre_paths(operation: Operation) -> CentrePaths:
 
     The unreachable areas lie beside the contours, where the cutter does not fit.  Closed centre
     paths keep the cutter out of all other closed paths of the operation.  Each closed centre path
-    starts in the middle of its longest line, or of its longest arc if it has no line.
+    starts in the middle of its longest line, or of its longest arc if it has no line.  For a
+    lead-in round a corner it starts behind a corner instead, if there is one with room for the
+    lead-in.
 
     Raises
     ------
@@ -73,6 +88,7 @@ def centre_paths(operation: Operation) -> CentrePaths:
     paths = operation.paths
     segment = np.arange(len(paths.bulge), dtype=np.int32)
     unreached = np.zeros(len(paths))
+    inserted = np.zeros(len(segment), np.bool_)
     notes: tuple[Message, ...] = ()
     if operation.side != 0:
         kind, k = select_corner_types(operation)
@@ -94,9 +110,19 @@ def centre_paths(operation: Operation) -> CentrePaths:
         paths, segment, unreached = offset.paths, offset.source, offset.unreached
         _check_every_path_fits(operation, cutter, segment)
         paths, rows = shift_centres(paths, operation.side, *rest)
-        segment = segment[rows]
-    paths, rows = start_in_middle(paths, paths.closed)
-    return CentrePaths(paths, segment[rows], unreached, notes)
+        segment, inserted = segment[rows], offset.inserted[rows]
+    if operation.side == 0 or cutter.approach >= 0.0 or len(operation.bridges):
+        # Paths with bridges have no leads.
+        approach = np.full(len(paths), cutter.approach)
+        paths, rows = start_in_middle(paths, paths.closed)
+        return CentrePaths(paths, segment[rows], unreached, approach, notes)
+    behind = _starts_behind_corners(operation, cutter, paths, segment, inserted)
+    found = behind >= 0
+    approach = np.where(found | ~paths.closed, cutter.approach, 90.0)
+    notes += _replaced_lead_notes(paths.start[paths.first[:-1]][paths.closed & ~found], cutter)
+    paths, turned = start_at(paths, np.where(found, behind, paths.first[:-1]))
+    paths, rows = start_in_middle(paths, paths.closed & ~found)
+    return CentrePaths(paths, segment[turned][rows], unreached, approach, notes)
 
 
 def _split_deflection(operation: Operation, cutter: DiscTool) -> tuple[float, tuple[float, float]]:
@@ -139,8 +165,64 @@ def _check_every_path_fits(operation: Operation, cutter: DiscTool, segment: I32)
         )
 
 
+def _starts_behind_corners(
+    operation: Operation, cutter: DiscTool, paths: Paths, segment: I32, inserted: Bool
+) -> I32:
+    """Return for each closed centre path the segment at which it should start, (q,); -1 for none.
+
+    The cutter has a lead-in round a corner (type B).  On it the cutter turns by the angle of the
+    lead-in, so the contour must turn away from the cutter by at least this angle.  Of the corners
+    with room for the lead-in, the one with the largest turn is returned; if the lead-in must be
+    halved everywhere, one with room for the half.
+
+    Parameters
+    ----------
+    paths
+        Centre paths, q in number, with n segments.
+    segment : (n,)
+        Segment of the operation that each segment belongs to.
+    inserted : (n,)
+        Whether each segment belongs to the transition at a corner.
+    """
+    turn = np.degrees(turn_angles(operation.paths, operation.side))[segment]
+    before = np.arange(-1, len(segment) - 1)
+    before[paths.first[:-1]] = paths.first[1:] - 1
+    suited = paths.closed[paths.path_of] & ~inserted & inserted[before]
+    suited &= (segment[before] == segment) & (turn >= -cutter.approach - _ANGLE_TOLERANCE)
+    rows = np.flatnonzero(suited).astype(np.int32)
+    ahead, _ = arc.tangents(paths.start[rows], paths.end[rows], paths.bulge[rows])
+    lead = _lead_in(
+        operation, cutter, paths.start[rows], unit_vectors(ahead), operation.side,
+        np.full(len(rows), cutter.approach),
+    )  # fmt: skip
+    owner = paths.path_of[rows]
+    best = np.lexsort((rows, -turn[rows], -lead.fraction, owner))
+    best = best[np.diff(owner[best], prepend=-1) > 0]
+    best = best[lead.fraction[best] > 0.0]
+    result: I32 = np.full(len(paths), -1, np.int32)
+    result[owner[best]] = rows[best]
+    return result
+
+
+def _replaced_lead_notes(position: F64, cutter: DiscTool) -> tuple[Message, ...]:
+    """Return a message about contours that the cutter cannot enter round a corner, if any.
+
+    ``position`` (m, 2) is a point of each of these contours (mm).
+    """
+    if len(position) == 0:
+        return ()
+    return (
+        Message(
+            "lead.no-corner",
+            count=len(position),
+            angle=-cutter.approach,
+            places=list_places(position),
+        ),
+    )
+
+
 def set_up_offset(
-    start: F64, ahead: F64, side: int, radius: float, lead: float, approach: float
+    start: F64, ahead: F64, side: int, radius: float, lead: float, approach: ArrayLike
 ) -> tuple[F64, F64, F64]:
     """Return the moves that set up the offset on a straight lead-in before each of m contours.
 
@@ -163,7 +245,7 @@ def set_up_offset(
         Radius of the cutter.
     lead : mm
         Length of the lead-in.
-    approach : degrees
+    approach : (m,) degrees, or one for all
         Angle between lead-in and contour: 90 for a lead-in from the tool's side, 0 in line with the
         contour, −90 from the other side.
 
@@ -174,17 +256,17 @@ def set_up_offset(
     bulge : (m,)
         Bulge of the arc from ``to`` to S; 0 for type A, in which ``to`` is S.
     """
+    angle = np.radians(np.broadcast_to(np.asarray(approach, np.float64), len(start)))
+    goes_round = angle < 0.0
     normal = side * left_normal(ahead)
-    cos, sin = np.cos(np.radians(approach)), np.sin(np.radians(approach))
-    direction = cos * ahead - sin * normal
+    direction = np.cos(angle)[:, None] * ahead - np.sin(angle)[:, None] * normal
     begin = start - lead * direction
-    if approach >= 0.0:
-        return begin, start + radius * normal, np.zeros(len(start))
-    # A straight move to the perpendicular would cut the corner, so the lead-in is already at
-    # distance r.
-    beside = radius * side * left_normal(direction)
-    turn = np.full(len(start), -side * np.tan(np.radians(-approach) / 4.0))
-    return begin + beside, start + beside, turn
+    # In type B a straight move to the perpendicular would cut the corner, so the lead-in is already
+    # at distance r.
+    beside = np.where(goes_round[:, None], radius * side * left_normal(direction), 0.0)
+    arrived = start + np.where(goes_round[:, None], beside, radius * normal)
+    bulge = np.where(goes_round, -side * np.tan(-angle / 4.0), 0.0)
+    return begin + beside, arrived, bulge
 
 
 def radius_toolpath(operation: Operation) -> Toolpath:
@@ -201,7 +283,7 @@ def radius_toolpath(operation: Operation) -> Toolpath:
     if operation.side != 0 and cutter.lead_in <= cutter.radius:
         raise CompensationError("cutter.short-lead", lead=cutter.lead_in, radius=cutter.radius)
     centre, bridged = _add_bridge_gaps(operation, cutter, centre_paths(operation))
-    paths, rows, motion = _add_leads(operation, cutter, centre, bridged)
+    paths, rows, motion, notes = _add_leads(operation, cutter, centre, bridged)
     gap = paths.end[paths.first[1:] - 1] - paths.start[paths.first[:-1]]
     closed = np.hypot(*gap.T) < POINT
     back, mirror = reverse_paths(paths, ~closed & (operation.side == 0))
@@ -225,9 +307,12 @@ def radius_toolpath(operation: Operation) -> Toolpath:
         down[at] = (place == 0) & ((number == 0) | ~stays_down[owner])
         up[at] = (place == size[owner] - 1) & ((number == passes - 1) | ~stays_down[owner])
     kept = np.ones(total, np.bool_)
-    hole = centre.paths.closed & (operation.side * centre.paths.areas > 0.0)
-    final = passes * paths.first[:-1][owner] + (passes - 1) * size[owner] + place
-    kept[final] = ~hole[owner] | (motion != Motion.LEAD_OUT)
+    hole = _is_hole(operation, centre.paths)
+    for number in range(passes):
+        at = passes * paths.first[:-1][owner] + number * size[owner] + place
+        # A lead-out beside the lead-in would be cut by the earlier passes only.
+        stops = hole & ((number == passes - 1) | (centre.approach != 90.0))
+        kept[at] = ~stops[owner] | (motion != Motion.LEAD_OUT)
     # The tool lifts from the last segment of a track.
     up[:-1] |= kept[:-1] & ~kept[1:]
     upright = np.zeros(total)
@@ -247,7 +332,7 @@ def radius_toolpath(operation: Operation) -> Toolpath:
         above_end=at_height(end_pose, height),
         motion=kind[kept],
     )
-    return replace(strokes.to_toolpath(operation), notes=centre.notes)
+    return replace(strokes.to_toolpath(operation), notes=(*centre.notes, *notes))
 
 
 def _add_bridge_gaps(
@@ -301,12 +386,17 @@ def _add_bridge_gaps(
     gap = operation.bridge_width + 2.0 * cutter.radius
     pieces, owner, rows = insert_gaps(paths, path[ordered], along[ordered], gap)
     bridged = np.bincount(path, minlength=len(paths))[owner] > 0
-    return replace(centre, paths=pieces, segment=centre.segment[rows]), bridged
+    return (
+        replace(
+            centre, paths=pieces, segment=centre.segment[rows], approach=centre.approach[owner]
+        ),
+        bridged,
+    )
 
 
 def _add_leads(
     operation: Operation, cutter: DiscTool, centre: CentrePaths, bridged: Bool
-) -> tuple[Paths, I32, U8]:
+) -> tuple[Paths, I32, U8, tuple[Message, ...]]:
     """Return the centre paths with lead-ins and lead-outs.
 
     Paths with bridges, marked by ``bridged``, get no leads, since a lead-in would make the bridge
@@ -321,55 +411,38 @@ def _add_leads(
         the segment of the operation at which it starts or ends.
     motion : (n,)
         ``Motion`` of each segment: LEAD_IN, FEED or LEAD_OUT.
+    notes
+        A message about the contours without room for a lead, if there are any.
     """
     paths = centre.paths
     fed = np.full(len(paths.bulge), Motion.FEED, np.uint8)
     if operation.side == 0:
-        return paths, centre.segment, fed
+        return paths, centre.segment, fed, ()
     first, last = paths.first[:-1], paths.first[1:] - 1
     ahead, _ = arc.tangents(paths.start[first], paths.end[first], paths.bulge[first])
     _, arriving = arc.tangents(paths.start[last], paths.end[last], paths.bulge[last])
     side = operation.side
-    lead_in = _lead_in(operation, cutter, paths.start[first], unit_vectors(ahead), side)
-    # The lead-out is the lead-in of the reversed contour.
-    lead_out = _lead_in(operation, cutter, paths.end[last], -unit_vectors(arriving), -side)
+    lead_in = _lead_in(
+        operation, cutter, paths.start[first], unit_vectors(ahead), side, centre.approach
+    )
+    # The lead-out is the lead-in of the reversed contour.  Behind a corner there is the contour
+    # itself, so there the lead-out is perpendicular to the contour.
+    lead_out = _lead_in(
+        operation, cutter, paths.end[last], -unit_vectors(arriving), -side,
+        np.where(paths.closed & (centre.approach < 0.0), 90.0, centre.approach),
+    )  # fmt: skip
     count: I32 = np.arange(len(paths), dtype=np.int32)
     straight: F64 = np.zeros(len(paths))
     own: I32 = np.arange(len(fed), dtype=np.int32)
+    come, leave = (
+        np.full(len(paths), kind, np.uint8) for kind in (Motion.LEAD_IN, Motion.LEAD_OUT)
+    )
     parts: list[tuple[F64, F64, F64, I32, I32, U8]] = [
-        (
-            lead_in[0],
-            lead_in[1],
-            straight,
-            first,
-            count,
-            np.full_like(count, Motion.LEAD_IN, np.uint8),
-        ),
-        (
-            lead_in[1],
-            paths.start[first],
-            lead_in[2],
-            first,
-            count,
-            np.full_like(count, Motion.LEAD_IN, np.uint8),
-        ),
+        (lead_in.begin, lead_in.arrived, straight, first, count, come),
+        (lead_in.arrived, paths.start[first], lead_in.bulge, first, count, come),
         (paths.start, paths.end, paths.bulge, own, paths.path_of, fed),
-        (
-            paths.end[last],
-            lead_out[1],
-            -lead_out[2],
-            last,
-            count,
-            np.full_like(count, Motion.LEAD_OUT, np.uint8),
-        ),
-        (
-            lead_out[1],
-            lead_out[0],
-            straight,
-            last,
-            count,
-            np.full_like(count, Motion.LEAD_OUT, np.uint8),
-        ),
+        (paths.end[last], lead_out.arrived, -lead_out.bulge, last, count, leave),
+        (lead_out.arrived, lead_out.begin, straight, last, count, leave),
     ]
     start, end, bulge, rows, owner, motion = (
         np.concatenate(columns) for columns in zip(*parts, strict=True)
@@ -380,12 +453,41 @@ def _add_leads(
     order = kept[np.argsort(owner[kept], kind="stable")]
     size = np.bincount(owner[order], minlength=len(paths))
     joined = Paths(start[order], end[order], bulge[order], np.concatenate([[0], np.cumsum(size)]))
-    return joined, centre.segment[rows[order]], motion[order]
+    # The last pass of a hole has no lead-out.
+    bare = (lead_in.fraction == 0.0) | ((lead_out.fraction == 0.0) & ~_is_hole(operation, paths))
+    notes = _missing_lead_notes(paths.start[first[bare & ~bridged]])
+    return joined, centre.segment[rows[order]], motion[order], notes
+
+
+def _is_hole(operation: Operation, paths: Paths) -> Bool:
+    """Return whether each of p centre paths runs inside a hole, (p,)."""
+    inside: Bool = paths.closed & (operation.side * paths.areas > 0.0)
+    return inside
+
+
+def _missing_lead_notes(position: F64) -> tuple[Message, ...]:
+    """Return a message about contours without room for a lead-in or lead-out, if any.
+
+    ``position`` (m, 2) is the start of each of their centre paths (mm).
+    """
+    if len(position) == 0:
+        return ()
+    return (Message("lead.no-room", count=len(position), places=list_places(position)),)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _LeadIns:
+    """The lead-ins to m centre paths: a straight move, and for type B an arc."""
+
+    begin: F64  #: (m, 2) mm, start of the straight move; ``arrived`` if its length is 0
+    arrived: F64  #: (m, 2) mm, end of the straight move
+    bulge: F64  #: (m,) bulge of the arc from ``arrived`` to the start of the path; 0 for no arc
+    fraction: F64  #: (m,) length of the straight move, as a fraction of the full lead-in
 
 
 def _lead_in(
-    operation: Operation, cutter: DiscTool, start: F64, ahead: F64, side: int
-) -> tuple[F64, F64, F64]:
+    operation: Operation, cutter: DiscTool, start: F64, ahead: F64, side: int, approach: F64
+) -> _LeadIns:
     """Return lead-ins to centre paths, shortened near other contours.
 
     If the disc would enter a contour along a lead-in, the lead-in is halved.  If the disc would
@@ -400,29 +502,66 @@ def _lead_in(
         Unit tangents of the centre paths at their starts.
     side
         +1 if the cutter is left of travel, −1 if right.
-
-    Returns
-    -------
-    from, to : (m, 2) mm
-        Position of the centre at the start and at the end of the straight lead-in; equal if its
-        length is 0.
-    bulge : (m,)
-        Bulge of the arc from ``to`` to the start of the centre path; 0 for no arc.
+    approach : (m,) degrees
+        Angles between the lead-ins and the centre paths.
     """
-    r, paths = cutter.radius, operation.paths
+    r = cutter.radius
     on_line = start - side * r * left_normal(ahead)
-    begin, arrived, bulge = set_up_offset(on_line, ahead, side, r, cutter.lead_in, cutter.approach)
-    arrived = np.where((bulge == 0.0)[:, None], start, arrived)
+    begin, arrived, bulge = set_up_offset(on_line, ahead, side, r, cutter.lead_in, approach)
+    goes_round = bulge != 0.0
+    arrived = np.where(goes_round[:, None], arrived, start)
     away = begin - arrived
     # Between two checked points a contour may be nearer by the sagitta of the step.
     step = float(np.hypot(*away.T).max(initial=0.0)) / _LEAD_CHECKS
     near = float(np.hypot(r, step / 2.0))
     fraction = np.full(len(start), _LEAD_FRACTIONS[-1])
+    direct, curved = np.flatnonzero(~goes_round), np.flatnonzero(goes_round)
+    # A lead-in round a corner may run along the contour at the distance r, so it is checked at many
+    # points instead.
+    fine = int(np.ceil(cutter.lead_in / np.sqrt(8.0 * r * _CLEARANCE_ERROR))) if len(curved) else 0
     for tried in reversed(_LEAD_FRACTIONS[:-1]):
         checks = np.arange(1, _LEAD_CHECKS + 1) / _LEAD_CHECKS * tried
-        points = (arrived[:, None] + checks[None, :, None] * away[:, None]).reshape(-1, 2)
-        hit = find_points_on_segments(
-            points, np.full(len(points), -1, np.int32), paths.start, paths.end, paths.bulge, near
+        clear = _is_clear(operation.paths, arrived[direct], away[direct], checks, near)
+        fraction[direct] = np.where(clear, tried, fraction[direct])
+        checks = np.linspace(0.0, tried, fine + 1)
+        clear = _is_clear(
+            operation.paths, arrived[curved], away[curved], checks, r - _CLEARANCE_ERROR
         )
-        fraction = np.where(hit.reshape(-1, _LEAD_CHECKS).any(axis=1), fraction, tried)
-    return arrived + fraction[:, None] * away, arrived, bulge
+        fraction[curved] = np.where(clear, tried, fraction[curved])
+    round_corner = arc.points_along(arrived[curved], start[curved], bulge[curved], _LEAD_CHECKS)
+    hit = find_points_on_segments(
+        round_corner.reshape(-1, 2),
+        np.full(round_corner.size // 2, -1, np.int32),
+        operation.paths.start,
+        operation.paths.end,
+        operation.paths.bulge,
+        r - _CLEARANCE_ERROR,
+    )
+    blocked = curved[hit.reshape(-1, _LEAD_CHECKS).any(axis=1)]
+    fraction[blocked], bulge[blocked], arrived[blocked] = 0.0, 0.0, start[blocked]
+    return _LeadIns(arrived + fraction[:, None] * away, arrived, bulge, fraction)
+
+
+def _is_clear(contours: Paths, origin: F64, away: F64, checks: F64, near: float) -> Bool:
+    """Return whether all checked points of straight moves keep away from contours, (m,).
+
+    Parameters
+    ----------
+    origin, away : (m, 2) mm
+        One end of each move, and the vector from there to the other end.
+    checks : (c,)
+        Positions of the checked points on each move, as fractions of ``away``.
+    near : mm
+        Distance from the contours that each point must keep.
+    """
+    points = (origin[:, None] + checks[None, :, None] * away[:, None]).reshape(-1, 2)
+    hit = find_points_on_segments(
+        points,
+        np.full(len(points), -1, np.int32),
+        contours.start,
+        contours.end,
+        contours.bulge,
+        near,
+    )
+    clear: Bool = np.logical_not(hit.reshape(-1, len(checks)).any(axis=1))
+    return clear

@@ -239,6 +239,28 @@ def reverse_paths(paths: Paths, mask: Bool) -> tuple[Paths, I32]:
     )
 
 
+def start_at(paths: Paths, row: I32) -> tuple[Paths, I32]:
+    """Return all paths, each starting with a given segment.
+
+    Parameters
+    ----------
+    row : (p,)
+        Segment with which each path starts.  It is the first segment of a path that is not closed.
+
+    Returns
+    -------
+    paths : Paths
+        The p paths with their n segments.
+    rows : (n,)
+        Input segment of each returned segment.
+    """
+    count = np.diff(paths.first)
+    first = np.repeat(paths.first[:-1], count)
+    place = np.arange(len(first)) - first + np.repeat(row - paths.first[:-1], count)
+    rows: I32 = (first + place % np.repeat(count, count)).astype(np.int32)
+    return Paths(paths.start[rows], paths.end[rows], paths.bulge[rows], paths.first), rows
+
+
 def start_in_middle(paths: Paths, mask: Bool) -> tuple[Paths, I32]:
     """Return all paths, some of them with their start moved to the middle of a segment.
 

@@ -2315,6 +2315,14 @@ export const TEXTS = {
     "text": "A coordinate on the layer {layer} is not a number.",
     "hint": "Draw the edges of this layer again."
   },
+  "lead.no-corner": {
+    "text": "{count:# contour has|# contours have} a lead-in perpendicular to the contour, because {count:it has|they have} no corner that the tool can go round by {angle:g}°, with room for the lead-in. X and Y on the sheet in mm ({count:one contour|the first contours}): {places:; }.",
+    "hint": "No action is needed.  To go round more corners, set a smaller negative angle of the lead-in in the machine file."
+  },
+  "lead.no-room": {
+    "text": "{count:# contour has|# contours have} no lead-in or no lead-out, because the tool would cut into another edge there. The tool plunges or lifts on the contour, which may leave a mark. X and Y on the sheet in mm ({count:one contour|the first contours}): {places:; }.",
+    "hint": "Choose a thinner tool or a shorter lead-in, or leave more room between the edges."
+  },
   "library.invalid": {
     "text": "The {shelf} {name!r} cannot be used: {faults:; }.",
     "hint": "{faults:hint} Correct the TOML file of the {shelf}. The command knifetip schema {shelf} describes all fields."
@@ -3194,6 +3202,10 @@ export const TEXTS = {
   "tool.missing": {
     "text": "{machine} has no tool for {count:# edge|# edges} of type {type}.",
     "hint": "Choose another line type for the edges, or another machine."
+  },
+  "tool.shallow-lead": {
+    "text": "the lead-in of {lead:g} mm at an angle of {angle:g}° begins nearer to the contour than the tool radius of {radius:g} mm; the angle must be between {least:.1f}° and 90°, or negative for a lead-in round a corner",
+    "hint": ""
   },
   "tool.short-lead": {
     "text": "the lead-in of {lead:g} mm must be 0 or greater than the tool radius of {radius:g} mm",

@@ -25,7 +25,7 @@ from knifetip.model.machine import Station
 from knifetip.model.operation import End, Operation
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.planning.plan import plan
-from tests.support.contours import distance
+from tests.support.contours import distance, random_contour
 from tests.support.operations import ROUTER, contour
 from tests.support.shapes import BOARD, MACHINE, closed, dieline, edges, rotation
 
@@ -260,6 +260,31 @@ def test_an_open_cut_is_set_up_and_cancelled_around_the_outside() -> None:
         path.pose[1:-1, :2], [[-3, -5], [-3, 0], [0, 3], [50, 3], [53, 0], [53, -5]], atol=1e-12
     )
     np.testing.assert_allclose(path.bulge[1:-1], [0, -QUARTER, 0, -QUARTER, 0], atol=1e-12)
+
+
+def test_a_closed_contour_is_set_up_around_its_sharpest_corner() -> None:
+    # The corners turn by 90°, 90°, 45°, and by 135° at (100, 0).
+    around = replace(ROUTER, lead=5.0, approach=-90.0)
+    path = compensate(contour((0, 0), (0, 50), (50, 50), (100, 0), (50, 0), side=1, tool=around))
+    row = int(np.flatnonzero(path.motion == Motion.FEED)[0])
+    np.testing.assert_allclose(path.pose[row, :2], [100, -3], atol=1e-12)
+    # From the far side of (100, 0), a quarter circle about it to the start.
+    np.testing.assert_allclose(path.pose[row - 1, :2], [103, 0], atol=1e-12)
+    np.testing.assert_allclose(path.pose[row - 2, :2], [103, 5], atol=1e-12)
+
+
+@pytest.mark.parametrize("angle", [-20.0, -60.0, -90.0])
+@pytest.mark.parametrize("seed", range(12))
+def test_lead_ins_round_corners_do_not_enter_random_contours(seed: int, angle: float) -> None:
+    paths = random_contour(seed)
+    around = replace(ROUTER, radius=2.0, lead=5.0, approach=angle)
+    for side in (1, -1):
+        for corner in "BCD":
+            path = compensate(
+                contour(*paths.start, side=side, paths=paths, tool=around, corner=corner)
+            )
+            away = distance(sampled(path, step=0.05), paths)
+            assert away.min() >= 2.0 - 0.001
 
 
 def test_a_lead_in_that_would_meet_another_contour_is_shortened_or_omitted() -> None:

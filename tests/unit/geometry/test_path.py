@@ -13,6 +13,7 @@ from knifetip.geometry.path import (
     point_along,
     reverse_paths,
     select_paths,
+    start_at,
     start_in_middle,
     trim_ends,
 )
@@ -90,3 +91,17 @@ def test_a_path_may_be_selected_twice() -> None:
     twice, rows = select_paths(HOOK, np.array([0, 0], np.int32))
     assert len(twice) == 2
     assert rows.tolist() == [0, 1, 2, 0, 1, 2]
+
+
+def test_closed_paths_start_at_any_segment() -> None:
+    square = np.array([[0, 0], [4, 0], [4, 4], [0, 4]], float)
+    paths = Paths(
+        np.concatenate([square, square + 10.0]),
+        np.concatenate([np.roll(square, -1, axis=0), np.roll(square, -1, axis=0) + 10.0]),
+        np.arange(8) / 10.0,
+        np.array([0, 4, 8]),
+    )
+    turned, rows = start_at(paths, np.array([0, 6], np.int32))
+    assert rows.tolist() == [0, 1, 2, 3, 6, 7, 4, 5]
+    np.testing.assert_array_equal(turned.start[4], [14, 14])
+    np.testing.assert_array_equal(turned.bulge, paths.bulge[rows])

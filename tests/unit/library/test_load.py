@@ -446,6 +446,8 @@ def test_a_router_has_a_default_lead_of_one_and_a_half_radii(put: Put) -> None:
     [
         ("speed = -1.0", "speed is -1.0, but must be at least 0"),
         ("lead = 3.0", "the lead-in of 3 mm must be 0 or greater than the tool radius of 3 mm"),
+        ("lead = 5.0\napproach = 30.0", "the angle must be between 36.9° and 90°, or negative"),
+        ("lead = 5.0\napproach = 0.0", "the angle must be between 36.9° and 90°, or negative"),
         ("step = nan", "step is nan, but must be a number"),
         ("dwell = -0.1", "dwell is -0.1, but must be at least 0"),
         ("teeth = 2", "tool → teeth is not a known field"),

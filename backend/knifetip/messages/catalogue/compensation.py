@@ -65,6 +65,25 @@ MESSAGES: Final[Entries] = {
         lead="number",
         radius="number",
     ),
+    "lead.no-corner": entry(
+        "{count:# contour has|# contours have} a lead-in perpendicular to the contour, because "
+        "{count:it has|they have} no corner that the tool can go round by {angle:g}°, with room "
+        "for the lead-in. X and Y on the sheet in mm ({count:one contour|the first contours}): "
+        "{places:; }.",
+        "No action is needed.  To go round more corners, set a smaller negative angle of the "
+        "lead-in in the machine file.",
+        count="count",
+        angle="number",
+        places="texts",
+    ),
+    "lead.no-room": entry(
+        "{count:# contour has|# contours have} no lead-in or no lead-out, because the tool would "
+        "cut into another edge there. The tool plunges or lifts on the contour, which may leave a "
+        "mark. X and Y on the sheet in mm ({count:one contour|the first contours}): {places:; }.",
+        "Choose a thinner tool or a shorter lead-in, or leave more room between the edges.",
+        count="count",
+        places="texts",
+    ),
     "groove.along-edge": entry(
         "The V-groove at edge {edge} meets the edge of the board at an angle of only "
         "{angle:.1f}°, so it would run along the edge of the board instead of ending there.",
@@ -178,6 +197,15 @@ MESSAGES: Final[Entries] = {
         "the lead-in of {lead:g} mm must be 0 or greater than the tool radius of {radius:g} mm",
         lead="number",
         radius="number",
+    ),
+    "tool.shallow-lead": entry(
+        "the lead-in of {lead:g} mm at an angle of {angle:g}° begins nearer to the contour than "
+        "the tool radius of {radius:g} mm; the angle must be between {least:.1f}° and 90°, or "
+        "negative for a lead-in round a corner",
+        lead="number",
+        angle="number",
+        radius="number",
+        least="number",
     ),
     "tool.tilted": entry(
         "The tool is tilted by {tilt:.2f}°, but only tools tilted by up to {limit:g}° can be "

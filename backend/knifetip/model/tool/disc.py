@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -39,7 +40,7 @@ class DiscTool(Tool):
 
             At 0 the lead-in is in line with the contour.  At 90 the lead-in is perpendicular to the
             contour and comes from the side on which the tool travels; at −90 it is perpendicular
-            and comes from the opposite side.
+            and comes from the opposite side, round a corner of the contour.
             """
 
         @property
@@ -56,9 +57,22 @@ class DiscTool(Tool):
 
     @property
     def fault(self) -> Message | None:
-        """Error message if the lead-in is not longer than the radius of the disc, else None."""
+        """Error message if the lead-in is too short or too shallow for the disc, else None.
+
+        A lead-in from the tool's side, whose angle is positive or 0, must begin farther from the
+        contour than the radius; else the disc would enter the board beside the contour's start.
+        """
         if 0.0 < self.lead <= self.radius:
             return Message("tool.short-lead", lead=self.lead, radius=self.radius)
+        away = self.lead_in * math.sin(math.radians(self.approach))
+        if self.approach >= 0.0 and away < self.radius:
+            return Message(
+                "tool.shallow-lead",
+                lead=self.lead_in,
+                angle=self.approach,
+                radius=self.radius,
+                least=math.degrees(math.asin(self.radius / self.lead_in)),
+            )
         return None
 
     def passes(self, cut_depth: float) -> F64:
