@@ -22,6 +22,7 @@ from knifetip.jobs.tables import Job
 from knifetip.languages.registry import find_language
 from knifetip.library import load
 from knifetip.messages import Message
+from knifetip.model.sheet import Sheet
 
 WaitingFor = Literal["", "confirmation", "sheet", "machine", "turn"]
 
@@ -47,7 +48,11 @@ def _waiting(row: Job, queue: Queue | None) -> Waiting:
     if row.confirmation == Confirmation.AWAITED:
         code = "waiting.for-start" if row.state == State.QUEUED else "waiting.unconfirmed-run"
         message = Message(
-            code, machine=_title(row.machine), board=_board_title(row.board), tools=_tools(row)
+            code,
+            machine=_title(row.machine),
+            board=_board_title(row.board),
+            sheet=_sheet(row),
+            tools=_tools(row),
         )
         return Waiting("confirmation", message)
     if row.confirmation == Confirmation.SHEET:
@@ -56,11 +61,22 @@ def _waiting(row: Job, queue: Queue | None) -> Waiting:
             copy=row.copies_done,
             copies=row.copies,
             board=_board_title(row.board),
+            sheet=_sheet(row),
         )
         return Waiting("sheet", message)
     if row.state == State.QUEUED and queue is not None:
         return _queued(row, queue)
     return Waiting()
+
+
+def _sheet(row: Job) -> Message | None:
+    """Return a message with the size of a job's sheet; None if the sheet was not cut to size."""
+    if row.sheet is None:
+        return None
+    sheet = Sheet.from_json(row.sheet)
+    if not sheet.is_rectangle:
+        return Message("waiting.sheet-outline")
+    return Message("waiting.sheet-size", width=sheet.width, height=sheet.height)
 
 
 def _tools(row: Job) -> Message | None:

@@ -3941,14 +3941,22 @@ export const TEXTS = {
   },
   "waiting.for-sheet": {
     "text": "Copy {copy} of {copies} of the job is finished. The next copy needs a new sheet.",
-    "hint": "Put a new sheet of {board} on the table, then confirm the new sheet. The machine then starts the next copy."
+    "hint": "Put a new sheet of {board}{sheet} on the table, then confirm the new sheet. The machine then starts the next copy."
   },
   "waiting.for-start": {
-    "text": "The job waits until the operator of {machine} confirms that the table is clear. Required: board {board!r}{tools}.",
+    "text": "The job waits until the operator of {machine} confirms that the table is clear. Required: board {board!r}{sheet}{tools}.",
     "hint": "Check the table, then confirm the job to start it."
   },
   "waiting.for-turn": {
     "text": "The job waits until {machine} has finished the jobs that come before it in the queue.",
+    "hint": ""
+  },
+  "waiting.sheet-outline": {
+    "text": ", cut to the outline of the drawing",
+    "hint": ""
+  },
+  "waiting.sheet-size": {
+    "text": ", cut to {width:g} × {height:g} mm",
     "hint": ""
   },
   "waiting.taken": {
@@ -3972,7 +3980,7 @@ export const TEXTS = {
     "hint": ""
   },
   "waiting.unconfirmed-run": {
-    "text": "{machine} was started, but the operator has not confirmed that the table is clear. Required: board {board!r}{tools}.",
+    "text": "{machine} was started, but the operator has not confirmed that the table is clear. Required: board {board!r}{sheet}{tools}.",
     "hint": "Check the table. Confirm the job to let it continue, or cancel it."
   },
   "worker.died": {

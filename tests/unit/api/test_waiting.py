@@ -17,7 +17,9 @@ from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE
 from knifetip.messages import hint
+from knifetip.model.choices import Choices
 from knifetip.model.interpretation import Interpretation
+from knifetip.model.sheet import Sheet
 
 TITLE = "Demo table 1600 × 1200"
 TOOLS = [
@@ -58,10 +60,13 @@ def queued(store: Store, **more: object) -> Job:
             import_report=b"",
         )
     )
-    fields: dict[str, Any] = {"machine": "demo-table", "board": "e-flute", **more}
-    row = store.jobs.add(
-        drawing, JobOrder(interpretation=Interpretation("mm"), release=True, **fields)
-    )
+    fields: dict[str, Any] = {
+        "machine": "demo-table",
+        "board": "e-flute",
+        "interpretation": Interpretation("mm"),
+        **more,
+    }
+    row = store.jobs.add(drawing, JobOrder(release=True, **fields))
     job = store.compiles.begin("worker")
     assert job is not None
     verdict = {"seconds": 1.0, "accepted": True}
@@ -109,6 +114,19 @@ def test_a_job_that_waits_for_the_operator_lists_board_tools_and_stations(store:
         f"The operator confirmed the job, and {TITLE} is starting.",
         "",
     )
+
+
+@pytest.mark.parametrize(
+    ("sheet", "expected"),
+    [
+        (Sheet(400.0, 300.5, 10.0), "E-flute 1.6 mm', cut to 400 × 300.5 mm, tools"),
+        (Sheet(), "E-flute 1.6 mm', cut to the outline of the drawing, tools"),
+    ],
+)
+def test_the_operator_learns_which_sheet_to_load(store: Store, sheet: Sheet, expected: str) -> None:
+    job = queued(store, interpretation=Interpretation("mm", choices=Choices(sheet=sheet)))
+    claimed(store)
+    assert expected in shown(store, job)[1]
 
 
 def test_a_machine_without_a_gateway_is_named(store: Store, clock: Clock) -> None:

@@ -30,6 +30,7 @@ JOB = {
         "arguments": {
             "machine": "Demo table",
             "board": "E-flute 1.6 mm",
+            "sheet": None,
             "tools": None,
         },
         "text": "not used",

@@ -31,18 +31,20 @@ MESSAGES: Final[Entries] = {
     ),
     "waiting.for-sheet": entry(
         "Copy {copy} of {copies} of the job is finished. The next copy needs a new sheet.",
-        "Put a new sheet of {board} on the table, then confirm the new sheet. The machine then "
-        "starts the next copy.",
+        "Put a new sheet of {board}{sheet} on the table, then confirm the new sheet. The machine "
+        "then starts the next copy.",
         copy="count",
         copies="count",
         board="text",
+        sheet="message?",
     ),
     "waiting.for-start": entry(
         "The job waits until the operator of {machine} confirms that the table is clear. "
-        "Required: board {board!r}{tools}.",
+        "Required: board {board!r}{sheet}{tools}.",
         "Check the table, then confirm the job to start it.",
         machine="text",
         board="text",
+        sheet="message?",
         tools="message?",
     ),
     "waiting.for-turn": entry(
@@ -68,6 +70,14 @@ MESSAGES: Final[Entries] = {
         machine="text",
         job="text",
     ),
+    "waiting.sheet-outline": entry(
+        ", cut to the outline of the drawing",
+    ),
+    "waiting.sheet-size": entry(
+        ", cut to {width:g} × {height:g} mm",
+        width="number",
+        height="number",
+    ),
     "waiting.tool": entry(
         "{name} (station {station})",
         name="text",
@@ -79,10 +89,11 @@ MESSAGES: Final[Entries] = {
     ),
     "waiting.unconfirmed-run": entry(
         "{machine} was started, but the operator has not confirmed that the table is clear. "
-        "Required: board {board!r}{tools}.",
+        "Required: board {board!r}{sheet}{tools}.",
         "Check the table. Confirm the job to let it continue, or cancel it.",
         machine="text",
         board="text",
+        sheet="message?",
         tools="message?",
     ),
 }
