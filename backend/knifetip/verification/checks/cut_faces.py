@@ -101,7 +101,7 @@ def _gap_links(cuts: Edges) -> F64:
     another dangling end.  Two dangling ends are not linked to each other if a third dangling end is
     nearer to each of the two than they are to each other.
     """
-    a, b = pairs_within(cuts.ends, cuts.ends, JOIN_DISTANCE)
+    a, b = cuts.near_ends(JOIN_DISTANCE)
     size, nothing = cuts.curve[:, 5], np.zeros(len(cuts))
     touches = find_overlaps(
         line_curves(cuts.ends, cuts.ends), cuts.curve, nothing, size, JOIN_DISTANCE

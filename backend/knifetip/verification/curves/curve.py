@@ -9,9 +9,11 @@ are mm.
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
+from knifetip.kernels import F64_1, F64_2, kernel
 from knifetip.verification.columns import F64
 
 
@@ -21,13 +23,22 @@ def point_at(curve: F64, along: F64) -> F64:
     ``curve`` contains lines and arcs as rows of six numbers (see the module docstring), (n, 6).
     ``along`` is the distance of each point from the start of its curve, (n,) mm.
     """
-    straight = curve[:, 0] == 0.0
-    radius = np.where(straight, 1.0, curve[:, 3])
-    angle = curve[:, 4] + curve[:, 0] * along / radius
-    x = np.where(straight, curve[:, 3] * along, radius * np.cos(angle))
-    y = np.where(straight, curve[:, 4] * along, radius * np.sin(angle))
-    result: F64 = curve[:, 1:3] + np.stack([x, y], axis=1)
+    result: F64 = _points(np.ascontiguousarray(curve), np.ascontiguousarray(along))
     return result
+
+
+@kernel
+def _points(curve: F64_2, along: F64_1) -> Any:
+    """Return one point on each of n curves, (n, 2) mm; see ``point_at``."""
+    point = np.empty((len(curve), 2))
+    for row in range(len(curve)):
+        if curve[row, 0] == 0.0:
+            x, y = curve[row, 3] * along[row], curve[row, 4] * along[row]
+        else:
+            angle = curve[row, 4] + curve[row, 0] * along[row] / curve[row, 3]
+            x, y = curve[row, 3] * math.cos(angle), curve[row, 3] * math.sin(angle)
+        point[row, 0], point[row, 1] = curve[row, 1] + x, curve[row, 2] + y
+    return point
 
 
 def azimuth_at(curve: F64, along: F64) -> F64:
@@ -37,11 +48,23 @@ def azimuth_at(curve: F64, along: F64) -> F64:
     ``curve`` contains lines and arcs as rows of six numbers (see the module docstring), (n, 6).
     ``along`` is the distance of each point from the start of its curve, (n,) mm.
     """
-    straight = curve[:, 0] == 0.0
-    radius = np.where(straight, 1.0, curve[:, 3])
-    angle = curve[:, 4] + curve[:, 0] * (along / radius + math.pi / 2.0)
-    result: F64 = np.degrees(np.where(straight, np.arctan2(curve[:, 4], curve[:, 3]), angle))
+    result: F64 = np.degrees(_headings(np.ascontiguousarray(curve), np.ascontiguousarray(along)))
     return result
+
+
+@kernel
+def _headings(curve: F64_2, along: F64_1) -> Any:
+    """Return the direction of travel at one point on each of n curves, (n,) radians; see
+    ``azimuth_at``.
+    """
+    heading = np.empty(len(curve))
+    for row in range(len(curve)):
+        if curve[row, 0] == 0.0:
+            heading[row] = math.atan2(curve[row, 4], curve[row, 3])
+        else:
+            quarter = math.pi / 2.0
+            heading[row] = curve[row, 4] + curve[row, 0] * (along[row] / curve[row, 3] + quarter)
+    return heading
 
 
 def left_distance(curve: F64, along: F64, edge: F64) -> F64:
@@ -71,11 +94,24 @@ def line_curves(start: F64, end: F64) -> F64:
     Line i leads from the point ``start[i]`` to the point ``end[i]``; the points are (n, 2) mm.  A
     line between equal points has length 0 and the direction of the X axis.
     """
-    vector = end - start
-    length = np.hypot(vector[:, 0], vector[:, 1])
-    safe = np.where(length > 0.0, length, 1.0)
-    direction = np.where(length[:, None] > 0.0, vector / safe[:, None], (1.0, 0.0))
-    return np.column_stack([np.zeros(len(start)), start, direction, length])
+    result: F64 = _lines(np.ascontiguousarray(start), np.ascontiguousarray(end))
+    return result
+
+
+@kernel
+def _lines(start: F64_2, end: F64_2) -> Any:
+    """Return n lines as rows of six numbers, (n, 6); see ``line_curves``."""
+    curve = np.empty((len(start), 6))
+    for row in range(len(start)):
+        x, y = end[row, 0] - start[row, 0], end[row, 1] - start[row, 1]
+        length = math.hypot(x, y)
+        if not length > 0.0:
+            x, y = 1.0, 0.0
+        else:
+            x, y = x / length, y / length
+        curve[row, 0], curve[row, 1], curve[row, 2] = 0.0, start[row, 0], start[row, 1]
+        curve[row, 3], curve[row, 4], curve[row, 5] = x, y, length
+    return curve
 
 
 def arc_curves(centre: F64, start: F64, sweep: F64) -> F64:

@@ -19,7 +19,6 @@ from knifetip.verification.expectation.edges import (
     TOUCH_DISTANCE,
     Edges,
     angle_between,
-    pairs_within,
 )
 
 #: Distance from a common end at which edges are compared for coincidence (mm).
@@ -48,16 +47,7 @@ def link_ends(edges: Edges, kink: float, ring: Bool | None = None) -> tuple[I64,
     which another edge continues straight, whether or not the two are linked, (2n,).
     """
     count = len(edges.ends)
-    a, b = pairs_within(edges.ends, edges.ends, TOUCH_DISTANCE)
-    keep = a // 2 != b // 2
-    a, b = a[keep], b[keep]
-    turn = angle_between(edges.outward[a], edges.outward[b] + 180.0)
-    goes_on = np.zeros(count, np.bool_)
-    goes_on[a[turn <= STRAIGHT_ANGLE]] = True
-    joined = np.hypot(*(edges.ends[a] - edges.ends[b]).T) <= JOIN_DISTANCE
-    # Coincident edges are not linked back along each other.
-    joined &= ~((turn >= 180.0 - STRAIGHT_ANGLE) & _are_coincident(edges, a, b))
-    a, b, turn = a[joined], b[joined], turn[joined]
+    a, b, turn, goes_on = edges.remembered("joined ends", lambda: _joined_pairs(edges))
     if ring is not None:
         both = ring[a // 2] & ring[b // 2]
         rung = np.bincount(a[both], minlength=count) == 1
@@ -74,6 +64,28 @@ def link_ends(edges: Edges, kink: float, ring: Bool | None = None) -> tuple[I64,
     mutual = single[a] & single[b]
     link[a[mutual]] = b[mutual]
     return link, goes_on
+
+
+def _joined_pairs(edges: Edges) -> tuple[I64, I64, F64, Bool]:
+    """Return the k pairs of ends of different edges that lie at one point, and where edges continue
+    straight.
+
+    Returns
+    -------
+    The two ends of each pair, (k,) each; the angle by which a path turns there, (k,) degrees; and
+    the mask of the 2n ends at which another edge continues straight.
+    """
+    a, b = edges.near_ends(TOUCH_DISTANCE)
+    keep = a // 2 != b // 2
+    a, b = a[keep], b[keep]
+    turn = angle_between(edges.outward[a], edges.outward[b] + 180.0)
+    goes_on = np.zeros(len(edges.ends), np.bool_)
+    goes_on[a[turn <= STRAIGHT_ANGLE]] = True
+    joined = np.hypot(*(edges.ends[a] - edges.ends[b]).T) <= JOIN_DISTANCE
+    # Coincident edges are not linked back along each other.
+    back = np.flatnonzero(joined & (turn >= 180.0 - STRAIGHT_ANGLE))
+    joined[back] = ~_are_coincident(edges, a[back], b[back])
+    return a[joined], b[joined], turn[joined], goes_on
 
 
 def _are_coincident(edges: Edges, one: I64, other: I64) -> Bool:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Final
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any, Final, TypeVar
 
 import numpy as np
 
@@ -12,6 +13,8 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.verification.columns import F64, I32, I64
 from knifetip.verification.curves.curve import arc_curves, azimuth_at, line_curves, point_at
 from knifetip.verification.curves.near_points import near_points
+
+Result = TypeVar("Result")
 
 #: Ends within this distance are one point (mm).
 JOIN_DISTANCE: Final = 0.002
@@ -43,16 +46,45 @@ class Edges:
     ends: F64  #: (2n, 2) mm, start and end of each edge in turn
     outward: F64  #: (2n,) degrees, direction out of the edge at each end
     chord: F64  #: (n,) degrees, direction from start to end
+    #: results of ``remembered`` functions; the arrays of a record never change
+    _memory: dict[str, Any] = field(init=False, repr=False, default_factory=dict)
 
     def __len__(self) -> int:
         return len(self.row)
 
     def with_types(self, *types: LineType) -> Edges:
         """Return the edges that have one of the line types ``types`` (positional arguments)."""
-        return self.select(np.flatnonzero(np.isin(self.line_type, types)))
+        present = self.remembered("types", lambda: set(np.unique(self.line_type).tolist()))
+        wanted = sorted(present.intersection(types))
+        return self.remembered(
+            f"edges of types {wanted}",
+            lambda: self.select(np.flatnonzero(np.isin(self.line_type, wanted))),
+        )
+
+    def near_ends(self, distance: float) -> tuple[I64, I64]:
+        """Return the k pairs of ends at most ``distance`` mm apart, (k,) each.
+
+        End 2i is the start of edge i, and end 2i + 1 is its end.  Each end also forms a pair with
+        itself.
+        """
+        return self.remembered(
+            f"ends within {distance}", lambda: pairs_within(self.ends, self.ends, distance)
+        )
+
+    def remembered(self, name: str, compute: Callable[[], Result]) -> Result:
+        """Return the result of ``compute``, which is called only once for each ``name``.
+
+        Several checks need the same results about the same edges.  Callers must not change them.
+        """
+        if name not in self._memory:
+            self._memory[name] = compute()
+        result: Result = self._memory[name]
+        return result
 
     def select(self, rows: I64) -> Edges:
         """Return the edges with the indices ``rows``, in that order."""
+        if len(rows) == len(self) and np.array_equal(rows, np.arange(len(rows))):
+            return self
         twice = np.stack([2 * rows, 2 * rows + 1], axis=1).ravel()
         return Edges(
             self.row[rows],
@@ -121,7 +153,12 @@ def without_duplicates(edges: Edges) -> tuple[Edges, I32, I32]:
     Three values: the remaining edges; the row in the dieline of each of k duplicates, (k,); and the
     row in the dieline of the remaining edge with which each duplicate coincides, (k,).
     """
-    a, b = pairs_within(edges.ends, edges.ends, JOIN_DISTANCE)
+    return edges.remembered("without duplicates", lambda: _separate_duplicates(edges))
+
+
+def _separate_duplicates(edges: Edges) -> tuple[Edges, I32, I32]:
+    """Return the result of ``without_duplicates``."""
+    a, b = edges.near_ends(JOIN_DISTANCE)
     same = (a % 2 == 0) & (a // 2 > b // 2)
     # An end of the second edge lies at the first edge's start; its other end must lie at the end.
     first, other = a[same] // 2, b[same]

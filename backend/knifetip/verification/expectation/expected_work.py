@@ -248,7 +248,7 @@ def groove_continues(edges: Edges) -> Bool:
 
     End 2i is the start of groove i, and end 2i + 1 is its end.
     """
-    a, b = pairs_within(edges.ends, edges.ends, JOIN_DISTANCE)
+    a, b = edges.near_ends(JOIN_DISTANCE)
     continues = (a // 2 != b // 2) & (
         angle_between(edges.outward[a], edges.outward[b] + 180.0) <= _COLLINEAR_ANGLE
     )

@@ -20,7 +20,6 @@ from knifetip.verification.curves.curve import point_at
 from knifetip.verification.expectation.edges import (
     JOIN_DISTANCE,
     Edges,
-    pairs_within,
 )
 
 #: A cycle that encloses less than this has no inside (mm²).
@@ -50,6 +49,11 @@ def find_outlines(edges: Edges) -> CutOutlines:
     """Return the outlines that the cuts ``edges`` form, and on which side of each cut the part
     lies.
     """
+    return edges.remembered("outlines", lambda: _find_outlines(edges))
+
+
+def _find_outlines(edges: Edges) -> CutOutlines:
+    """Return the result of ``find_outlines``."""
     count = len(edges)
     if count == 0:
         none = np.zeros(0, np.bool_)
@@ -80,7 +84,7 @@ def face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
         Index of the connected component of each edge.
     """
     count = len(edges)
-    a, b = pairs_within(edges.ends, edges.ends, JOIN_DISTANCE)
+    a, b = edges.near_ends(JOIN_DISTANCE)
     node = lowest_connected(a, b, 2 * count)
     curve = np.repeat(edges.curve, 2, axis=0)
     back = np.tile([False, True], count)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from enum import IntEnum
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 
 from knifetip.errors import ProgramUnreadable
+from knifetip.kernels import F64_1, F64_2, Bool_1, kernel
 from knifetip.messages import Message
 from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.reading.rs274.parse import ProgramWords
@@ -162,7 +164,19 @@ def latest_block(mask: Bool) -> I64:
 
     The index is -1 if there is none.  ``mask`` is a mask of the n blocks.
     """
-    rows: I64 = np.maximum.accumulate(np.where(mask, np.arange(len(mask)), -1))
+    rows: I64 = _latest(np.ascontiguousarray(mask))
+    return rows
+
+
+@kernel
+def _latest(mask: Bool_1) -> Any:
+    """Return the index of the nearest marked entry at or before each entry, (n,); -1 for none."""
+    rows = np.empty(len(mask), np.int64)
+    latest = -1
+    for row in range(len(mask)):
+        if mask[row]:
+            latest = row
+        rows[row] = latest
     return rows
 
 
@@ -180,8 +194,33 @@ def value_in_force(values: F64, mask: Bool, initial: float = np.nan) -> F64:
     initial
         Value before the first block that sets it.
     """
-    rows = latest_block(mask)
-    if len(rows) == 0:
-        return np.zeros(0)
-    result: F64 = np.where(rows >= 0, values[rows], initial)
+    result: F64 = _in_force(
+        np.ascontiguousarray(values), np.ascontiguousarray(mask), float(initial)
+    )
+    return result
+
+
+@kernel
+def _in_force(values: F64_1, mask: Bool_1, initial: float) -> Any:
+    """Return the value in force at each of n blocks, (n,); see ``value_in_force``."""
+    result = np.empty(len(values))
+    value = initial
+    for row in range(len(values)):
+        if mask[row]:
+            value = values[row]
+        result[row] = value
+    return result
+
+
+@kernel
+def last_known(values: F64_2) -> Any:
+    """Return n rows of values, each NaN replaced by the last earlier value of its column.
+
+    ``values`` is (n, k).  A NaN without an earlier value remains.
+    """
+    result = values.copy()
+    for row in range(1, len(values)):
+        for column in range(values.shape[1]):
+            if math.isnan(result[row, column]):
+                result[row, column] = result[row - 1, column]
     return result

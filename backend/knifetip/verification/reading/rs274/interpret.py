@@ -19,7 +19,7 @@ from knifetip.model.machine import Machine
 from knifetip.verification.columns import F64, I64, U8, Bool
 from knifetip.verification.reading.moves import Moves, Switches
 from knifetip.verification.reading.rs274.block_faults import PRINT_ROUNDING, check_blocks
-from knifetip.verification.reading.rs274.blocks import Group, ProgramBlocks, value_in_force
+from knifetip.verification.reading.rs274.blocks import Group, ProgramBlocks, last_known
 from knifetip.verification.reading.rs274.modal_state import ModalState
 from knifetip.verification.reading.rs274.parse import ProgramWords
 from knifetip.verification.tools import carriage_columns
@@ -45,14 +45,11 @@ def interpret(words: ProgramWords, machine: Machine) -> tuple[Moves, list[tuple[
 
 def _make_moves(blocks: ProgramBlocks, state: ModalState, machine: Machine) -> Moves:
     ended = np.cumsum(blocks.has_code(Group.END)) > 0
-    any_axis: Bool = np.logical_or.reduce(blocks.axes, axis=1)
+    any_axis: Bool = np.logical_or.reduce(blocks.axes.T, axis=0)
     rows = np.flatnonzero(blocks.has_code(Group.MOTION) & any_axis & ~ended)
     joints = blocks.position[rows] + state.offset[rows]
-    known = ~np.isnan(joints)
     count = joints.shape[1]
-    axes_end = np.stack(
-        [value_in_force(joints[:, axis], known[:, axis]) for axis in range(count)], axis=1
-    ).reshape(-1, count)
+    axes_end = last_known(joints)
     axes_start = np.vstack([np.full((min(1, len(rows)), count), np.nan), axes_end[:-1]])
     if machine.gantry:
         own = carriage_columns(machine)[state.station[rows]]
