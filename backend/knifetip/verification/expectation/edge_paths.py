@@ -63,7 +63,7 @@ def link_ends(edges: Edges, kink: float, ring: Bool | None = None) -> tuple[I64,
     link = np.full(count, -1, np.int64)
     mutual = single[a] & single[b]
     link[a[mutual]] = b[mutual]
-    return link, goes_on
+    return link, goes_on.copy()
 
 
 def _joined_pairs(edges: Edges) -> tuple[I64, I64, F64, Bool]:

@@ -33,7 +33,6 @@ from knifetip.verification.expectation.edges import (
     TOUCH_DISTANCE,
     Edges,
     angle_between,
-    pairs_within,
 )
 from knifetip.verification.expectation.waste_ahead import waste_ahead
 from knifetip.verification.tools import OperationKind
