@@ -248,18 +248,33 @@ def _append_pairs(
     Returns the number of rows that are finished, and the number of pairs.  The search ends early
     when the arrays are full.
     """
+    nodes, level = tree.boxes, tree.level
     for i in range(begin, len(boxes)):
         x0, y0 = boxes[i, 0] - gap, boxes[i, 1] - gap
         x1, y1 = boxes[i, 2] + gap, boxes[i, 3] + gap
         depth = start_query(tree, stack)
         done = found
-        while True:
-            j, depth = next_overlap(tree.boxes, tree.level, stack, depth, x0, y0, x1, y1, -1)
-            if j < 0:
-                break
-            if found == len(one):
-                return i, done
-            one[found] = i
-            other[found] = j
-            found += 1
+        # As in ``next_overlap``, but the boxes of a node are compared without using the stack.
+        while depth > 0:
+            depth -= 1
+            height = stack[depth, 0]
+            low = level[height - 1]
+            first = stack[depth, 1] * NODE_SIZE
+            for child in range(first, min(first + NODE_SIZE, level[height] - low)):
+                at = low + child
+                # One branch instead of four, which would often be mispredicted.
+                overlaps = (nodes[at, 0] <= x1) & (nodes[at, 2] >= x0)
+                overlaps &= (nodes[at, 1] <= y1) & (nodes[at, 3] >= y0)
+                if not overlaps:
+                    continue
+                if height > 1:
+                    stack[depth, 0] = height - 1
+                    stack[depth, 1] = child
+                    depth += 1
+                    continue
+                if found == len(one):
+                    return i, done
+                one[found] = i
+                other[found] = child
+                found += 1
     return len(boxes), found
