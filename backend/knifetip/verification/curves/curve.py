@@ -23,7 +23,7 @@ def point_at(curve: F64, along: F64) -> F64:
     ``curve`` contains lines and arcs as rows of six numbers (see the module docstring), (n, 6).
     ``along`` is the distance of each point from the start of its curve, (n,) mm.
     """
-    result: F64 = _points(np.ascontiguousarray(curve), np.ascontiguousarray(along))
+    result: F64 = _points(np.ascontiguousarray(curve), np.ascontiguousarray(along, np.float64))
     return result
 
 
@@ -48,7 +48,9 @@ def azimuth_at(curve: F64, along: F64) -> F64:
     ``curve`` contains lines and arcs as rows of six numbers (see the module docstring), (n, 6).
     ``along`` is the distance of each point from the start of its curve, (n,) mm.
     """
-    result: F64 = np.degrees(_headings(np.ascontiguousarray(curve), np.ascontiguousarray(along)))
+    result: F64 = np.degrees(
+        _headings(np.ascontiguousarray(curve), np.ascontiguousarray(along, np.float64))
+    )
     return result
 
 
@@ -94,7 +96,9 @@ def line_curves(start: F64, end: F64) -> F64:
     Line i leads from the point ``start[i]`` to the point ``end[i]``; the points are (n, 2) mm.  A
     line between equal points has length 0 and the direction of the X axis.
     """
-    result: F64 = _lines(np.ascontiguousarray(start), np.ascontiguousarray(end))
+    result: F64 = _lines(
+        np.ascontiguousarray(start, np.float64), np.ascontiguousarray(end, np.float64)
+    )
     return result
 
 
