@@ -11,6 +11,7 @@ import pytest
 
 from knifetip import compensate, plan, process, sequence
 from knifetip.cleaning.clean import clean
+from knifetip.errors import FlankOutside
 from knifetip.geometry.columns import F64, Bool
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
@@ -360,4 +361,72 @@ def test_a_press_on_a_board_that_refuses_short_creases_is_a_fault() -> None:
     toolpath = sequence([compensate(operation) for operation in operations], MACHINE)
     text = process(toolpath, MACHINE, "grblhal").text
     verdict = verify(text, drawn, (0.0, 0.0), MACHINE, replace(BOARD, short_crease="refuse"))
+    assert any(finding.severity == Severity.FAULT for finding in verdict.findings)
+
+
+BESIDE = {
+    "outline": (OUTLINE, ((130, 101.1), (370, 101.1)), 0.2),
+    "outline, backwards": (OUTLINE, ((370, 101.1), (130, 101.1)), -0.2),
+    "left outline": (OUTLINE, ((101.2, 280), (101.2, 120)), 0.1),
+    "from edge to edge": (OUTLINE, ((100, 101.05), (400, 101.05)), 0.25),
+}
+
+
+def grooved(line: tuple[tuple[float, float], tuple[float, float]], *more: Any) -> Dieline:
+    return dieline(OUTLINE, *more, (GROOVE, edges(line)))
+
+
+@pytest.mark.parametrize("name", BESIDE)
+@pytest.mark.parametrize("step", [0.0, 0.5])
+def test_a_groove_is_shifted_away_from_the_outline(name: str, step: float) -> None:
+    _, line, shift = BESIDE[name]
+    verdict = verdict_of(grooved(line), groove_pass=step)
+    assert verdict.accepted, verdict.findings[:2]
+    (note,) = verdict.findings
+    assert (note.severity, note.edge) == (Severity.NOTE, 4)
+    assert note.message.code == "verify.groove-shifted"
+    assert note.message.arguments["distance"] == pytest.approx(abs(shift))
+
+
+def test_a_groove_is_shifted_away_from_a_window_and_a_slit() -> None:
+    window = (CUT, closed((200, 150), (260, 150), (260, 198.9), (200, 198.9)))
+    slit = (CUT, edges(((300, 201.1), (350, 203))))
+    for more in (window, slit):
+        verdict = verdict_of(grooved(((120, 200), (390, 200)), more))
+        assert verdict.accepted, (more, verdict.findings[:2])
+        assert [note.measure for note in verdict.findings] == [pytest.approx(0.2)]
+
+
+@pytest.mark.parametrize(
+    ("line", "more", "limit"),
+    [
+        (((130, 100.9), (370, 100.9)), None, 0.3),  # farther than the board allows
+        (((130, 101.1), (370, 101.1)), None, 0.1),
+        (((130, 101.1), (370, 101.1)), None, 0.0),
+        (((130, 101.1), (370, 101.1)), ((130, 102.3), (200, 102.3)), 0.3),  # on both sides
+        (((130, 101.1), (370, 101.1)), ((130, 102.5), (200, 102.5)), 0.3),  # in the way
+        (((130, 100.02), (370, 100.02)), None, 2.0),  # on the cut
+    ],
+)
+def test_a_groove_that_must_not_be_shifted_is_refused(
+    line: tuple[tuple[float, float], tuple[float, float]], more: Any, limit: float
+) -> None:
+    slit = () if more is None else ((CUT, edges(more)),)
+    with pytest.raises(FlankOutside):
+        verdict_of(grooved(line, *slit), groove_shift=limit)
+
+
+def test_a_larger_shift_may_be_allowed_by_the_board() -> None:
+    assert verdict_of(grooved(((130, 100.5), (370, 100.5))), groove_shift=0.8).accepted
+
+
+@pytest.mark.parametrize("factor", [0.0, 0.8, 1.2, -1.0])
+def test_the_verifier_computes_the_shift_by_itself(
+    factor: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    right = original(groove_operations, "clearing_shifts")
+    monkeypatch.setattr(groove_operations, "check_flanks", lambda *_: None)
+    monkeypatch.setattr(groove_operations, "damaging_paths", lambda *_: np.zeros(0, np.int64))
+    monkeypatch.setattr(groove_operations, "clearing_shifts", lambda *given: factor * right(*given))
+    verdict = verdict_of(grooved(((130, 101.1), (370, 101.1))))
     assert any(finding.severity == Severity.FAULT for finding in verdict.findings)

@@ -65,6 +65,9 @@ class BoardFile(Table):
     groove_curve: NotNegative = Field(
         0.0, description="largest distance between an arc and its chords in a groove (mm)"
     )
+    groove_shift: NotNegative = Field(
+        0.3, description="largest shift of a V-groove away from a cut beside it (mm); 0: none"
+    )
     fold_angle: FoldAngle = Field(
         90.0, description="angle by which the board must fold at a V-groove (degrees)"
     )

@@ -40,5 +40,6 @@ class Board:
     double_crease: float = 0.0  #: distance of the two parallel creases (mm); 0: single
     groove_pass: float = 0.0  #: maximum depth of one pass of a V-groove (mm); 0: no limit
     groove_curve: float = 0.0  #: maximum chord error of a curved groove (mm); 0: refused
+    groove_shift: float = 0.3  #: maximum shift of a V-groove away from a cut beside it (mm)
     fold_angle: float = 90.0  #: angle by which the board must fold at a V-groove (degrees)
     deflection: tuple[Deflection, ...] = ()  #: deflection of each cutter measured in this board

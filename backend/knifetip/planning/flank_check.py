@@ -1,8 +1,9 @@
-"""flank_check: check that no flank of a V-groove passes through a cut.
+"""flank_check: shift V-grooves away from cuts beside them; check that no flank passes a cut.
 
 On the top face, a groove of depth h and flank angle θ is a strip of half-width h tan θ.  A cut
 inside this strip would lose its edge.  The flank passes the cut by h tan θ minus the distance of
-the cut from the groove's line.
+the cut from the groove's line.  If such cuts lie on one side of a groove only, the groove may be
+shifted by that length to the other side, as far as the board allows (``groove_shift``).
 """
 
 from __future__ import annotations
@@ -79,13 +80,10 @@ class _NearbyChords:
         return result
 
 
-def check_flanks(paths: Paths, source: I32, reach: float, run_out: F64, dieline: Dieline) -> None:
+def check_flanks(
+    paths: Paths, source: I32, reach: float, run_out: F64, dieline: Dieline, limit: float
+) -> None:
     """Raise ``FlankOutside`` if a flank of a groove passes through a cut.
-
-    A groove that ends on a cut, or runs out over a cut, crosses that cut with its flanks.  At such
-    an end, a stretch of the groove is not checked.  The stretch is twice ``reach`` long, or as long
-    as the run-out if the run-out is longer.  A cut that crosses the groove and ends between the
-    flanks of the groove is permitted.
 
     Parameters
     ----------
@@ -99,11 +97,75 @@ def check_flanks(paths: Paths, source: I32, reach: float, run_out: F64, dieline:
         Run-out of each of p grooves beyond its start and its end.
     dieline
         Dieline that contains the cuts.
+    limit : mm
+        Greatest shift of a groove away from a cut, for error messages.
 
     Raises
     ------
     FlankOutside
         The error names the groove, the cut, and by how much the flank passes the cut.
+    """
+    strip = _find_damage(paths, reach, run_out, dieline)
+    if len(strip.path) == 0:
+        return
+    offset = strip.at_ends(strip.offset)
+    nearest = np.where(offset[:, 0] * offset[:, 1] <= 0.0, 0.0, np.abs(offset).min(axis=1))
+    worst = int(np.argmin(nearest))
+    groove, cut = int(source[paths.first[strip.path[worst]]]), int(strip.cut[worst])
+    position = strip.at_ends(strip.along)[worst].mean()
+    excess = math.ceil(100.0 * (reach - nearest[worst]) - 1e-6) / 100.0
+    at_line = nearest[worst] <= GAP
+    allowed = {} if at_line else {"limit": limit}
+    raise FlankOutside(
+        "groove.through-cut-at-it" if at_line else "groove.through-cut",
+        groove=groove,
+        width=2.0 * reach,
+        through=excess,
+        cut=cut,
+        distance=nearest[worst],
+        place=position,
+        source=[str(groove), str(cut)],
+        **allowed,
+    )
+
+
+def clearing_shifts(
+    paths: Paths, reach: float, run_out: F64, dieline: Dieline, limit: float
+) -> F64:
+    """Return how far each of p grooves must move so that its flanks pass no cut, (p,) mm.
+
+    The shift is positive to the left of the groove.  It is 0 if no shift is necessary or possible.
+    No shift is possible if cuts lie on both sides or on the line of the groove, if the shift would
+    be larger than ``limit`` (mm), or if the groove is not one straight line.  The other parameters
+    are those of ``check_flanks``.
+    """
+    strip = _find_damage(paths, reach, run_out, dieline)
+    offset = strip.at_ends(strip.offset)
+    nearest = np.where(offset[:, 0] * offset[:, 1] <= 0.0, 0.0, np.abs(offset).min(axis=1))
+    need = np.zeros((len(paths), 2))
+    np.maximum.at(need, (strip.path, (offset.sum(axis=1) < 0.0).astype(np.int64)), reach - nearest)
+    greatest = need.max(axis=1)
+    possible = (need.min(axis=1) == 0.0) & (greatest <= min(limit + POINT, reach - GAP))
+    possible &= (np.diff(paths.first) == 1) & (paths.bulge[paths.first[:-1]] == 0.0)
+    # Away from a cut on the left means to the right.
+    return np.where(possible, np.where(need[:, 0] > 0.0, -greatest, greatest), 0.0)
+
+
+def damaging_paths(paths: Paths, reach: float, run_out: F64, dieline: Dieline) -> I64:
+    """Return the indices of the grooves of which a flank passes through a cut, ascending.
+
+    The parameters are those of ``check_flanks``.
+    """
+    return np.unique(_find_damage(paths, reach, run_out, dieline).path)
+
+
+def _find_damage(paths: Paths, reach: float, run_out: F64, dieline: Dieline) -> _NearbyChords:
+    """Return the parts of cuts through which flanks of straight grooves pass.
+
+    A groove that ends on a cut, or runs out over a cut, crosses that cut with its flanks.  At such
+    an end, a stretch of the groove is not checked.  The stretch is twice ``reach`` long, or as long
+    as the run-out if the run-out is longer.  A cut that crosses the groove and ends between the
+    flanks of the groove is permitted.  The parameters are those of ``check_flanks``.
     """
     begin, finish = paths.start[paths.first[:-1]], paths.end[paths.first[1:] - 1]
     length = np.hypot(*(finish - begin).T)
@@ -115,25 +177,7 @@ def check_flanks(paths: Paths, source: I32, reach: float, run_out: F64, dieline:
     strip = nearby.clip(nearby.offset, POINT - reach, reach - POINT)
     path = strip.path
     strip = strip.clip(strip.along, inset[path, 0], (length - inset[:, 1])[path])
-    strip = strip.select(~_crosses_between_flanks(strip, reach))
-    if len(strip.path) == 0:
-        return
-    offset = strip.at_ends(strip.offset)
-    nearest = np.where(offset[:, 0] * offset[:, 1] <= 0.0, 0.0, np.abs(offset).min(axis=1))
-    worst = int(np.argmin(nearest))
-    groove, cut = int(source[paths.first[strip.path[worst]]]), int(strip.cut[worst])
-    position = strip.at_ends(strip.along)[worst].mean()
-    excess = math.ceil(100.0 * (reach - nearest[worst]) - 1e-6) / 100.0
-    raise FlankOutside(
-        "groove.through-cut-at-it" if nearest[worst] <= GAP else "groove.through-cut",
-        groove=groove,
-        width=2.0 * reach,
-        through=excess,
-        cut=cut,
-        distance=nearest[worst],
-        place=position,
-        source=[str(groove), str(cut)],
-    )
+    return strip.select(~_crosses_between_flanks(strip, reach))
 
 
 def _find_nearby_chords(begin: F64, finish: F64, reach: float, dieline: Dieline) -> _NearbyChords:

@@ -7,15 +7,18 @@ from dataclasses import replace
 
 import numpy as np
 
+from knifetip.geometry.azimuth import left_normal, unit_vectors
 from knifetip.geometry.chain import chain, continues_straight
-from knifetip.geometry.columns import I32
-from knifetip.geometry.tolerance import COLLINEAR
+from knifetip.geometry.columns import F64, I32
+from knifetip.geometry.path import Paths
+from knifetip.geometry.points_on_segments import find_points_on_segments
+from knifetip.geometry.tolerance import COLLINEAR, GAP
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.operation import End, Operation
 from knifetip.model.tool import VCutter
 from knifetip.planning.arc_to_chords import arcs_to_chords
 from knifetip.planning.boundary import BoardOutline, run_out_lengths
-from knifetip.planning.flank_check import check_flanks
+from knifetip.planning.flank_check import check_flanks, clearing_shifts, damaging_paths
 from knifetip.planning.path_ends import end_directions, end_points
 from knifetip.planning.setup import Setup
 from knifetip.planning.sheet_outline import sheet_run_outs
@@ -65,7 +68,14 @@ def plan_grooves(
     own = source[segment]
     run_out, on_edge = run_out_lengths(points, -inward, 2.0 * reach, outline, own)
     run_out = run_out.reshape(2, -1).T
-    check_flanks(paths, source, reach, run_out, dieline)
+    shifted = _shifted_from_cuts(paths, reach, run_out, dieline, board.groove_shift)
+    if shifted is not None:
+        shifted_points, _ = end_points(shifted)
+        new_run_out, still = run_out_lengths(shifted_points, -inward, 2.0 * reach, outline, own)
+        # A groove that would no longer end on the board's edge is refused as it is drawn.
+        if (still == on_edge).all():
+            paths, points, run_out = shifted, shifted_points, new_run_out.reshape(2, -1).T
+    check_flanks(paths, source, reach, run_out, dieline, board.groove_shift)
     # At a joint of two chords the blade overruns into the groove that it has cut itself.
     joined = (
         continues_straight(points, inward, joint + COLLINEAR)
@@ -80,3 +90,50 @@ def plan_grooves(
         run_out = np.maximum(run_out, np.where(on_edge, leaving, 0.0).reshape(2, -1).T)
     operation = setup.operation(LineType.V_GROOVE, paths, source, depth, (start, finish))
     return replace(operation, run_out=run_out)
+
+
+def _shifted_from_cuts(
+    paths: Paths, reach: float, run_out: F64, dieline: Dieline, limit: float
+) -> Paths | None:
+    """Return grooves shifted away from cuts beside them; None if no groove is shifted.
+
+    A groove is not shifted if another groove continues it, if a flank would pass through a cut
+    after the shift too, or if one of its ends would lose or gain the contact with a cut.
+
+    Parameters
+    ----------
+    paths
+        The p grooves.
+    reach : mm
+        Distance of the flanks from a groove's line on the top face.
+    run_out : (p, 2) mm
+        Run-out of each groove beyond its start and its end.
+    dieline
+        Dieline that contains the cuts.
+    limit : mm
+        Greatest shift of a groove.
+    """
+    shift = clearing_shifts(paths, reach, run_out, dieline, limit)
+    if not shift.any():
+        return None
+    (points, _), inward = end_points(paths), end_directions(paths)
+    continued = continues_straight(points, inward, COLLINEAR).reshape(2, -1).any(axis=0)
+    shift[continued] = 0.0
+    cuts = dieline.line_type == LineType.CUT
+    lines = dieline.ends[cuts, 0], dieline.ends[cuts, 1], dieline.bulge[cuts]
+    nobody = np.full(len(points), -1, np.int32)
+    contact = find_points_on_segments(points, nobody, *lines, GAP)
+    result = _shift_paths(paths, shift)
+    after = find_points_on_segments(end_points(result)[0], nobody, *lines, GAP)
+    shift[(contact != after).reshape(2, -1).any(axis=0)] = 0.0
+    result = _shift_paths(paths, shift)
+    # What needs a further shift cannot be shifted.
+    shift[damaging_paths(result, reach, run_out, dieline)] = 0.0
+    return _shift_paths(paths, shift) if shift.any() else None
+
+
+def _shift_paths(paths: Paths, shift: F64) -> Paths:
+    """Return straight paths, shifted to their left by ``shift``, (p,) mm."""
+    by_segment = shift[paths.path_of]
+    left = left_normal(unit_vectors(paths.end - paths.start)) * by_segment[:, None]
+    return replace(paths, start=paths.start + left, end=paths.end + left)

@@ -82,6 +82,7 @@ verify.goes-in-anywhere            checks.track_ends
 verify.groove-arc                  checks.groove_check
 verify.groove-past-ends            checks.groove_check
 verify.groove-shallower            checks.groove_check
+verify.groove-shifted              checks.groove_check
 verify.head-not-located            checks.carriage_check
 verify.heads-too-near              checks.carriage_check
 verify.idle-head-low               checks.carriage_check

@@ -1356,8 +1356,8 @@ export const TEXTS = {
     "hint": "End the groove before the edge of the board, let it meet the edge of the board at a larger angle, or move the parts apart."
   },
   "groove.through-cut": {
-    "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At {place:.1f} mm from the start of the groove, its flank reaches {through:.2f} mm sideways across the cut at edge {cut}. The cut lies only {distance:.2f} mm from the centre line of the groove.",
-    "hint": "Move the groove and the cut {through:.2f} mm further apart, or choose a shallower groove."
+    "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At {place:.1f} mm from the start of the groove, its flank reaches {through:.2f} mm sideways across the cut at edge {cut}. The cut lies only {distance:.2f} mm from the centre line of the groove. The board allows a groove to be shifted away from cuts on one side by at most {limit:.2f} mm.",
+    "hint": "Move the groove and the cut {through:.2f} mm further apart, or choose a board with a shallower groove."
   },
   "groove.through-cut-at-it": {
     "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At {place:.1f} mm from the start of the groove, its flank reaches {through:.2f} mm sideways across the cut at edge {cut}. The cut lies only {distance:.2f} mm from the centre line of the groove.",
@@ -3666,6 +3666,10 @@ export const TEXTS = {
   "verify.groove-shallower": {
     "text": "The V-cutter cuts {depth:.3f} mm deep, although an earlier pass of the same groove was already {before:.3f} mm deep.",
     "hint": "Order the passes by increasing depth."
+  },
+  "verify.groove-shifted": {
+    "text": "The V-groove was shifted by {distance:.2f} mm, so that its flank does not cut through the cut beside it.",
+    "hint": "If the fold must not move, move the cut, or set groove_shift in the board file to 0."
   },
   "verify.head-not-located": {
     "text": "A carriage moves along the gantry while the position of {other} is unknown.",

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -12,6 +14,9 @@ from knifetip.model.operation import Operation
 from knifetip.planning.plan import plan
 from tests.support.shapes import BOARD, MACHINE, closed, dieline, edges
 
+#: A board that allows no shift of grooves.
+UNSHIFTED = replace(BOARD, groove_shift=0.0)
+
 # 1 mm deep with a blade at 45°: the flanks reach 1 mm to either side.
 OUTLINE = (LineType.CUT, closed((0, 0), (200, 0), (200, 100), (0, 100)))
 
@@ -19,7 +24,9 @@ OUTLINE = (LineType.CUT, closed((0, 0), (200, 0), (200, 100), (0, 100)))
 def planned(
     groove: F64, *more: tuple[LineType, F64], bulge: dict[int, float] | None = None
 ) -> list[Operation]:
-    return plan(dieline(OUTLINE, (LineType.V_GROOVE, groove), *more, bulge=bulge), MACHINE, BOARD)
+    return plan(
+        dieline(OUTLINE, (LineType.V_GROOVE, groove), *more, bulge=bulge), MACHINE, UNSHIFTED
+    )
 
 
 def test_a_groove_across_the_board_runs_out_at_both_ends() -> None:

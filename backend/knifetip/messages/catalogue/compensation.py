@@ -118,14 +118,17 @@ MESSAGES: Final[Entries] = {
         "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At "
         "{place:.1f} mm from the start of the groove, its flank reaches {through:.2f} mm "
         "sideways across the cut at edge {cut}. The cut lies only {distance:.2f} mm from the "
-        "centre line of the groove.",
-        "Move the groove and the cut {through:.2f} mm further apart, or choose a shallower groove.",
+        "centre line of the groove. The board allows a groove to be shifted away from cuts on one "
+        "side by at most {limit:.2f} mm.",
+        "Move the groove and the cut {through:.2f} mm further apart, or choose a board with a "
+        "shallower groove.",
         groove="count",
         width="number",
         through="number",
         cut="count",
         distance="number",
         place="number",
+        limit="number",
     ),
     "groove.through-cut-at-it": entry(
         "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At "

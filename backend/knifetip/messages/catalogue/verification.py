@@ -230,6 +230,12 @@ MESSAGES: Final[Entries] = {
         depth="number",
         before="number",
     ),
+    "verify.groove-shifted": entry(
+        "The V-groove was shifted by {distance:.2f} mm, so that its flank does not cut through the "
+        "cut beside it.",
+        "If the fold must not move, move the cut, or set groove_shift in the board file to 0.",
+        distance="number",
+    ),
     "verify.head-not-located": entry(
         "A carriage moves along the gantry while the position of {other} is unknown.",
         "Park all carriages at the start of the program.",

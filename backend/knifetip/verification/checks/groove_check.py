@@ -17,7 +17,7 @@ from knifetip.model.tool import VCutter
 from knifetip.model.verdict import Severity
 from knifetip.verification.checks.check_base import StationCheck
 from knifetip.verification.checks.check_context import DEPTH_TOLERANCE
-from knifetip.verification.checks.groove_flanks import damaged_cuts
+from knifetip.verification.checks.groove_flanks import clearing_shifts, damaged_cuts
 from knifetip.verification.checks.pass_depth import too_deep_spans
 from knifetip.verification.checks.stray_work import check_stray_work
 from knifetip.verification.columns import F64, Bool
@@ -44,6 +44,8 @@ class GrooveCheck(StationCheck):
         curved = self.edges.curve[:, 0] != 0.0
         for edge in np.flatnonzero(curved)[:MAX_FINDINGS] if leaves <= 0.0 else ():
             self.add_finding("deviation", edge, Message("verify.groove-arc"), 0.0)
+        if blade:
+            self._shift_grooves(blade)
         drawn = self.edges
         boundary = self._add_run_outs(blade) if blade else np.zeros((len(self.edges), 2), np.bool_)
         overlaps = self.match_edges()
@@ -88,6 +90,34 @@ class GrooveCheck(StationCheck):
                 Message("verify.groove-past-ends", length=past[edge], most=limit),
                 past[edge],
             )
+
+    def _shift_grooves(self, blade: VCutter) -> None:
+        """Shift the expected grooves away from cuts that their flanks would damage, and add notes.
+
+        A groove is shifted only if it is straight and no other groove continues it, and no further
+        than the board allows.  ``blade`` is the V-cutter.
+        """
+        cuts = self.context.edges.with_types(LineType.CUT)
+        reach = self.context.board.groove_depth * blade.slope
+        least = run_outs(self.edges, cuts, reach).least.reshape(-1, 2)
+        damaged = damaged_cuts(self.edges, cuts, reach, least)
+        shift = clearing_shifts(damaged, len(self.edges), reach, self.context.board.groove_shift)
+        shift[self.edges.curve[:, 0] != 0.0] = 0.0
+        shift[groove_continues(self.edges).reshape(-1, 2).any(axis=1)] = 0.0
+        if not shift.any():
+            return
+        curve = self.edges.curve.copy()
+        # A row of a straight edge contains its start, direction and length.
+        moved = np.stack([-curve[:, 4], curve[:, 3]], axis=1) * shift[:, None]
+        moved[shift == 0.0] = 0.0
+        curve[:, 1:3] += moved
+        self.edges = replace(
+            self.edges, curve=curve, ends=self.edges.ends + np.repeat(moved, 2, axis=0)
+        )
+        for edge in np.flatnonzero(shift)[:MAX_FINDINGS]:
+            message = Message("verify.groove-shifted", distance=abs(shift[edge]))
+            size = float(abs(shift[edge]))
+            self.add_finding("planned", edge, message, size, severity=Severity.NOTE)
 
     def _add_run_outs(self, blade: VCutter) -> Bool:
         """Lengthen the grooves of this check past the board's edge, in place, by their required

@@ -33,6 +33,7 @@ class DamagedCuts:
     cut: I64  #: (k,) index of the cut
     place: F64  #: (k,) mm from the groove's start to the nearest point of the cut
     nearest: F64  #: (k,) mm, smallest distance of the cut from the groove's line
+    on_left: Bool  #: (k,) whether the nearest point of the cut lies to the left of the groove
 
 
 def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, run_out: F64) -> DamagedCuts:
@@ -72,7 +73,7 @@ def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, run_out: F64) -> Dam
     overlaps = find_overlaps(pieces, strip, begin, end, reach)
     if len(overlaps.curve) == 0:
         none = np.zeros(0, np.int64)
-        return DamagedCuts(none, none, np.zeros(0), np.zeros(0))
+        return DamagedCuts(none, none, np.zeros(0), np.zeros(0), np.zeros(0, np.bool_))
     return _nearest_points(overlaps, pieces, strip, owner, before)
 
 
@@ -123,8 +124,32 @@ def _nearest_points(
     order = np.lexsort((least, group))
     best = order[np.unique(group[order], return_index=True)[1]][~across]
     pair = pair[~across]
-    position = place[best, np.argmin(np.abs(offset[best]), axis=1)]
-    return DamagedCuts(pair[:, 0], pair[:, 1], position - before[pair[:, 0]], least[best])
+    column = np.argmin(np.abs(offset[best]), axis=1)
+    position = place[best, column] - before[pair[:, 0]]
+    return DamagedCuts(pair[:, 0], pair[:, 1], position, least[best], offset[best, column] > 0.0)
+
+
+def clearing_shifts(damaged: DamagedCuts, count: int, reach: float, limit: float) -> F64:
+    """Return how far each of ``count`` grooves must move to the left to clear cuts, (count,) mm.
+
+    A negative shift is to the right.  The shift is 0 if the groove needs none, if cuts lie on both
+    sides or on its line, or if the shift would be larger than ``limit`` (mm).
+
+    Parameters
+    ----------
+    damaged
+        Pairs of a groove and a cut inside the strip of the groove in the top face.
+    reach : mm
+        Distance from a groove's line to its flanks in the top face.
+    """
+    left, right = np.zeros(count), np.zeros(count)
+    excess = reach - damaged.nearest
+    np.maximum.at(left, damaged.groove[damaged.on_left], excess[damaged.on_left])
+    np.maximum.at(right, damaged.groove[~damaged.on_left], excess[~damaged.on_left])
+    least, most = np.minimum(left, right), np.maximum(left, right)
+    possible = (least == 0.0) & (most <= min(limit + CHORD_ERROR, reach - TOUCH_DISTANCE))
+    result: F64 = np.where(possible, right - left, 0.0)
+    return result
 
 
 def _group_extremes(values: F64, group: I64, count: int) -> tuple[F64, F64]:
