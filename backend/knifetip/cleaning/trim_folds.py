@@ -140,6 +140,13 @@ def _divide_at_cuts(ends: F64, bulge: F64, folds: I64, cuts: I64) -> _Parts:
     inner = (fraction * length > JOIN) & ((1.0 - fraction) * length > JOIN)
     inner &= np.abs((left_normal(ahead) * along).sum(axis=1)) > _ACROSS
     edge, fraction, length = edge[inner], fraction[inner], length[inner]
+    cut, on_cut = cut[inner], on_cut[inner]
+    cut_length = arc.length(ends[cut, 0], ends[cut, 1], bulge[cut])
+    through = (on_cut * cut_length > JOIN) & ((1.0 - on_cut) * cut_length > JOIN)
+    if not through.any() and not _has_neighbours(edge, fraction * length):
+        # Single cuts that end on a fold enclose nothing.
+        none = np.zeros(0)
+        return _Parts(none.astype(np.int64), none, none)
     divided = np.unique(edge)
     size = np.concatenate([np.full(len(divided), np.inf), length])
     edge = np.concatenate([divided, edge])
@@ -152,6 +159,17 @@ def _divide_at_cuts(ends: F64, bulge: F64, folds: I64, cuts: I64) -> _Parts:
     edge, begin = edge[new], begin[new]
     is_last = np.append(np.diff(edge) > 0, True)[: len(edge)]
     return _Parts(edge, begin, np.where(is_last, 1.0, np.roll(begin, -1)))
+
+
+def _has_neighbours(edge: I64, place: F64) -> bool:
+    """Return whether two of k points on edges are at most ``JOIN`` from each other on one edge.
+
+    ``edge`` and ``place`` are the edge of each point and its distance from the start of that edge
+    (mm), (k,) each.
+    """
+    order = np.lexsort((place, edge))
+    near = (np.diff(edge[order]) == 0) & (np.diff(place[order]) <= JOIN)
+    return bool(near.any())
 
 
 def _find_contours(ends: F64, bulge: F64, folds: tuple[F64, F64]) -> tuple[_Contours, _Contours]:
