@@ -27,6 +27,7 @@ from knifetip.kernels import (
     U8_1,
     OutBool_1,
     OutF64_1,
+    OutF64_2,
     OutI32_1,
     OutI64_1,
     OutU8_1,
@@ -34,6 +35,8 @@ from knifetip.kernels import (
     kernel,
 )
 
+#: Greatest rounding error of the times of links that are compared (s).
+_ROUNDING: Final = 1e-12
 #: Longest section that is reversed if the times of all links in it change.
 _LONGEST_SECTION: Final = 50
 
@@ -110,9 +113,53 @@ def _link_time(
     )
 
 
+@inline_kernel
+def _current_link(
+    after: int, tour: I32_1, side: U8_1, ends: F64_4, rates: F64_2, linked: OutF64_2
+) -> float:
+    """Return the time of the air move to position ``after`` of the tour from the position before
+    it (s); 0 for the position beyond the end of the tour.
+
+    The time is computed when it is first needed and then kept in row 0 of ``linked``, (2, t + 2).
+    A negative number marks an unknown time.  Row 1 contains the times of the opposite moves
+    (``_opposite_link``).  ``improve_tour`` describes the other arguments.
+    """
+    if linked[0, after] < 0.0:
+        linked[0, after] = _link_time(after - 1, 0, after, 0, tour, side, ends, rates)
+    return linked[0, after]
+
+
+@inline_kernel
+def _opposite_link(
+    after: int, tour: I32_1, side: U8_1, ends: F64_4, rates: F64_2, linked: OutF64_2
+) -> float:
+    """Return the time of the air move from the track at position ``after`` of the tour to the track
+    at the position before it, if both keep their directions (s); see ``_current_link``.
+    """
+    if linked[1, after] < 0.0:
+        linked[1, after] = _link_time(after, 0, after - 1, 0, tour, side, ends, rates)
+    return linked[1, after]
+
+
+@inline_kernel
+def _forget_link(after: int, linked: OutF64_2) -> None:
+    """Mark the times of the air moves between position ``after`` and the position before it as
+    unknown.
+    """
+    linked[0, after] = -1.0
+    linked[1, after] = -1.0
+
+
 @kernel(allocates=False)
 def _inner_change(
-    first: int, last: int, flip: int, tour: I32_1, side: U8_1, ends: F64_4, rates: F64_2
+    first: int,
+    last: int,
+    flip: int,
+    tour: I32_1,
+    side: U8_1,
+    ends: F64_4,
+    rates: F64_2,
+    linked: OutF64_2,
 ) -> float:
     """Return the increase of the time inside a section of the tour if the section is reversed (s).
 
@@ -134,19 +181,28 @@ def _inner_change(
     rates : (4, 4)
         Velocities and accelerations of X, Y and C, and the period of C, in the form that
         ``improve_tour`` documents.
+    linked : (2, t + 2)
+        Times of the air moves of the tour, as ``_current_link`` keeps them.
     """
     if flip:
         return 0.0
     change = 0.0
     for slot in range(first, last):
-        change += _link_time(slot + 1, 0, slot, 0, tour, side, ends, rates)
-        change -= _link_time(slot, 0, slot + 1, 0, tour, side, ends, rates)
+        change += _opposite_link(slot + 1, tour, side, ends, rates, linked)
+        change -= _current_link(slot + 1, tour, side, ends, rates, linked)
     return change
 
 
 @kernel(allocates=False)
 def _reversal_change(
-    first: int, last: int, flip: int, tour: I32_1, side: U8_1, ends: F64_4, rates: F64_2
+    first: int,
+    last: int,
+    flip: int,
+    tour: I32_1,
+    side: U8_1,
+    ends: F64_4,
+    rates: F64_2,
+    linked: OutF64_2,
 ) -> float:
     """Return the increase of the time of the tour if a section of it is reversed (s).
 
@@ -171,23 +227,31 @@ def _reversal_change(
     rates : (4, 4)
         Velocities and accelerations of X, Y and C, and the period of C, in the form that
         ``improve_tour`` documents.
+    linked : (2, t + 2)
+        Times of the air moves of the tour, as ``_current_link`` keeps them.
     """
     if first < 1 or (not flip and last - first > _LONGEST_SECTION):
         return 0.0
     change = _link_time(first - 1, 0, last, flip, tour, side, ends, rates)
-    change -= _link_time(first - 1, 0, first, 0, tour, side, ends, rates)
+    change -= _current_link(first, tour, side, ends, rates, linked)
     if last + 1 < len(tour):
         change += _link_time(first, flip, last + 1, 0, tour, side, ends, rates)
-        change -= _link_time(last, 0, last + 1, 0, tour, side, ends, rates)
+        change -= _current_link(last + 1, tour, side, ends, rates, linked)
     # A loss at the two ends is hardly ever regained inside, and computing that is costly.
     if change >= 0.0:
         return change
-    return change + _inner_change(first, last, flip, tour, side, ends, rates)
+    return change + _inner_change(first, last, flip, tour, side, ends, rates, linked)
 
 
 @kernel(allocates=False)
 def _removal_gain(
-    first: int, last: int, tour: I32_1, side: U8_1, ends: F64_4, rates: F64_2
+    first: int,
+    last: int,
+    tour: I32_1,
+    side: U8_1,
+    ends: F64_4,
+    rates: F64_2,
+    linked: OutF64_2,
 ) -> float:
     """Return the time saved if a section of the tour is removed (s).
 
@@ -207,22 +271,31 @@ def _removal_gain(
     rates : (4, 4)
         Velocities and accelerations of X, Y and C, and the period of C, in the form that
         ``improve_tour`` documents.
+    linked : (2, t + 2)
+        Times of the air moves of the tour, as ``_current_link`` keeps them.
     """
     if first < 1 or last >= len(tour):
         return 0.0
-    saved = _link_time(first - 1, 0, first, 0, tour, side, ends, rates)
-    saved += _link_time(last, 0, last + 1, 0, tour, side, ends, rates)
+    saved = _current_link(first, tour, side, ends, rates, linked)
+    saved += _current_link(last + 1, tour, side, ends, rates, linked)
     return saved - _link_time(first - 1, 0, last + 1, 0, tour, side, ends, rates)
 
 
 @kernel(allocates=False)
 def _reverse(
-    first: int, last: int, flip: int, tour: OutI32_1, side: OutU8_1, position: OutI64_1
+    first: int,
+    last: int,
+    flip: int,
+    tour: OutI32_1,
+    side: OutU8_1,
+    position: OutI64_1,
+    linked: OutF64_2,
 ) -> None:
     """Reverse the section of the tour from position ``first`` to position ``last``, in place.
 
     If ``flip`` is 1, each track of the section is also run in its other direction: its entry in
-    ``side`` changes.  ``position``, the position of each track in the tour, is updated.
+    ``side`` changes.  ``position``, the position of each track in the tour, is updated, and
+    the times in ``linked`` that change are marked as unknown.
     """
     low, high = first, last
     while low < high:
@@ -233,11 +306,20 @@ def _reverse(
     for slot in range(first, last + 1):
         side[slot] ^= flip
         position[tour[slot]] = slot
+        _forget_link(slot, linked)
+    if last + 1 < len(tour):
+        _forget_link(last + 1, linked)
 
 
 @kernel(allocates=False)
 def _swap(
-    first: int, middle: int, last: int, tour: OutI32_1, side: OutU8_1, position: OutI64_1
+    first: int,
+    middle: int,
+    last: int,
+    tour: OutI32_1,
+    side: OutU8_1,
+    position: OutI64_1,
+    linked: OutF64_2,
 ) -> None:
     """Swap two neighbouring sections of the tour in place.
 
@@ -245,9 +327,9 @@ def _swap(
     second from ``middle`` to ``last``.  The entries of ``tour`` and of ``side`` are swapped, and
     ``position``, the position of each track in the tour, is updated.
     """
-    _reverse(first, middle - 1, 0, tour, side, position)
-    _reverse(middle, last, 0, tour, side, position)
-    _reverse(first, last, 0, tour, side, position)
+    _reverse(first, middle - 1, 0, tour, side, position, linked)
+    _reverse(middle, last, 0, tour, side, position, linked)
+    _reverse(first, last, 0, tour, side, position, linked)
 
 
 @kernel(allocates=False)
@@ -261,6 +343,7 @@ def _improve_track(
     reversal: int,
     near: I32_2,
     least_time: F64_2,
+    linked: OutF64_2,
     freed: OutF64_1,
 ) -> Any:
     """Search the changes of the tour near one track, and apply the first one that shortens the
@@ -290,6 +373,8 @@ def _improve_track(
     near, least_time : (t, k) and (t, k)
         k neighbours of each track, nearest first, and lower bounds of the times of the air moves to
         them (s).
+    linked : (2, t + 2)
+        Times of the air moves of the tour, as ``_current_link`` keeps them.
     freed : (6,)
         Scratch.
     """
@@ -298,32 +383,51 @@ def _improve_track(
     here = position[track]
     if reversal == 2:
         change = _link_time(here - 1, 0, here, 1, tour, side, ends, rates)
-        change -= _link_time(here - 1, 0, here, 0, tour, side, ends, rates)
+        change -= _current_link(here, tour, side, ends, rates, linked)
         if here < last:
             change += _link_time(here, 1, here + 1, 0, tour, side, ends, rates)
-            change -= _link_time(here, 0, here + 1, 0, tour, side, ends, rates)
+            change -= _current_link(here + 1, tour, side, ends, rates, linked)
         if change < -1e-9:
             side[here] ^= 1
+            _forget_link(here, linked)
+            if here < last:
+                _forget_link(here + 1, linked)
             return here, here, change
     # Every improvement replaces, at one of its tracks, a longer link by a shorter one.
-    longest = _link_time(here - 1, 0, here, 0, tour, side, ends, rates)
-    longest = max(longest, _link_time(here, 0, here + 1, 0, tour, side, ends, rates))
+    longest = _current_link(here, tour, side, ends, rates, linked)
+    longest = max(longest, _current_link(here + 1, tour, side, ends, rates, linked))
     for slot in range(6):
         freed[slot] = math.inf  # not computed yet
     for rank in range(near.shape[1]):
         if least_time[track, rank] >= longest:
             break
+        # Each change makes a link between the two tracks, which takes at least this time.  No bound
+        # holds if the tracks have other poses in their other direction.
+        least = -math.inf if reversal == 2 else least_time[track, rank] - _ROUNDING
         other = near[track, rank]
         there = position[other]
         low, high = min(here, there), max(here, there)
-        change = _reversal_change(low + 1, high, symmetric, tour, side, ends, rates)
-        if change < -1e-9:
-            _reverse(low + 1, high, symmetric, tour, side, position)
-            return low + 1, high, change
-        change = _reversal_change(low, high - 1, symmetric, tour, side, ends, rates)
-        if change < -1e-9:
-            _reverse(low, high - 1, symmetric, tour, side, position)
-            return low, high - 1, change
+        removed = _current_link(low + 1, tour, side, ends, rates, linked)
+        removed += _current_link(high + 1, tour, side, ends, rates, linked)
+        # The other new link of the reversal that puts the first track before the second one.
+        room = removed - least
+        if room > 0.0 and room > _link_time(
+            low + 1, symmetric, high + 1, 0, tour, side, ends, rates
+        ):
+            change = _reversal_change(low + 1, high, symmetric, tour, side, ends, rates, linked)
+            if change < -1e-9:
+                _reverse(low + 1, high, symmetric, tour, side, position, linked)
+                return low + 1, high, change
+        removed = _current_link(low, tour, side, ends, rates, linked)
+        removed += _current_link(high, tour, side, ends, rates, linked)
+        room = removed - least
+        if room > 0.0 and room > _link_time(
+            low - 1, 0, high - 1, symmetric, tour, side, ends, rates
+        ):
+            change = _reversal_change(low, high - 1, symmetric, tour, side, ends, rates, linked)
+            if change < -1e-9:
+                _reverse(low, high - 1, symmetric, tour, side, position, linked)
+                return low, high - 1, change
         for slot in range(6):
             # Sections of one to three tracks that start or end at this track.
             size, ahead = slot // 2 + 1, slot % 2
@@ -332,7 +436,7 @@ def _improve_track(
             if s <= there <= e or slot == 1:
                 continue
             if freed[slot] == math.inf:
-                freed[slot] = _removal_gain(s, e, tour, side, ends, rates)
+                freed[slot] = _removal_gain(s, e, tour, side, ends, rates, linked)
             if freed[slot] <= 1e-9:
                 continue
             # After or before the neighbour, reversed if needed to put the two side by side.
@@ -343,22 +447,34 @@ def _improve_track(
                     back = 0
                 if k < 0 or s - 1 <= k <= e:
                     continue
+                removed = _current_link(k + 1, tour, side, ends, rates, linked) + freed[slot]
+                room = removed - least
+                if room <= 0.0:
+                    continue
                 for _ in range(2 if size == 1 and reversal != 0 else 1):
                     flip = back if (symmetric or size == 1) else 0
                     head, tail = (e, s) if back else (s, e)
+                    # The new link that is not between the two tracks.
+                    if before:
+                        farther = _link_time(k, 0, head, flip, tour, side, ends, rates)
+                    else:
+                        farther = _link_time(tail, flip, k + 1, 0, tour, side, ends, rates)
+                    if farther >= room:
+                        back = 1
+                        continue
                     change = _link_time(k, 0, head, flip, tour, side, ends, rates)
-                    change -= _link_time(k, 0, k + 1, 0, tour, side, ends, rates) + freed[slot]
+                    change -= removed
                     if change < -1e-9 and k < last:
                         change += _link_time(tail, flip, k + 1, 0, tour, side, ends, rates)
                     if change < -1e-9 and back and not flip:
-                        change += _inner_change(s, e, 0, tour, side, ends, rates)
+                        change += _inner_change(s, e, 0, tour, side, ends, rates, linked)
                     if change < -1e-9:
                         if back:
-                            _reverse(s, e, flip, tour, side, position)
+                            _reverse(s, e, flip, tour, side, position, linked)
                         if k > e:
-                            _swap(s, e + 1, k, tour, side, position)
+                            _swap(s, e + 1, k, tour, side, position, linked)
                             return s, k, change
-                        _swap(k + 1, s, e, tour, side, position)
+                        _swap(k + 1, s, e, tour, side, position, linked)
                         return k + 1, e, change
                     back = 1
     return 0, -1, 0.0
@@ -379,6 +495,7 @@ def _improve_queued(
     reversal: int,
     near: I32_2,
     least_time: F64_2,
+    linked: OutF64_2,
     freed: OutF64_1,
 ) -> Any:
     """Improve the tour in place at the queued tracks, and at the tracks next to each change.
@@ -413,6 +530,8 @@ def _improve_queued(
     near, least_time : (t, k) and (t, k)
         k neighbours of each track, nearest first, and lower bounds of the times of the air moves to
         them (s).
+    linked : (2, t + 2)
+        Times of the air moves of the tour, as ``_current_link`` keeps them.
     freed : (6,)
         Scratch.
     """
@@ -426,7 +545,17 @@ def _improve_queued(
         waiting[track] = False
         while limit > 0:
             first, last, change = _improve_track(
-                track, tour, side, position, ends, rates, reversal, near, least_time, freed
+                track,
+                tour,
+                side,
+                position,
+                ends,
+                rates,
+                reversal,
+                near,
+                least_time,
+                linked,
+                freed,
             )
             if last < first:
                 break
@@ -475,7 +604,14 @@ def _random_sections(state: int, last: int) -> tuple[int, int, int, int]:
 
 @inline_kernel
 def _swap_change(
-    first: int, middle: int, last: int, tour: I32_1, side: U8_1, ends: F64_4, rates: F64_2
+    first: int,
+    middle: int,
+    last: int,
+    tour: I32_1,
+    side: U8_1,
+    ends: F64_4,
+    rates: F64_2,
+    linked: OutF64_2,
 ) -> float:
     """Return the increase of the time of the tour if two neighbouring sections are swapped (s).
 
@@ -493,16 +629,18 @@ def _swap_change(
     rates : (4, 4)
         Velocities and accelerations of X, Y and C, and the period of C, in the form that
         ``improve_tour`` documents.
+    linked : (2, t + 2)
+        Times of the air moves of the tour, as ``_current_link`` keeps them.
     """
     change = (
         _link_time(first - 1, 0, middle, 0, tour, side, ends, rates)
-        - _link_time(first - 1, 0, first, 0, tour, side, ends, rates)
+        - _current_link(first, tour, side, ends, rates, linked)
         + _link_time(last, 0, first, 0, tour, side, ends, rates)
-        - _link_time(middle - 1, 0, middle, 0, tour, side, ends, rates)
+        - _current_link(middle, tour, side, ends, rates, linked)
     )
     if last + 1 < len(tour):
         change += _link_time(middle - 1, 0, last + 1, 0, tour, side, ends, rates)
-        change -= _link_time(last, 0, last + 1, 0, tour, side, ends, rates)
+        change -= _current_link(last + 1, tour, side, ends, rates, linked)
     return change
 
 
@@ -549,6 +687,8 @@ def improve_tour(
     queue = tour[1:].copy()
     waiting = np.ones(last, np.bool_)
     freed = np.empty(6)
+    linked = np.full((2, len(tour) + 1), -1.0)
+    linked[:, len(tour)] = 0.0
     _improve_queued(
         queue,
         waiting,
@@ -563,6 +703,7 @@ def improve_tour(
         reversal,
         near,
         least_time,
+        linked,
         freed,
     )
     best_tour, best_side = tour.copy(), side.copy()
@@ -572,14 +713,14 @@ def improve_tour(
         if s == m or m == end:
             continue
         e = end - 1
-        change = _swap_change(s, m, e, tour, side, ends, rates)
+        change = _swap_change(s, m, e, tour, side, ends, rates, linked)
         size = 0
         for slot in (s - 1, s, m - 1, m, e, e + 1):
             if 1 <= slot <= last and not waiting[tour[slot]]:
                 waiting[tour[slot]] = True
                 queue[size] = tour[slot]
                 size += 1
-        _swap(s, m, e, tour, side, position)
+        _swap(s, m, e, tour, side, position, linked)
         more, low, high = _improve_queued(
             queue,
             waiting,
@@ -594,6 +735,7 @@ def improve_tour(
             reversal,
             near,
             least_time,
+            linked,
             freed,
         )
         low, high = min(low, s), max(high, e)
@@ -604,3 +746,6 @@ def improve_tour(
             for slot in range(low, high + 1):
                 tour[slot], side[slot] = best_tour[slot], best_side[slot]
                 position[tour[slot]] = slot
+                _forget_link(slot, linked)
+            if high < last:
+                _forget_link(high + 1, linked)
