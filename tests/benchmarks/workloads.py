@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import itertools
+import math
 from collections.abc import Callable
 from functools import cache
 from typing import TypeAlias
@@ -223,6 +224,66 @@ def compile_sheet() -> Bench:
     )
 
 
+@cache
+def _sheet_bytes(count: int) -> bytes:
+    """Return a DXF file of ``count`` lines: panels with four cuts, two creases and two slits.
+
+    The panels fill a sheet of 1500 × 1100 mm.
+    """
+    document = ezdxf.new("R2010", units=4)
+    document.layers.add("CUT", color=1)
+    document.layers.add("CREASE", color=3)
+    space = document.modelspace()
+    panels = count // 8
+    columns = math.ceil(math.sqrt(panels * 15 / 11))
+    wide, high = 1500.0 / columns, 1100.0 / math.ceil(panels / columns)
+    for panel in range(panels):
+        x, y = panel % columns * wide, panel // columns * high
+        right, top = x + 0.85 * wide, y + 0.85 * high
+        corners = [(x, y), (right, y), (right, top), (x, top), (x, y)]
+        for start, end in itertools.pairwise(corners):
+            space.add_line(start, end, dxfattribs={"layer": "CUT"})
+        for share in (0.2, 0.65):
+            at = x + share * wide
+            space.add_line((at, y), (at, top), dxfattribs={"layer": "CREASE"})
+            level = y + share * high
+            ends = (x + 0.3 * wide, level), (x + 0.55 * wide, level)
+            space.add_line(*ends, dxfattribs={"layer": "CUT"})
+    text = io.StringIO()
+    document.write(text)
+    return text.getvalue().encode()
+
+
+def _bytes_to_program(count: int, runs: int) -> Bench:
+    data, rules = _sheet_bytes(count), load.profile("default")
+    text = data.decode()
+    board = load.board("fbb-0.4")
+
+    def work() -> pipeline.Compiled:
+        drawing = pipeline.read(data, "mm")
+        result = pipeline.compile(drawing, pipeline.classify(drawing, rules), MACHINE, board)
+        assert result.verdict.accepted
+        return result
+
+    peers = {"ezdxf.read": lambda: ezdxf.read(io.StringIO(text))}
+    return "bytes to verified program", count, work, peers, runs
+
+
+def bytes_to_program_500() -> Bench:
+    """Make a verified program from the bytes of a small drawing."""
+    return _bytes_to_program(500, 15)
+
+
+def bytes_to_program_10_000() -> Bench:
+    """Make a verified program from the bytes of a sheet."""
+    return _bytes_to_program(10_000, 3)
+
+
+def bytes_to_program_100_000() -> Bench:
+    """Make a verified program from the bytes of a large sheet."""
+    return _bytes_to_program(100_000, 1)
+
+
 BENCHES: tuple[Callable[[], Bench], ...] = (
     read_lines,
     read_sheet,
@@ -241,6 +302,9 @@ BENCHES: tuple[Callable[[], Bench], ...] = (
     process_lines,
     verify_program,
     compile_sheet,
+    bytes_to_program_500,
+    bytes_to_program_10_000,
+    bytes_to_program_100_000,
     offset_lines,
     offset_arcs,
     offset_one,
