@@ -259,14 +259,19 @@ def _bytes_to_program(count: int, runs: int) -> Bench:
     text = data.decode()
     board = load.board("fbb-0.4")
 
-    def work() -> pipeline.Compiled:
+    def work() -> object:
         drawing = pipeline.read(data, "mm")
         result = pipeline.compile(drawing, pipeline.classify(drawing, rules), MACHINE, board)
         assert result.verdict.accepted
         return result
 
-    peers = {"ezdxf.read": lambda: ezdxf.read(io.StringIO(text))}
-    return "bytes to verified program", count, work, peers, runs
+    return (
+        "bytes to verified program",
+        count,
+        work,
+        {"ezdxf.read": lambda: ezdxf.read(io.StringIO(text))},
+        runs,
+    )
 
 
 def bytes_to_program_500() -> Bench:
