@@ -116,7 +116,7 @@ def _link_time(
 @inline_kernel
 def _current_link(
     after: int, tour: I32_1, side: U8_1, ends: F64_4, rates: F64_2, linked: OutF64_2
-) -> Any:
+) -> float:
     """Return the time of the air move to position ``after`` of the tour from the position before
     it (s); 0 for the position beyond the end of the tour.
 
@@ -126,19 +126,21 @@ def _current_link(
     """
     if linked[0, after] < 0.0:
         linked[0, after] = _link_time(after - 1, 0, after, 0, tour, side, ends, rates)
-    return linked[0, after]
+    time: float = linked[0, after]
+    return time
 
 
 @inline_kernel
 def _opposite_link(
     after: int, tour: I32_1, side: U8_1, ends: F64_4, rates: F64_2, linked: OutF64_2
-) -> Any:
+) -> float:
     """Return the time of the air move from the track at position ``after`` of the tour to the track
     at the position before it, if both keep their directions (s); see ``_current_link``.
     """
     if linked[1, after] < 0.0:
         linked[1, after] = _link_time(after, 0, after - 1, 0, tour, side, ends, rates)
-    return linked[1, after]
+    time: float = linked[1, after]
+    return time
 
 
 @inline_kernel
