@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Query, Request, Response
 from fastapi.responses import PlainTextResponse
 
+from knifetip.api.exceptions import accept_in_block
 from knifetip.api.overrides import merge_overrides
 from knifetip.api.parameters import Cursor, DataFormat, IdempotencyKey, JobId, Limit
 from knifetip.api.queue import queued
 from knifetip.api.revisions import check_revision
 from knifetip.api.schemas.jobs import (
     ConfirmIn,
+    ExceptionsIn,
     JobEvent,
     JobIn,
     JobOut,
@@ -36,17 +39,18 @@ from knifetip.api.waiting import Waiting, waiting_of
 from knifetip.errors import OpenQuestions
 from knifetip.jobs import tasks
 from knifetip.jobs.interpretations import interpretation_of
-from knifetip.jobs.job import State
+from knifetip.jobs.job import Actor, ActorKind, State
 from knifetip.jobs.job_store import JobOrder
 from knifetip.jobs.operator_actions import allowed_actions
 from knifetip.jobs.readings import StoredDrawing
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Drawing, Job
-from knifetip.messages import hint, render
+from knifetip.messages import Message, hint, render
 from knifetip.model.choices import Choices
 from knifetip.model.corners import Corners
 from knifetip.model.interpretation import Interpretation
 from knifetip.model.sheet import Sheet
+from knifetip.model.verdict import Acceptance
 from knifetip.presentation.columns import unpack_columns
 from knifetip.presentation.verdict import EDGE_COLUMNS, areas_json, unpack_areas
 
@@ -197,7 +201,9 @@ def get_verdict(
     row = service.store.jobs.get(id)
     block = service.store.jobs.column(id, "verdict")
     if format == "columns":
-        return bytes_response(request, block, row.program_sha256, "application/octet-stream")
+        # The verdict changes when a shortfall is accepted.
+        version = f"{row.program_sha256}-{(row.verdict_summary or {}).get('exceptions', 0)}"
+        return bytes_response(request, block, version, "application/octet-stream")
     return Response(verdict_out(block).model_dump_json(), media_type="application/json")
 
 
@@ -240,6 +246,32 @@ def get_toolpath(service: ServiceDep, request: Request, id: JobId) -> Response:
     row = service.store.jobs.get(id)
     block = service.store.jobs.column(id, "toolpath")
     return bytes_response(request, block, row.program_sha256, "application/octet-stream")
+
+
+@router.post("/{id}/exceptions")
+def accept_shortfalls(service: ServiceDep, id: JobId, exceptions: ExceptionsIn) -> JobOut:
+    """Accept shortfalls of a refused job, each by its edge and the code of its finding.
+
+    A shortfall is something that the tool cannot make as it is drawn, although the program is safe.
+    The verdict keeps for each accepted shortfall who accepted it, when and why.  If nothing else
+    refuses the program, the state of the job becomes ``ready``, or ``queued`` for a job that was
+    created with ``release``.  Faults cannot be accepted: the status is then 422.  The status is 409
+    if the job is not ``refused``.
+    """
+    chosen = {(one.edge, one.code) for one in exceptions.findings}
+    acceptance = Acceptance(exceptions.by, exceptions.reason, service.store.database.clock())
+    row = service.store.jobs.accept(
+        id,
+        partial(accept_in_block, chosen=chosen, acceptance=acceptance),
+        Actor(ActorKind.OPERATOR, exceptions.by),
+        Message(
+            "job.exceptions-accepted",
+            by=exceptions.by,
+            count=len(chosen),
+            reason=exceptions.reason,
+        ),
+    )
+    return job_out(service.store, row)
 
 
 @router.post("/{id}/release")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from pathlib import Path
 from typing import Annotated, Any
@@ -20,6 +20,7 @@ from knifetip.cli.drawing import (
     ReadingOptions,
     report_json,
 )
+from knifetip.cli.exceptions import ExceptionOptions
 from knifetip.cli.options import expand
 from knifetip.cli.terminal import (
     QUESTIONS,
@@ -40,7 +41,7 @@ from knifetip.model.corners import CornerAt, Corners
 from knifetip.model.drawing import Drawing
 from knifetip.model.machine import Machine
 from knifetip.model.sheet import Sheet
-from knifetip.model.verdict import Verdict
+from knifetip.model.verdict import Severity, Verdict
 from knifetip.planning.plan import check_corners
 from knifetip.presentation.verdict import verdict_json
 from knifetip.verification.verify import read_placement
@@ -255,8 +256,25 @@ def print_verdict(verdict: Verdict) -> None:
         )
     for finding in verdict.findings[:20]:
         print_stderr(f"  {finding.text}")
+        if finding.acceptance is not None:
+            given = finding.acceptance
+            print_stderr(f"    accepted by {given.by}: {given.reason}")
     if len(verdict.findings) > 20:
         print_stderr(f"  and {len(verdict.findings) - 20} more")
+    _print_how_to_accept(verdict)
+
+
+def _print_how_to_accept(verdict: Verdict) -> None:
+    """Print the options that accept the shortfalls of a program, if it has no faults."""
+    open_findings = [finding for finding in verdict.findings if finding.refuses]
+    if any(finding.severity is Severity.FAULT for finding in open_findings):
+        return
+    edges: dict[str, list[int]] = {}
+    for finding in open_findings:
+        edges.setdefault(finding.message.code, []).append(finding.edge)
+    for code, rows in edges.items():
+        listed = ",".join(str(row) for row in dict.fromkeys(rows))
+        print_stderr(f'  To accept: --accept {listed}:{code} --reason "..."')
 
 
 def _parse_placement(text: str) -> tuple[float, float]:
@@ -292,6 +310,7 @@ def program(
     reading: ReadingOptions,
     corner_options: CornerOptions,
     sheet_options: SheetOptions,
+    exceptions: ExceptionOptions,
     lift: Annotated[
         Lift,
         typer.Option(
@@ -336,6 +355,7 @@ def program(
             dialect=dialect,
             progress=report_progress,
         )
+    result = replace(result, verdict=exceptions.apply(result.verdict))
     if report is not None:
         data = {
             "drawing": report_json(file.name, loaded.drawing),
@@ -388,6 +408,7 @@ def verify(
     target: TargetOptions,
     reading: ReadingOptions,
     sheet_options: SheetOptions,
+    exceptions: ExceptionOptions,
     placement_option: Annotated[
         str,
         typer.Option(
@@ -416,6 +437,7 @@ def verify(
     verdict = pipeline.verify(
         text, loaded.dieline, placement, machine, board, sheet=sheet_options.record()
     )
+    verdict = exceptions.apply(verdict)
     if json:
         print_json(verdict_json(verdict, loaded.drawing.handles))
     else:

@@ -1,4 +1,4 @@
-"""Defines the stored result of compiling a job."""
+"""Defines the stored result of compiling a job, and the stored form of its verdict."""
 
 from __future__ import annotations
 
@@ -25,3 +25,13 @@ class CompileResult:
     source: list[str] = field(default_factory=list)
     #: stations that the program uses, ordered by number: number, name, kind
     tools: list[dict[str, Any]] = field(default_factory=list)
+
+
+@dataclass(frozen=True, slots=True)
+class VerdictColumns:
+    """A verdict as a job stores it."""
+
+    verdict: bytes  #: see ``presentation.verdict``
+    verdict_summary: dict[str, Any]  #: see ``presentation.verdict``
+    message: Message | None  #: why the program is refused; None if it is accepted
+    source: list[str]  #: handles of the edges because of which the program is refused

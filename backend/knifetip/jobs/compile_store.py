@@ -261,14 +261,7 @@ class CompileStore:
                 session, id, Action.ACCEPT, _WORKER, Message("job.verified"), epoch=epoch, **columns
             )
             if session.scalar(sa.select(Job.release).where(Job.id == id)):
-                self._transitions.move(
-                    session,
-                    id,
-                    Action.RELEASE,
-                    _WORKER,
-                    Message("job.released-by-order"),
-                    queued=self._db.clock(),
-                )
+                self._transitions.release_by_order(session, id)
 
     def refuse(
         self,

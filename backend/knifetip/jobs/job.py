@@ -4,6 +4,8 @@
                   ↘ refused                    ↘ interrupted → queued again | scrapped
     cancelled from any state before done
 
+A program that is refused only for shortfalls becomes ready when an operator accepts them.
+
 The program repeats a failed compile by itself.  It does not repeat a failed cut, since the board is
 used up and a blade may be in it: only an operator returns a job from ``interrupted`` to the queue.
 A late report of the last owner may move an interrupted job to ``done`` or correct its message, but
@@ -128,6 +130,8 @@ TRANSITIONS: tuple[Transition, ...] = (
     Transition(State.COMPILING, Action.ACCEPT, State.READY, (_WORKER,)),
     Transition(State.COMPILING, Action.REFUSE, State.REFUSED, (_WORKER, _CLOCK)),
     Transition(State.COMPILING, Action.RETRY, State.RECEIVED, (_WORKER, _CLOCK)),
+    # An operator accepts the shortfalls of a program.
+    Transition(State.REFUSED, Action.ACCEPT, State.READY, (_OPERATOR,)),
     Transition(State.COMPILING, Action.CANCEL, State.CANCELLED, (_OPERATOR,)),
     # The worker queues a job that is to be released when ready.
     Transition(State.READY, Action.RELEASE, State.QUEUED, (_OPERATOR, _WORKER)),

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, fields
+from typing import Any
 
 import sqlalchemy as sa
 from sqlalchemy.exc import IntegrityError
 
 from knifetip.errors import WrongState
+from knifetip.jobs.compile_result import VerdictColumns
 from knifetip.jobs.database import Database, short
 from knifetip.jobs.interpretations import job_columns
 from knifetip.jobs.job import (
@@ -27,6 +29,7 @@ from knifetip.jobs.operator_actions import (
     OperatorAction,
     allowed_actions,
     awaits_confirmation,
+    has_only_shortfalls,
     is_fully_executed,
 )
 from knifetip.jobs.tables import Drawing, Job
@@ -223,6 +226,58 @@ class JobStore:
             query = query.where(Job.id.in_(ids))
         with self._db.reading() as session:
             return list(session.scalars(query))
+
+    def accept(
+        self,
+        id: str,
+        accepted: Callable[[bytes, Mapping[str, Any]], VerdictColumns],
+        actor: Actor,
+        event: Message,
+    ) -> Job:
+        """Accept shortfalls of a refused job, and return the job.
+
+        If nothing else refuses its program, the job becomes ``ready``, or ``queued`` if it was
+        ordered with immediate release.
+
+        Parameters
+        ----------
+        id
+            Id of the job.
+        accepted
+            Returns the new verdict from the stored verdict and its summary.
+        actor
+            The user who accepts the shortfalls.
+        event
+            Description of the decision, for the log of events.
+
+        Raises
+        ------
+        WrongState
+            The job is not ``refused``, or not only because of shortfalls.
+        """
+        with self._db.writing() as session:
+            row = self._transitions.lock(session, id)
+            if row.state not in sources(Action.ACCEPT, ActorKind.OPERATOR):
+                raise self._transitions.refusal(session, id, State.READY)
+            if row.verdict is None or not has_only_shortfalls(row):
+                raise WrongState("job.no-shortfalls", job=id)
+            stored = accepted(row.verdict, row.verdict_summary or {})
+            columns: dict[str, Any] = {
+                field.name: getattr(stored, field.name) for field in fields(stored)
+            }
+            if stored.message is None:
+                self._transitions.move(session, id, Action.ACCEPT, actor, event, **columns)
+                if row.release:
+                    self._transitions.release_by_order(session, id)
+            else:
+                session.execute(
+                    sa.update(Job)
+                    .where(Job.id == id)
+                    .values(updated=self._db.clock(), **columns)
+                    .execution_options(synchronize_session=False)
+                )
+                self._transitions.write_event(session, "job", id, State.REFUSED, actor, event)
+        return self.get(id)
 
     def release(self, id: str) -> Job:
         """Move a ready job to the queue of its machine, and return it.

@@ -11,6 +11,7 @@ from knifetip.jobs.tables import Job
 class OperatorAction(StrEnum):
     """Actions that an operator can perform on jobs, in the order of their buttons on the page."""
 
+    ACCEPT = "accept"  #: accept the shortfalls of a refused program
     RELEASE = "release"
     CONFIRM = "confirm"  #: table, board and tools are ready
     HOLD = "hold"
@@ -48,6 +49,8 @@ def allowed_actions(row: Job, now: float) -> list[OperatorAction]:
             or (state in LEASED and transition.action in _REQUESTED)
         )
     }
+    if not has_only_shortfalls(row):
+        allowed.discard(OperatorAction.ACCEPT)
     if awaits_confirmation(row, now):
         allowed.add(OperatorAction.CONFIRM)
     if is_fully_executed(row):
@@ -105,6 +108,13 @@ def awaits_confirmation(row: Job, now: float) -> bool:
         and row.requested_action != OperatorAction.CANCEL
         and not (row.state == State.QUEUED and row.lease < now)
     )
+
+
+def has_only_shortfalls(row: Job) -> bool:
+    """Return whether a job's program is refused only for shortfalls, which a user may accept."""
+    # Verdicts of older versions do not count their findings.
+    summary = row.verdict_summary or {}
+    return summary.get("faults") == 0 and summary.get("shortfalls", 0) > 0
 
 
 def is_fully_executed(row: Job) -> bool:

@@ -10,7 +10,7 @@ import hashlib
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -23,7 +23,7 @@ from knifetip.jobs.readings import (
     restore_or_read,
 )
 from knifetip.library import load
-from knifetip.messages import Message, finite, printable
+from knifetip.messages import finite, printable
 from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
 from knifetip.model.machine import Machine
 from knifetip.model.stage import Progress, Stage
@@ -32,14 +32,17 @@ from knifetip.presentation.edges import EdgeTable, restore_drawing
 from knifetip.presentation.import_report import import_report_rows, pack_rows
 from knifetip.presentation.outcomes import edge_outcomes
 from knifetip.presentation.toolpath import pack_toolpath, used_stations
-from knifetip.presentation.verdict import findings_json, pack_verdict, verdict_summary
+from knifetip.presentation.verdict import (
+    findings_json,
+    pack_verdict,
+    refusal,
+    refused_handles,
+    verdict_summary,
+)
 from knifetip.warming import Part, compile_module, missing_parts
 
 if TYPE_CHECKING:
     from knifetip.pipeline import Compiled
-
-#: Greatest number of findings in the reason of a refused job.
-_MAX_FINDINGS: Final = 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -222,27 +225,16 @@ def _result(compiled: Compiled, handles: Sequence[str], table: Machine) -> Compi
         "seconds_retracted": finite(compiled.seconds_retracted),
     }
     text = compiled.program.text
-    message = None
-    if not verdict.accepted:
-        reasons = [finding for finding in verdict.findings if finding.refuses]
-        shown, more = reasons[:_MAX_FINDINGS], len(reasons) - _MAX_FINDINGS
-        message = Message(
-            "job.program-refused",
-            findings=[finding.located_message for finding in shown],
-            more=Message("finding.more", count=more) if more > 0 else None,
-        )
     return CompileResult(
         accepted=bool(verdict.accepted),
-        message=message,
+        message=refusal(verdict.findings),
         program=text,
         sha256=hashlib.sha256(text).hexdigest(),
         lines=len(compiled.program),
         toolpath=pack_toolpath(compiled, table),
         verdict=pack_verdict(verdict, findings, summary),
         verdict_summary=summary,
-        source=sorted({str(one["handle"]) for one in findings if one["handle"] and one["refuses"]})[
-            :200
-        ],
+        source=refused_handles(findings),
         tools=used_stations(compiled, table),
     )
 

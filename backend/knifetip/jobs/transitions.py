@@ -14,7 +14,7 @@ from sqlalchemy.orm import Session
 
 from knifetip.errors import KeyReused, NoSuchJob, StaleEpoch, WrongState
 from knifetip.jobs.database import Database, rows, short
-from knifetip.jobs.job import ADVICE, Action, Actor, State, sources, target
+from knifetip.jobs.job import ADVICE, Action, Actor, ActorKind, State, sources, target
 from knifetip.jobs.tables import Drawing, Event, Job
 from knifetip.messages import Message, hint
 
@@ -80,12 +80,27 @@ class Transitions:
         if new_epoch is not None:
             values["epoch"] = new_epoch
         if not rows(session, statement.values(**values)):
-            raise self._refusal(session, id, goal, epoch)
+            raise self.refusal(session, id, goal, epoch)
         self.write_event(session, "job", id, goal, actor, event)
 
-    def _refusal(
-        self, session: Session, id: str, goal: str, epoch: int | None
+    def release_by_order(self, session: Session, id: str) -> None:
+        """Queue a ready job that was ordered with immediate release."""
+        self.move(
+            session,
+            id,
+            Action.RELEASE,
+            Actor(ActorKind.WORKER),
+            Message("job.released-by-order"),
+            queued=self._db.clock(),
+        )
+
+    def refusal(
+        self, session: Session, id: str, goal: str, epoch: int | None = None
     ) -> NoSuchJob | WrongState | StaleEpoch:
+        """Return the error about a job that cannot move to the state ``goal``.
+
+        ``epoch`` is the epoch that the job should have, None for any.
+        """
         columns = sa.select(Job.state, Job.epoch, Job.message).where(Job.id == id)
         found = session.execute(columns).first()
         if found is None:

@@ -24,6 +24,15 @@ class Severity(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
+class Acceptance:
+    """A user's decision to make a program although it has a certain shortfall."""
+
+    by: str  #: name of the user
+    reason: str
+    at: float  #: time (seconds since 1970)
+
+
+@dataclass(frozen=True, slots=True)
 class Finding:
     """A fault, shortfall or note of the verifier, with its position and measured value."""
 
@@ -35,11 +44,14 @@ class Finding:
     edge: int = -1  #: row of the edge in the dieline, -1 for none
     line: int = -1  #: program line, counted from 1; -1 for none
     severity: Severity = Severity.FAULT
+    acceptance: Acceptance | None = None  #: of a shortfall that a user has accepted
 
     @property
     def refuses(self) -> bool:
         """Whether the program is refused because of this finding."""
-        return self.severity is not Severity.NOTE
+        if self.severity is Severity.SHORTFALL:
+            return self.acceptance is None
+        return self.severity is Severity.FAULT
 
     @property
     def located_message(self) -> Message:

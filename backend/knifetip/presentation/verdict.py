@@ -6,16 +6,19 @@ All measures are finite, because JSON cannot represent infinity and NaN, see ``m
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from dataclasses import asdict
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from knifetip.geometry.columns import F64
-from knifetip.messages import finite, with_text
-from knifetip.model.verdict import Unreached, Verdict
+from knifetip.messages import Message, finite, from_json, with_text
+from knifetip.model.verdict import Acceptance, Finding, Severity, Unreached, Verdict
 from knifetip.presentation.columns import pack_columns
 
+#: Greatest number of findings in the message about a refused program.
+_MAX_FINDINGS: Final = 3
 #: Columns of a verdict with one row per edge.
 EDGE_COLUMNS = (
     "deviation",
@@ -56,8 +59,9 @@ def verdict_summary(verdict: Verdict) -> dict[str, Any]:
     number of these areas.  ``unreached_length`` is the length of all edges that no cutter reaches,
     and ``unreached_distance`` the maximum distance of these edges from the area that the cutter
     sweeps (mm).  ``slit_length`` is the length of slits that are milled as wide as the cutter (mm),
-    and ``slit_places`` the number of these slits.  ``accepted``, ``tolerance`` (mm) and ``seconds``
-    are copied from the verdict.
+    and ``slit_places`` the number of these slits.  ``faults`` and ``shortfalls`` count the findings
+    that refuse the program, ``exceptions`` the accepted shortfalls.  ``accepted``, ``tolerance``
+    (mm) and ``seconds`` are copied from the verdict.
     """
     return {
         "accepted": bool(verdict.accepted),
@@ -77,6 +81,18 @@ def verdict_summary(verdict: Verdict) -> dict[str, Any]:
         "slit_length": finite(verdict.slit_length.sum()),
         "slit_places": int((verdict.slit_length > 0.0).sum()),
         "seconds": finite(verdict.seconds),
+        **count_findings(verdict.findings),
+    }
+
+
+def count_findings(findings: Sequence[Finding]) -> dict[str, int]:
+    """Return the numbers of faults, open shortfalls and exceptions (accepted shortfalls)."""
+    shortfalls = [found for found in findings if found.severity is Severity.SHORTFALL]
+    opened = sum(found.refuses for found in shortfalls)
+    return {
+        "faults": sum(found.severity is Severity.FAULT for found in findings),
+        "shortfalls": opened,
+        "exceptions": len(shortfalls) - opened,
     }
 
 
@@ -84,7 +100,7 @@ def findings_json(verdict: Verdict, handles: Sequence[str]) -> list[dict[str, An
     """Return the findings of a verdict as JSON data.
 
     Each finding is a message with its kind, severity, measure, edge, handle of the edge and program
-    line, and whether it refuses the program.
+    line, whether it refuses the program, and who accepted it, if anyone.
 
     Parameters
     ----------
@@ -96,6 +112,7 @@ def findings_json(verdict: Verdict, handles: Sequence[str]) -> list[dict[str, An
             "kind": finding.kind,
             "severity": finding.severity.value,
             "refuses": finding.refuses,
+            "acceptance": acceptance_json(finding),
             **finding.message.as_json(),
             "measure": finite(finding.measure),
             "edge": finding.edge,
@@ -104,6 +121,23 @@ def findings_json(verdict: Verdict, handles: Sequence[str]) -> list[dict[str, An
         }
         for finding in verdict.findings
     ]
+
+
+def finding_from_json(plain: Mapping[str, Any]) -> Finding:
+    """Return the finding from one item of the JSON data that ``findings_json`` returned.
+
+    A finding that an older version stored has no severity and is a fault.
+    """
+    acceptance = plain.get("acceptance")
+    return Finding(
+        plain["kind"],
+        from_json(plain),
+        plain["measure"],
+        plain["edge"],
+        plain["line"],
+        Severity(plain.get("severity", Severity.FAULT)),
+        None if acceptance is None else Acceptance(**acceptance),
+    )
 
 
 def verdict_json(verdict: Verdict, handles: Sequence[str]) -> dict[str, Any]:
@@ -182,3 +216,32 @@ def pack_verdict(
         },
         {"findings": findings, **summary},
     )
+
+
+def refusal(findings: Sequence[Finding]) -> Message | None:
+    """Return the message about a refused program; None if no finding refuses the program.
+
+    The message contains the first findings that refuse the program, and the number of the others.
+    """
+    reasons = [finding for finding in findings if finding.refuses]
+    if not reasons:
+        return None
+    shown, more = reasons[:_MAX_FINDINGS], len(reasons) - _MAX_FINDINGS
+    return Message(
+        "job.program-refused",
+        findings=[finding.located_message for finding in shown],
+        more=Message("finding.more", count=more) if more > 0 else None,
+    )
+
+
+def refused_handles(rows: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return the first 200 handles of the edges because of which a program is refused, sorted.
+
+    ``rows`` are the findings as JSON data, from ``findings_json``.
+    """
+    return sorted({str(row["handle"]) for row in rows if row["handle"] and row["refuses"]})[:200]
+
+
+def acceptance_json(finding: Finding) -> dict[str, Any] | None:
+    """Return who accepted a shortfall, when and why, as JSON data; None if nobody did."""
+    return None if finding.acceptance is None else asdict(finding.acceptance)

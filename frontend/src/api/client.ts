@@ -50,7 +50,9 @@ export type Verdict = Schemas["VerdictOut"];
 export type VerdictSummary = Schemas["VerdictSummary"];
 
 /** Commands of the operator for a job. */
-export type JobCommand = Schemas["OperatorAction"];
+/** Actions without further data, each a route of its own. */
+export type JobCommand = Exclude<Schemas["OperatorAction"], "accept">;
+export type Exceptions = Schemas["ExceptionsIn"];
 
 const api = createClient<paths>({
   // Request needs an absolute URL; tests have no location.
@@ -190,6 +192,8 @@ export const service = {
     ),
   command: (id: string, command: JobCommand): Promise<Job> =>
     dataOf(api.POST(`/api/jobs/{id}/${command}`, { params: byId(id) })),
+  accept: (id: string, exceptions: Exceptions): Promise<Job> =>
+    dataOf(api.POST("/api/jobs/{id}/exceptions", { params: byId(id), body: exceptions })),
   verdict: async (id: string, signal?: AbortSignal): Promise<Verdict> => {
     const params = { ...byId(id), query: { format: "json" as const } };
     const { data } = await api.GET("/api/jobs/{id}/verdict", { params, ...uncached(signal) });

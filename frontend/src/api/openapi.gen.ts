@@ -284,6 +284,32 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/jobs/{id}/exceptions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Accept Shortfalls
+         * @description Accept shortfalls of a refused job, each by its edge and the code of its finding.
+         *
+         *     A shortfall is something that the tool cannot make as it is drawn, although the program is safe.
+         *     The verdict keeps for each accepted shortfall who accepted it, when and why.  If nothing else
+         *     refuses the program, the state of the job becomes ``ready``, or ``queued`` for a job that was
+         *     created with ``release``.  Faults cannot be accepted: the status is then 422.  The status is 409
+         *     if the job is not ``refused``.
+         */
+        post: operations["accept_shortfalls"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/jobs/{id}/release": {
         parameters: {
             query?: never;
@@ -886,6 +912,27 @@ export interface paths {
 export type webhooks = Record<string, never>;
 export interface components {
     schemas: {
+        /**
+         * AcceptanceOut
+         * @description Who accepted a shortfall, when and why.
+         */
+        AcceptanceOut: {
+            /**
+             * By
+             * @description Name of the user
+             */
+            by: string;
+            /**
+             * Reason
+             * @description Why the shortfall is acceptable
+             */
+            reason: string;
+            /**
+             * At
+             * @description Time of the decision (seconds since 1970)
+             */
+            at: number;
+        };
         /**
          * BoardOut
          * @description A board of the library; lengths in mm, angles in degrees.
@@ -1716,6 +1763,27 @@ export interface components {
             overrides: components["schemas"]["Override"][];
         };
         /**
+         * ExceptionsIn
+         * @description Shortfalls of a verdict that a user accepts.
+         */
+        ExceptionsIn: {
+            /**
+             * Findings
+             * @description Shortfalls to accept
+             */
+            findings: components["schemas"]["ShortfallIn"][];
+            /**
+             * Reason
+             * @description Why the shortfalls are acceptable
+             */
+            reason: string;
+            /**
+             * By
+             * @description Name of the user
+             */
+            by: string;
+        };
+        /**
          * FindingOut
          * @description One fault, shortfall or note of the verifier, with its edge and program line.
          */
@@ -1755,6 +1823,8 @@ export interface components {
              * @default true
              */
             refuses: boolean;
+            /** @description Who accepted the shortfall; null if nobody did */
+            acceptance?: components["schemas"]["AcceptanceOut"] | null;
             /**
              * Measure
              * @description Measured value (mm; degrees for `heading` and `fold`)
@@ -2612,7 +2682,7 @@ export interface components {
          * @description Actions that an operator can perform on jobs, in the order of their buttons on the page.
          * @enum {string}
          */
-        OperatorAction: "release" | "confirm" | "hold" | "resume" | "requeue" | "finish" | "scrap" | "cancel";
+        OperatorAction: "accept" | "release" | "confirm" | "hold" | "resume" | "requeue" | "finish" | "scrap" | "cancel";
         /**
          * Override
          * @description Sets the line type of edges, which are selected by row, by handle, or by layer and colour.
@@ -3112,6 +3182,22 @@ export interface components {
             margin: number;
         };
         /**
+         * ShortfallIn
+         * @description A shortfall of a verdict, selected by its edge and its code.
+         */
+        ShortfallIn: {
+            /**
+             * Edge
+             * @description Row of the edge in the drawing, counted from 0, as in the finding
+             */
+            edge: number;
+            /**
+             * Code
+             * @description Code of the finding's message
+             */
+            code: string;
+        };
+        /**
          * Stage
          * @description A stage of reading or compiling a drawing; the members are in the order of execution.
          * @enum {string}
@@ -3417,6 +3503,24 @@ export interface components {
              */
             slit_places: number;
             /**
+             * Faults
+             * @description Number of faults; they cannot be accepted
+             * @default 0
+             */
+            faults: number;
+            /**
+             * Shortfalls
+             * @description Number of shortfalls that nobody has accepted yet
+             * @default 0
+             */
+            shortfalls: number;
+            /**
+             * Exceptions
+             * @description Number of accepted shortfalls
+             * @default 0
+             */
+            exceptions: number;
+            /**
              * Seconds
              * @description Machine time of one copy (s)
              */
@@ -3609,6 +3713,24 @@ export interface components {
              */
             slit_places: number;
             /**
+             * Faults
+             * @description Number of faults; they cannot be accepted
+             * @default 0
+             */
+            faults: number;
+            /**
+             * Shortfalls
+             * @description Number of shortfalls that nobody has accepted yet
+             * @default 0
+             */
+            shortfalls: number;
+            /**
+             * Exceptions
+             * @description Number of accepted shortfalls
+             * @default 0
+             */
+            exceptions: number;
+            /**
              * Seconds
              * @description Machine time of one copy (s)
              */
@@ -3720,7 +3842,7 @@ export interface components {
             revision: number | null;
         };
         /** @enum {string} */
-        MessageCode: "advice.compiling" | "advice.ended" | "advice.interrupted" | "advice.of-reason" | "advice.queued" | "advice.ready" | "advice.running" | "bridges.no-room" | "calibration.bad-points" | "calibration.choose-cutter" | "calibration.missing-column" | "calibration.not-a-number" | "calibration.not-csv" | "calibration.undetermined" | "calibration.wrong-sign" | "cf2.cut-short" | "cf2.decimal-commas" | "cf2.empty" | "cf2.main" | "cf2.section" | "cf2.subroutine" | "classification.around" | "classification.arrow" | "classification.as-its-style" | "classification.bleed" | "classification.board-ends" | "classification.closes-nothing" | "classification.contradicted" | "classification.convention" | "classification.cuts-panel-off" | "classification.dashed" | "classification.divider" | "classification.divides-panels" | "classification.frame" | "classification.free" | "classification.hole" | "classification.inner" | "classification.layer-denies" | "classification.layer-name" | "classification.legend" | "classification.letter" | "classification.like-outline" | "classification.like-outline-not-folds" | "classification.linetype-name" | "classification.mark" | "classification.mirror-cut" | "classification.mirror-folded" | "classification.mixed" | "classification.must-be-processed" | "classification.named" | "classification.no-rule" | "classification.no-rule-but-shape" | "classification.none-closes" | "classification.not-made" | "classification.on-cut" | "classification.open" | "classification.other-style-closes" | "classification.outline" | "classification.override" | "classification.paired" | "classification.panel-hangs" | "classification.panels-hang" | "classification.role-against" | "classification.rule" | "classification.shape" | "classification.slit" | "classification.slot" | "classification.speck" | "classification.stray" | "classification.swapped" | "classification.swapped-both" | "classification.swapped-like" | "classification.table" | "classification.unknown" | "classification.votes" | "classification.with-text" | "cleaning.as-drawn" | "cleaning.dropped-off-panel" | "cleaning.dropped-speck" | "cleaning.end-moved" | "cleaning.fitted" | "cleaning.fitted-edge" | "cleaning.folds-trimmed" | "cleaning.ignored" | "cleaning.joined" | "cleaning.joined-edge" | "cleaning.kept" | "cleaning.kept-changed" | "cleaning.length-on-others" | "cleaning.longer" | "cleaning.moved" | "cleaning.no-work" | "cleaning.off-panel" | "cleaning.on-edge" | "cleaning.part-dropped" | "cleaning.part-off-panel" | "cleaning.shortened" | "cleaning.speck" | "cleaning.twice" | "cleaning.unclassified" | "command.bad-corner" | "command.bad-layer" | "command.bad-line-type" | "command.file-too-large" | "command.no-such-layer" | "command.unreadable-file" | "command.unwritable-file" | "controller.alarm" | "controller.alarm-code" | "controller.alarm-state" | "controller.alarm-unknown" | "controller.answer-lost" | "controller.bad-address" | "controller.busy" | "controller.check-end-not-confirmed" | "controller.closed" | "controller.connection-failed" | "controller.due" | "controller.lift-not-finished" | "controller.locked" | "controller.locked-by-alarm" | "controller.lost" | "controller.lost-in-buffer" | "controller.not-in-laser-mode" | "controller.not-ready" | "controller.not-recovered" | "controller.not-secured" | "controller.not-stopped" | "controller.off-path" | "controller.one-carriage" | "controller.refused-safe-state" | "controller.rejected-command" | "controller.rejected-in-check" | "controller.rejected-line" | "controller.reports-alarm" | "controller.reset" | "controller.reset-not-confirmed" | "controller.silent" | "controller.stopped" | "controller.unexpected-answer" | "controller.unreachable" | "controller.was-reset" | "corner.at" | "corner.bad-interference" | "corner.bad-k" | "corner.bad-k-at" | "corner.bad-place" | "corner.bad-share" | "corner.inside" | "corner.no-contour" | "corner.no-cutter" | "corner.not-found" | "corner.replaced" | "corner.unknown-number" | "corner.unknown-type" | "corner.unknown-type-at" | "crease.tight-bend" | "curve.bad-ellipse" | "curve.bad-spline" | "curve.bad-tolerance" | "curve.not-finite" | "curve.not-fitted" | "curve.parameters" | "curve.too-many-pieces" | "curve.too-many-spans" | "cut.too-many-crossings" | "cut.too-short" | "cutter.does-not-fit" | "cutter.misses-bridge" | "cutter.short-lead" | "database.bad-url" | "database.in-memory" | "deflection.exceeds-radius" | "drawing.changing" | "drawing.deleted" | "drawing.in-use" | "drawing.larger-than-table" | "drawing.open-questions" | "drawing.read" | "drawing.reinterpreted" | "drawing.stale" | "drawing.types-set" | "drawing.unit-for-cleaning" | "drawing.unit-unknown" | "drawing.unknown" | "drawing.upload-too-large" | "dxf.at-line" | "dxf.blocks-expand-too-far" | "dxf.blocks-too-deep" | "dxf.cut-short" | "dxf.no-section" | "dxf.not-a-group-code" | "dxf.other-kind" | "dxf.too-large-unusual" | "dxf.without-end-mark" | "edge.no-length" | "edge.not-finite" | "edge.place" | "edge.too-crowded" | "edge.too-far" | "edge.too-many-overlaps" | "error.at-edge" | "error.at-edges" | "error.in-file" | "field.above" | "field.above-clearance" | "field.bad-arguments" | "field.below" | "field.blank" | "field.inconsistent" | "field.missing" | "field.misspelt" | "field.no-kind" | "field.no-such-carriage" | "field.not-a-colour" | "field.not-a-line-type" | "field.not-a-list" | "field.not-a-number" | "field.not-a-profile" | "field.not-a-table" | "field.not-above" | "field.not-above-low" | "field.not-below" | "field.not-boolean" | "field.not-json" | "field.not-less-than-caliper" | "field.not-one-of" | "field.not-text" | "field.not-whole" | "field.other" | "field.outside" | "field.park-outside" | "field.parks-too-near" | "field.repeated-letters" | "field.repeated-numbers" | "field.sheet-size" | "field.spacing" | "field.too-few" | "field.too-long" | "field.too-many" | "field.too-many-passes" | "field.too-short" | "field.unknown" | "field.unknown-kind" | "field.zone-above-travel" | "file.7z" | "file.bmp" | "file.compound-file" | "file.dwg" | "file.eps" | "file.gif" | "file.gzip" | "file.html" | "file.jpeg" | "file.json" | "file.old-dwg" | "file.png" | "file.postscript" | "file.rar" | "file.riff" | "file.step" | "file.stl" | "file.tiff" | "file.xml" | "file.zip" | "finding.at-edge" | "finding.at-edge-and-line" | "finding.at-line" | "finding.more" | "gateway.cancelled" | "gateway.controller-not-idle" | "gateway.job-withdrawn" | "gateway.job-withdrawn-before-start" | "gateway.no-reason" | "gateway.switched-off" | "gateway.switched-off-before-report" | "gateway.switched-off-in-run" | "gateway.system-error" | "grbl.alarm-1" | "grbl.alarm-10" | "grbl.alarm-11" | "grbl.alarm-12" | "grbl.alarm-14" | "grbl.alarm-17" | "grbl.alarm-2" | "grbl.alarm-3" | "grbl.alarm-4" | "grbl.alarm-5" | "grbl.alarm-6" | "grbl.alarm-7" | "grbl.alarm-8" | "grbl.alarm-9" | "grbl.error-1" | "grbl.error-10" | "grbl.error-11" | "grbl.error-12" | "grbl.error-13" | "grbl.error-14" | "grbl.error-15" | "grbl.error-16" | "grbl.error-17" | "grbl.error-18" | "grbl.error-2" | "grbl.error-20" | "grbl.error-21" | "grbl.error-22" | "grbl.error-23" | "grbl.error-24" | "grbl.error-25" | "grbl.error-26" | "grbl.error-27" | "grbl.error-28" | "grbl.error-29" | "grbl.error-3" | "grbl.error-30" | "grbl.error-31" | "grbl.error-32" | "grbl.error-33" | "grbl.error-34" | "grbl.error-35" | "grbl.error-36" | "grbl.error-37" | "grbl.error-38" | "grbl.error-39" | "grbl.error-4" | "grbl.error-5" | "grbl.error-6" | "grbl.error-60" | "grbl.error-7" | "grbl.error-79" | "grbl.error-8" | "grbl.error-9" | "grbl.unknown-alarm" | "grbl.unknown-error" | "groove.along-edge" | "groove.curved" | "groove.overcut" | "groove.runs-out" | "groove.through-cut" | "groove.through-cut-at-it" | "groove.tight-bend" | "groove.too-deep" | "groove.too-short" | "hpgl.bad-area" | "hpgl.bad-byte" | "hpgl.bad-feed" | "hpgl.bad-number" | "hpgl.bad-range" | "hpgl.datum" | "hpgl.depth-change" | "hpgl.ends-down" | "hpgl.ends-with-pen" | "hpgl.feed-not-supported" | "hpgl.force-out-of-range" | "hpgl.initialised-again" | "hpgl.lone-letter" | "hpgl.loose-number" | "hpgl.moves-before-pa" | "hpgl.needs-no-number" | "hpgl.needs-one-number" | "hpgl.never-down" | "hpgl.no-approach" | "hpgl.no-device" | "hpgl.no-force" | "hpgl.no-force-setting" | "hpgl.no-instruction" | "hpgl.no-pen" | "hpgl.no-pen-selected" | "hpgl.no-speed" | "hpgl.no-speed-setting" | "hpgl.no-terminator" | "hpgl.not-initialised" | "hpgl.outside-area" | "hpgl.pen-cannot" | "hpgl.plunge-without-move" | "hpgl.press" | "hpgl.repeated-pen" | "hpgl.selects-while-down" | "hpgl.send-by-hand" | "hpgl.sets-while-down" | "hpgl.slanted-plunge" | "hpgl.speed-out-of-range" | "hpgl.station-without-pen" | "hpgl.swivel" | "hpgl.tool-not-supported" | "hpgl.trail" | "hpgl.travel" | "hpgl.turn-in-board" | "hpgl.unknown-instruction" | "hpgl.unknown-pen" | "hpgl.wrong-force" | "hpgl.x-without-y" | "import.angles-not-numbers" | "import.annotations" | "import.area-outline" | "import.area-outline-on-page" | "import.array" | "import.bad-operands" | "import.bad-path-data" | "import.bad-place" | "import.bad-points" | "import.bad-radius" | "import.bad-size" | "import.bad-transform" | "import.bad-value" | "import.bad-window" | "import.block-external" | "import.block-in-itself" | "import.block-missing" | "import.bridge" | "import.bridges" | "import.clip-path" | "import.contains-itself" | "import.coordinate-not-a-number" | "import.curves-fitted" | "import.curves-fitted-relative" | "import.damaged" | "import.damaged-or-frame" | "import.dimension" | "import.drawn-twice" | "import.drawn-twice-often" | "import.empty-path" | "import.end-mark" | "import.endless-line" | "import.extrusion-not-a-number" | "import.few-vertices" | "import.filled-area" | "import.filled-area-beside-strokes" | "import.filled-area-on-page" | "import.fit-points" | "import.font-shape" | "import.height-not-a-number" | "import.height-too-far" | "import.hidden" | "import.hidden-layer" | "import.image" | "import.incomplete" | "import.interrupted-path" | "import.invisible" | "import.kept" | "import.kept-changed" | "import.laid-flat" | "import.layer-frozen" | "import.layer-not-plotted" | "import.layer-off" | "import.light" | "import.line-not-numbers" | "import.lone-vertex" | "import.mesh" | "import.missing-id" | "import.missing-subroutine" | "import.multiple-line" | "import.no-length" | "import.no-major-axis" | "import.no-paint" | "import.no-parameter-range" | "import.no-points" | "import.no-scale" | "import.no-size" | "import.no-sweep" | "import.not-a-line" | "import.not-clipped" | "import.not-flat" | "import.not-numbers" | "import.not-svg" | "import.not-visible" | "import.nothing-named" | "import.on-layer" | "import.other-file" | "import.other-pages" | "import.outside-page" | "import.page-ends-early" | "import.paper-space" | "import.parameters-not-numbers" | "import.partly-outside-page" | "import.picture" | "import.picture-block" | "import.pieces-drawn-twice" | "import.pieces-drawn-twice-often" | "import.pieces-no-length" | "import.place-not-a-number" | "import.placement-not-a-number" | "import.places-block" | "import.places-subroutine" | "import.point" | "import.proxy" | "import.region" | "import.repeated" | "import.rules-not-read" | "import.script" | "import.shading" | "import.short-path-data" | "import.solid" | "import.spot-colour" | "import.subroutine-in-itself" | "import.text" | "import.text-unknown-letters" | "import.tilted" | "import.tilted-axis" | "import.too-far" | "import.too-many-fit-points" | "import.uncentred-arc" | "import.underlay" | "import.uneven-height" | "import.unknown-operator" | "import.unknown-record" | "import.unsupported-element" | "import.unused-block" | "import.unused-subroutine" | "import.value-angle" | "import.value-not-numbers" | "import.value-not-transform" | "import.value-transform-numbers" | "import.value-unit" | "import.viewport" | "import.wrong-field-count" | "input.not-finite" | "job.action-requested" | "job.at-line" | "job.awaits-kernels" | "job.being-cancelled" | "job.cancelled" | "job.cancelled-before-request" | "job.claim-returned" | "job.claimed" | "job.claimed-to-confirm" | "job.compile-cancelled" | "job.compile-crashed" | "job.compile-started" | "job.compiles-died" | "job.confirmed-sheet" | "job.confirmed-table" | "job.copy-done" | "job.copy-done-next-sheet" | "job.declared-finished" | "job.executed" | "job.fully-executed" | "job.gateway-fell-silent" | "job.gateway-lost" | "job.gateway-silent" | "job.held-before-start" | "job.interrupted" | "job.interrupted-at-end" | "job.interrupted-between-copies" | "job.late-report" | "job.no-confirmation-awaited" | "job.no-sheet-awaited" | "job.no-work" | "job.not-confirmed" | "job.not-running" | "job.not-taken" | "job.nothing-sent" | "job.nothing-to-confirm" | "job.of-copy" | "job.ordered" | "job.other-board" | "job.program-refused" | "job.released" | "job.released-by-order" | "job.requeued" | "job.scrapped" | "job.stale-epoch" | "job.started" | "job.started-unconfirmed" | "job.unknown" | "job.verified" | "job.worker-silent" | "job.wrong-state" | "job.wrong-state-for-request" | "language.bad-entry-point" | "language.no-driver" | "language.no-linear-axis" | "language.no-rotary-axis" | "language.no-settings" | "language.open-in-linuxcnc" | "language.unknown" | "language.unusable" | "layer.not-finite" | "lead.no-corner" | "lead.no-room" | "library.invalid" | "library.unknown" | "library.unknown-file" | "library.unreadable" | "lift.not-stated" | "machine.busy" | "machine.busy-with-another" | "machine.no-cutter" | "machine.no-such-cutter" | "milling.shared-edge" | "motion.feed" | "motion.lead-in" | "motion.lead-out" | "motion.lift" | "motion.plunge" | "motion.rapid" | "motion.swivel" | "motion.unknown" | "offset.bad-distance" | "offset.bad-interference" | "offset.bad-side" | "offset.dead-end" | "offset.interference" | "offset.mixed-group" | "offset.self-contact" | "override.ambiguous" | "override.no-edges-there" | "override.no-such-edge" | "override.no-such-handle" | "override.of-colour" | "override.on-layer" | "pdf.blank" | "pdf.content-damaged" | "pdf.cut-short" | "pdf.encrypted" | "pdf.expands-too-far" | "pdf.form" | "pdf.form-named" | "pdf.illustrator-only" | "pdf.layers-too-deep" | "pdf.nested-arrays" | "pdf.no-header" | "pdf.no-page" | "pdf.open-array" | "pdf.open-image" | "pdf.open-text" | "pdf.page" | "pdf.page-too-large" | "pdf.part-missing" | "pdf.stream-cut-short" | "pdf.stream-damaged" | "pdf.stream-too-large" | "pdf.too-many-states" | "profile.bad-if-match" | "profile.bad-name" | "profile.exists" | "profile.invalid-field" | "profile.nested-too-deep" | "profile.not-an-extension" | "profile.not-kept" | "profile.not-toml" | "profile.not-utf8" | "profile.not-utf8-byte" | "profile.shipped" | "profile.shipped-command" | "profile.stale" | "profile.too-long" | "profile.too-many" | "program.bad-tolerance" | "program.control-byte" | "program.line-too-long" | "program.line-too-long-to-send" | "program.no-placement" | "program.not-bytes" | "program.not-fetched" | "program.too-large" | "program.too-many-lines" | "program.too-many-moves" | "program.wrong-checksum" | "question.guess" | "question.line-type" | "question.shape" | "question.tool" | "question.unit" | "question.unit-contradicted" | "question.unit-doubtful" | "question.unit-evidence" | "question.unit-not-stated" | "question.unit-size" | "question.unit-unreadable" | "reading.crashed" | "reading.damaged" | "reading.empty" | "reading.expands-too-far" | "reading.nested-too-deep" | "reading.too-large" | "reading.too-many-elements" | "reading.too-many-entities" | "reading.too-many-segments" | "reading.too-slow" | "reading.truncated" | "reading.unexpected" | "reading.unknown-kind" | "request.body-too-large" | "request.body-unreadable" | "request.foreign-origin" | "request.foreign-page" | "request.html-form" | "request.invalid" | "request.key-needed" | "request.key-reused" | "request.local-only" | "request.no-host" | "request.not-marked" | "request.not-storable" | "request.nothing-there" | "request.refused" | "request.upload-too-large" | "request.wrong-host" | "request.wrong-key" | "request.wrong-method" | "rs274.active-comment" | "rs274.after-end" | "rs274.arc-of-other-carriage" | "rs274.axis-without-motion" | "rs274.bad-arc" | "rs274.bad-character" | "rs274.bad-feed" | "rs274.bad-line-number" | "rs274.centre-without-arc" | "rs274.change-without-station" | "rs274.control-byte" | "rs274.ends-lowered" | "rs274.ends-oscillating" | "rs274.ends-output-on" | "rs274.ends-with-offset" | "rs274.g64-unsupported" | "rs274.incomplete-arc" | "rs274.letter-without-number" | "rs274.line-too-long" | "rs274.missing-p" | "rs274.mode-g17" | "rs274.mode-g21" | "rs274.mode-g40" | "rs274.mode-g49" | "rs274.mode-g54" | "rs274.mode-g90" | "rs274.mode-g91-1" | "rs274.mode-g92-1" | "rs274.mode-g94" | "rs274.motion-without-axis" | "rs274.moves-and-switches" | "rs274.moves-other-carriage" | "rs274.moves-unstated" | "rs274.nested-comment" | "rs274.no-end" | "rs274.no-feed" | "rs274.not-settled" | "rs274.number-too-large" | "rs274.offset-without-station" | "rs274.open-comment" | "rs274.repeated-word" | "rs274.speed-without-m3" | "rs274.stray-p" | "rs274.stray-q" | "rs274.switches-while-moving" | "rs274.timed-without-f" | "rs274.too-many-digits" | "rs274.unbounded-rounding" | "rs274.unknown-letter" | "rs274.unknown-output" | "rs274.unknown-station" | "rs274.unknown-word" | "rs274.wrong-dwell" | "rs274.wrong-speed" | "rule.block" | "rule.colour" | "rule.conditions" | "rule.entity" | "rule.everything" | "rule.layer" | "rule.linetype" | "run.executed" | "run.in-buffer" | "run.nothing-sent" | "segment.not-finite" | "server.address-in-use" | "server.answered" | "server.busy" | "server.database-silent" | "server.internal-error" | "server.not-started" | "server.stopping" | "server.unreachable" | "settings.bad-host" | "settings.bad-key" | "settings.key-file" | "settings.two-keys" | "sheet.bad-size" | "sheet.off-table" | "sheet.smaller-than-drawing" | "sheet.without-outline" | "store.no-column" | "store.unknown" | "stored.text" | "svg.cut-short" | "svg.damaged-at" | "svg.empty" | "svg.external-entity" | "svg.long-entity" | "svg.markup-entity" | "svg.nested-too-deep" | "svg.other-xml" | "svg.packed-cut-short" | "svg.packed-damaged" | "svg.too-many-rules" | "svg.unpacks-too-far" | "tool.bad-radius" | "tool.cannot-work" | "tool.missing" | "tool.shallow-lead" | "tool.short-lead" | "tool.tilted" | "tool.without-power" | "tool.without-speed" | "toolpath.arc-too-long" | "toolpath.empty" | "toolpath.feed-too-fast" | "toolpath.move" | "toolpath.no-approach" | "toolpath.no-feed" | "toolpath.not-finite" | "toolpath.rapid-arc" | "toolpath.row" | "toolpath.row-of-edge" | "toolpath.swivel-without-turn" | "toolpath.too-far" | "toolpath.unknown-motion" | "toolpath.unknown-station" | "track.too-flat" | "travel.above" | "travel.below" | "travel.heads-too-near" | "unit.cf2-inches" | "unit.cf2-millimetres" | "unit.cf2-none" | "unit.cf2-scale-applied" | "unit.cf2-scale-invalid" | "unit.cf2-scale-not-applied" | "unit.cf2-scale-undecided" | "unit.cf2-scaled" | "unit.dimensions-larger" | "unit.dimensions-smaller" | "unit.drawn-in-imperial" | "unit.drawn-in-inches" | "unit.drawn-in-metric" | "unit.drawn-in-millimetres" | "unit.given" | "unit.header" | "unit.header-decimal-inches" | "unit.header-factor" | "unit.header-fractions" | "unit.header-imperial" | "unit.header-metric" | "unit.header-missing" | "unit.header-not-a-number" | "unit.header-undefined" | "unit.header-unitless" | "unit.header-unsupported" | "unit.imprecise" | "unit.inconclusive" | "unit.multiples" | "unit.no-number-matches" | "unit.not-given" | "unit.number" | "unit.number-in" | "unit.numbers-match" | "unit.numbers-match-often" | "unit.overruled" | "unit.page-in-pixels" | "unit.page-in-points" | "unit.paper-size" | "unit.part-drawn-twice" | "unit.parts-differ" | "unit.pdf" | "unit.pdf-scaled" | "unit.read-against-evidence" | "unit.read-against-header" | "unit.scale-mentioned" | "unit.share-stated" | "unit.share-unstated" | "unit.shortest-edges" | "unit.size-unusual" | "unit.size-usual" | "unit.svg-no-size" | "unit.svg-no-unit" | "unit.svg-pixel" | "unit.svg-pixel-illustrator" | "unit.svg-size" | "unit.svg-size-in-pixels" | "unit.text-states" | "unit.unsupported" | "verify.bad-tolerance" | "verify.beam-on-rapid" | "verify.beam-refocused" | "verify.beside-line" | "verify.beyond-rotation" | "verify.beyond-travel" | "verify.bridge-near-corner" | "verify.bridge-spacing" | "verify.bridge-spare" | "verify.bridge-width" | "verify.centre-off-path" | "verify.cleaning-beyond" | "verify.cleaning-dropped" | "verify.cleaning-incomplete" | "verify.cleaning-invented" | "verify.cleaning-moved" | "verify.cleaning-type" | "verify.comes-out-anywhere" | "verify.comes-out-past" | "verify.comes-out-short" | "verify.crease-meets-cuts" | "verify.crease-stops-at-cut" | "verify.crease-too-short" | "verify.cuts-part" | "verify.cutter-at-rest" | "verify.feed-of-other-axis" | "verify.flank-inside" | "verify.flank-outside" | "verify.flank-through-cut" | "verify.fold-angle" | "verify.goes-in-anywhere" | "verify.groove-arc" | "verify.groove-past-ends" | "verify.groove-shallower" | "verify.groove-shifted" | "verify.head-not-located" | "verify.heads-too-near" | "verify.idle-head-low" | "verify.in-zone" | "verify.inside-part" | "verify.knife-at-rest" | "verify.laser-off" | "verify.loose-piece" | "verify.lowers-second" | "verify.moves-before-stated" | "verify.moves-overlap" | "verify.moves-with-beam" | "verify.never-stated" | "verify.no-station" | "verify.not-worked" | "verify.off-curve" | "verify.off-line" | "verify.oscillation-on" | "verify.other-placement" | "verify.output" | "verify.output-off" | "verify.pass-alone" | "verify.pass-too-deep" | "verify.past-end" | "verify.past-open-cut" | "verify.past-stop" | "verify.perforation-bridge" | "verify.perforation-cut" | "verify.perforation-gap" | "verify.perforation-uneven" | "verify.plunge-without-move" | "verify.rapid-in-board" | "verify.rapid-near-sheet" | "verify.rapid-too-low" | "verify.slanted" | "verify.spindle" | "verify.stray" | "verify.stray-along" | "verify.stray-plunge" | "verify.stray-plunge-along" | "verify.switches-at-unknown-height" | "verify.switches-low" | "verify.too-few-bridges" | "verify.turn-at-feed" | "verify.turn-in-board" | "verify.turn-off-path" | "verify.turn-overlaps" | "verify.two-lowered" | "verify.unclassified" | "verify.unknown-position" | "verify.unreached" | "verify.where-from-start" | "verify.where-past-end" | "verify.where-past-start" | "verify.wide-slit" | "verify.work-creased" | "verify.work-cut" | "verify.work-grooved" | "verify.work-grooved-from-end" | "verify.work-grooved-from-start" | "verify.wrong-depth" | "verify.wrong-feed" | "verify.wrong-heading" | "verify.wrong-time" | "waiting.confirmed" | "waiting.for-gateway" | "waiting.for-machine" | "waiting.for-person" | "waiting.for-sheet" | "waiting.for-start" | "waiting.for-turn" | "waiting.sheet-outline" | "waiting.sheet-size" | "waiting.taken" | "waiting.taken-interrupted" | "waiting.taken-unconfirmed" | "waiting.tool" | "waiting.tools" | "waiting.unconfirmed-run" | "worker.died" | "worker.memory" | "worker.timeout" | "zone.work";
+        MessageCode: "advice.compiling" | "advice.ended" | "advice.interrupted" | "advice.of-reason" | "advice.queued" | "advice.ready" | "advice.running" | "bridges.no-room" | "calibration.bad-points" | "calibration.choose-cutter" | "calibration.missing-column" | "calibration.not-a-number" | "calibration.not-csv" | "calibration.undetermined" | "calibration.wrong-sign" | "cf2.cut-short" | "cf2.decimal-commas" | "cf2.empty" | "cf2.main" | "cf2.section" | "cf2.subroutine" | "classification.around" | "classification.arrow" | "classification.as-its-style" | "classification.bleed" | "classification.board-ends" | "classification.closes-nothing" | "classification.contradicted" | "classification.convention" | "classification.cuts-panel-off" | "classification.dashed" | "classification.divider" | "classification.divides-panels" | "classification.frame" | "classification.free" | "classification.hole" | "classification.inner" | "classification.layer-denies" | "classification.layer-name" | "classification.legend" | "classification.letter" | "classification.like-outline" | "classification.like-outline-not-folds" | "classification.linetype-name" | "classification.mark" | "classification.mirror-cut" | "classification.mirror-folded" | "classification.mixed" | "classification.must-be-processed" | "classification.named" | "classification.no-rule" | "classification.no-rule-but-shape" | "classification.none-closes" | "classification.not-made" | "classification.on-cut" | "classification.open" | "classification.other-style-closes" | "classification.outline" | "classification.override" | "classification.paired" | "classification.panel-hangs" | "classification.panels-hang" | "classification.role-against" | "classification.rule" | "classification.shape" | "classification.slit" | "classification.slot" | "classification.speck" | "classification.stray" | "classification.swapped" | "classification.swapped-both" | "classification.swapped-like" | "classification.table" | "classification.unknown" | "classification.votes" | "classification.with-text" | "cleaning.as-drawn" | "cleaning.dropped-off-panel" | "cleaning.dropped-speck" | "cleaning.end-moved" | "cleaning.fitted" | "cleaning.fitted-edge" | "cleaning.folds-trimmed" | "cleaning.ignored" | "cleaning.joined" | "cleaning.joined-edge" | "cleaning.kept" | "cleaning.kept-changed" | "cleaning.length-on-others" | "cleaning.longer" | "cleaning.moved" | "cleaning.no-work" | "cleaning.off-panel" | "cleaning.on-edge" | "cleaning.part-dropped" | "cleaning.part-off-panel" | "cleaning.shortened" | "cleaning.speck" | "cleaning.twice" | "cleaning.unclassified" | "command.bad-corner" | "command.bad-layer" | "command.bad-line-type" | "command.file-too-large" | "command.no-such-layer" | "command.unreadable-file" | "command.unwritable-file" | "controller.alarm" | "controller.alarm-code" | "controller.alarm-state" | "controller.alarm-unknown" | "controller.answer-lost" | "controller.bad-address" | "controller.busy" | "controller.check-end-not-confirmed" | "controller.closed" | "controller.connection-failed" | "controller.due" | "controller.lift-not-finished" | "controller.locked" | "controller.locked-by-alarm" | "controller.lost" | "controller.lost-in-buffer" | "controller.not-in-laser-mode" | "controller.not-ready" | "controller.not-recovered" | "controller.not-secured" | "controller.not-stopped" | "controller.off-path" | "controller.one-carriage" | "controller.refused-safe-state" | "controller.rejected-command" | "controller.rejected-in-check" | "controller.rejected-line" | "controller.reports-alarm" | "controller.reset" | "controller.reset-not-confirmed" | "controller.silent" | "controller.stopped" | "controller.unexpected-answer" | "controller.unreachable" | "controller.was-reset" | "corner.at" | "corner.bad-interference" | "corner.bad-k" | "corner.bad-k-at" | "corner.bad-place" | "corner.bad-share" | "corner.inside" | "corner.no-contour" | "corner.no-cutter" | "corner.not-found" | "corner.replaced" | "corner.unknown-number" | "corner.unknown-type" | "corner.unknown-type-at" | "crease.tight-bend" | "curve.bad-ellipse" | "curve.bad-spline" | "curve.bad-tolerance" | "curve.not-finite" | "curve.not-fitted" | "curve.parameters" | "curve.too-many-pieces" | "curve.too-many-spans" | "cut.too-many-crossings" | "cut.too-short" | "cutter.does-not-fit" | "cutter.misses-bridge" | "cutter.short-lead" | "database.bad-url" | "database.in-memory" | "deflection.exceeds-radius" | "drawing.changing" | "drawing.deleted" | "drawing.in-use" | "drawing.larger-than-table" | "drawing.open-questions" | "drawing.read" | "drawing.reinterpreted" | "drawing.stale" | "drawing.types-set" | "drawing.unit-for-cleaning" | "drawing.unit-unknown" | "drawing.unknown" | "drawing.upload-too-large" | "dxf.at-line" | "dxf.blocks-expand-too-far" | "dxf.blocks-too-deep" | "dxf.cut-short" | "dxf.no-section" | "dxf.not-a-group-code" | "dxf.other-kind" | "dxf.too-large-unusual" | "dxf.without-end-mark" | "edge.no-length" | "edge.not-finite" | "edge.place" | "edge.too-crowded" | "edge.too-far" | "edge.too-many-overlaps" | "error.at-edge" | "error.at-edges" | "error.in-file" | "field.above" | "field.above-clearance" | "field.bad-arguments" | "field.below" | "field.blank" | "field.inconsistent" | "field.missing" | "field.misspelt" | "field.no-kind" | "field.no-such-carriage" | "field.not-a-colour" | "field.not-a-line-type" | "field.not-a-list" | "field.not-a-number" | "field.not-a-profile" | "field.not-a-table" | "field.not-above" | "field.not-above-low" | "field.not-below" | "field.not-boolean" | "field.not-json" | "field.not-less-than-caliper" | "field.not-one-of" | "field.not-text" | "field.not-whole" | "field.other" | "field.outside" | "field.park-outside" | "field.parks-too-near" | "field.repeated-letters" | "field.repeated-numbers" | "field.sheet-size" | "field.spacing" | "field.too-few" | "field.too-long" | "field.too-many" | "field.too-many-passes" | "field.too-short" | "field.unknown" | "field.unknown-kind" | "field.zone-above-travel" | "file.7z" | "file.bmp" | "file.compound-file" | "file.dwg" | "file.eps" | "file.gif" | "file.gzip" | "file.html" | "file.jpeg" | "file.json" | "file.old-dwg" | "file.png" | "file.postscript" | "file.rar" | "file.riff" | "file.step" | "file.stl" | "file.tiff" | "file.xml" | "file.zip" | "finding.at-edge" | "finding.at-edge-and-line" | "finding.at-line" | "finding.more" | "gateway.cancelled" | "gateway.controller-not-idle" | "gateway.job-withdrawn" | "gateway.job-withdrawn-before-start" | "gateway.no-reason" | "gateway.switched-off" | "gateway.switched-off-before-report" | "gateway.switched-off-in-run" | "gateway.system-error" | "grbl.alarm-1" | "grbl.alarm-10" | "grbl.alarm-11" | "grbl.alarm-12" | "grbl.alarm-14" | "grbl.alarm-17" | "grbl.alarm-2" | "grbl.alarm-3" | "grbl.alarm-4" | "grbl.alarm-5" | "grbl.alarm-6" | "grbl.alarm-7" | "grbl.alarm-8" | "grbl.alarm-9" | "grbl.error-1" | "grbl.error-10" | "grbl.error-11" | "grbl.error-12" | "grbl.error-13" | "grbl.error-14" | "grbl.error-15" | "grbl.error-16" | "grbl.error-17" | "grbl.error-18" | "grbl.error-2" | "grbl.error-20" | "grbl.error-21" | "grbl.error-22" | "grbl.error-23" | "grbl.error-24" | "grbl.error-25" | "grbl.error-26" | "grbl.error-27" | "grbl.error-28" | "grbl.error-29" | "grbl.error-3" | "grbl.error-30" | "grbl.error-31" | "grbl.error-32" | "grbl.error-33" | "grbl.error-34" | "grbl.error-35" | "grbl.error-36" | "grbl.error-37" | "grbl.error-38" | "grbl.error-39" | "grbl.error-4" | "grbl.error-5" | "grbl.error-6" | "grbl.error-60" | "grbl.error-7" | "grbl.error-79" | "grbl.error-8" | "grbl.error-9" | "grbl.unknown-alarm" | "grbl.unknown-error" | "groove.along-edge" | "groove.curved" | "groove.overcut" | "groove.runs-out" | "groove.through-cut" | "groove.through-cut-at-it" | "groove.tight-bend" | "groove.too-deep" | "groove.too-short" | "hpgl.bad-area" | "hpgl.bad-byte" | "hpgl.bad-feed" | "hpgl.bad-number" | "hpgl.bad-range" | "hpgl.datum" | "hpgl.depth-change" | "hpgl.ends-down" | "hpgl.ends-with-pen" | "hpgl.feed-not-supported" | "hpgl.force-out-of-range" | "hpgl.initialised-again" | "hpgl.lone-letter" | "hpgl.loose-number" | "hpgl.moves-before-pa" | "hpgl.needs-no-number" | "hpgl.needs-one-number" | "hpgl.never-down" | "hpgl.no-approach" | "hpgl.no-device" | "hpgl.no-force" | "hpgl.no-force-setting" | "hpgl.no-instruction" | "hpgl.no-pen" | "hpgl.no-pen-selected" | "hpgl.no-speed" | "hpgl.no-speed-setting" | "hpgl.no-terminator" | "hpgl.not-initialised" | "hpgl.outside-area" | "hpgl.pen-cannot" | "hpgl.plunge-without-move" | "hpgl.press" | "hpgl.repeated-pen" | "hpgl.selects-while-down" | "hpgl.send-by-hand" | "hpgl.sets-while-down" | "hpgl.slanted-plunge" | "hpgl.speed-out-of-range" | "hpgl.station-without-pen" | "hpgl.swivel" | "hpgl.tool-not-supported" | "hpgl.trail" | "hpgl.travel" | "hpgl.turn-in-board" | "hpgl.unknown-instruction" | "hpgl.unknown-pen" | "hpgl.wrong-force" | "hpgl.x-without-y" | "import.angles-not-numbers" | "import.annotations" | "import.area-outline" | "import.area-outline-on-page" | "import.array" | "import.bad-operands" | "import.bad-path-data" | "import.bad-place" | "import.bad-points" | "import.bad-radius" | "import.bad-size" | "import.bad-transform" | "import.bad-value" | "import.bad-window" | "import.block-external" | "import.block-in-itself" | "import.block-missing" | "import.bridge" | "import.bridges" | "import.clip-path" | "import.contains-itself" | "import.coordinate-not-a-number" | "import.curves-fitted" | "import.curves-fitted-relative" | "import.damaged" | "import.damaged-or-frame" | "import.dimension" | "import.drawn-twice" | "import.drawn-twice-often" | "import.empty-path" | "import.end-mark" | "import.endless-line" | "import.extrusion-not-a-number" | "import.few-vertices" | "import.filled-area" | "import.filled-area-beside-strokes" | "import.filled-area-on-page" | "import.fit-points" | "import.font-shape" | "import.height-not-a-number" | "import.height-too-far" | "import.hidden" | "import.hidden-layer" | "import.image" | "import.incomplete" | "import.interrupted-path" | "import.invisible" | "import.kept" | "import.kept-changed" | "import.laid-flat" | "import.layer-frozen" | "import.layer-not-plotted" | "import.layer-off" | "import.light" | "import.line-not-numbers" | "import.lone-vertex" | "import.mesh" | "import.missing-id" | "import.missing-subroutine" | "import.multiple-line" | "import.no-length" | "import.no-major-axis" | "import.no-paint" | "import.no-parameter-range" | "import.no-points" | "import.no-scale" | "import.no-size" | "import.no-sweep" | "import.not-a-line" | "import.not-clipped" | "import.not-flat" | "import.not-numbers" | "import.not-svg" | "import.not-visible" | "import.nothing-named" | "import.on-layer" | "import.other-file" | "import.other-pages" | "import.outside-page" | "import.page-ends-early" | "import.paper-space" | "import.parameters-not-numbers" | "import.partly-outside-page" | "import.picture" | "import.picture-block" | "import.pieces-drawn-twice" | "import.pieces-drawn-twice-often" | "import.pieces-no-length" | "import.place-not-a-number" | "import.placement-not-a-number" | "import.places-block" | "import.places-subroutine" | "import.point" | "import.proxy" | "import.region" | "import.repeated" | "import.rules-not-read" | "import.script" | "import.shading" | "import.short-path-data" | "import.solid" | "import.spot-colour" | "import.subroutine-in-itself" | "import.text" | "import.text-unknown-letters" | "import.tilted" | "import.tilted-axis" | "import.too-far" | "import.too-many-fit-points" | "import.uncentred-arc" | "import.underlay" | "import.uneven-height" | "import.unknown-operator" | "import.unknown-record" | "import.unsupported-element" | "import.unused-block" | "import.unused-subroutine" | "import.value-angle" | "import.value-not-numbers" | "import.value-not-transform" | "import.value-transform-numbers" | "import.value-unit" | "import.viewport" | "import.wrong-field-count" | "input.not-finite" | "job.action-requested" | "job.at-line" | "job.awaits-kernels" | "job.being-cancelled" | "job.cancelled" | "job.cancelled-before-request" | "job.claim-returned" | "job.claimed" | "job.claimed-to-confirm" | "job.compile-cancelled" | "job.compile-crashed" | "job.compile-started" | "job.compiles-died" | "job.confirmed-sheet" | "job.confirmed-table" | "job.copy-done" | "job.copy-done-next-sheet" | "job.declared-finished" | "job.exceptions-accepted" | "job.executed" | "job.fully-executed" | "job.gateway-fell-silent" | "job.gateway-lost" | "job.gateway-silent" | "job.held-before-start" | "job.interrupted" | "job.interrupted-at-end" | "job.interrupted-between-copies" | "job.late-report" | "job.no-confirmation-awaited" | "job.no-sheet-awaited" | "job.no-shortfalls" | "job.no-work" | "job.not-confirmed" | "job.not-running" | "job.not-taken" | "job.nothing-sent" | "job.nothing-to-confirm" | "job.of-copy" | "job.ordered" | "job.other-board" | "job.program-refused" | "job.released" | "job.released-by-order" | "job.requeued" | "job.scrapped" | "job.stale-epoch" | "job.started" | "job.started-unconfirmed" | "job.unknown" | "job.verified" | "job.worker-silent" | "job.wrong-state" | "job.wrong-state-for-request" | "language.bad-entry-point" | "language.no-driver" | "language.no-linear-axis" | "language.no-rotary-axis" | "language.no-settings" | "language.open-in-linuxcnc" | "language.unknown" | "language.unusable" | "layer.not-finite" | "lead.no-corner" | "lead.no-room" | "library.invalid" | "library.unknown" | "library.unknown-file" | "library.unreadable" | "lift.not-stated" | "machine.busy" | "machine.busy-with-another" | "machine.no-cutter" | "machine.no-such-cutter" | "milling.shared-edge" | "motion.feed" | "motion.lead-in" | "motion.lead-out" | "motion.lift" | "motion.plunge" | "motion.rapid" | "motion.swivel" | "motion.unknown" | "offset.bad-distance" | "offset.bad-interference" | "offset.bad-side" | "offset.dead-end" | "offset.interference" | "offset.mixed-group" | "offset.self-contact" | "override.ambiguous" | "override.no-edges-there" | "override.no-such-edge" | "override.no-such-handle" | "override.of-colour" | "override.on-layer" | "pdf.blank" | "pdf.content-damaged" | "pdf.cut-short" | "pdf.encrypted" | "pdf.expands-too-far" | "pdf.form" | "pdf.form-named" | "pdf.illustrator-only" | "pdf.layers-too-deep" | "pdf.nested-arrays" | "pdf.no-header" | "pdf.no-page" | "pdf.open-array" | "pdf.open-image" | "pdf.open-text" | "pdf.page" | "pdf.page-too-large" | "pdf.part-missing" | "pdf.stream-cut-short" | "pdf.stream-damaged" | "pdf.stream-too-large" | "pdf.too-many-states" | "profile.bad-if-match" | "profile.bad-name" | "profile.exists" | "profile.invalid-field" | "profile.nested-too-deep" | "profile.not-an-extension" | "profile.not-kept" | "profile.not-toml" | "profile.not-utf8" | "profile.not-utf8-byte" | "profile.shipped" | "profile.shipped-command" | "profile.stale" | "profile.too-long" | "profile.too-many" | "program.bad-tolerance" | "program.control-byte" | "program.line-too-long" | "program.line-too-long-to-send" | "program.no-placement" | "program.not-bytes" | "program.not-fetched" | "program.too-large" | "program.too-many-lines" | "program.too-many-moves" | "program.wrong-checksum" | "question.guess" | "question.line-type" | "question.shape" | "question.tool" | "question.unit" | "question.unit-contradicted" | "question.unit-doubtful" | "question.unit-evidence" | "question.unit-not-stated" | "question.unit-size" | "question.unit-unreadable" | "reading.crashed" | "reading.damaged" | "reading.empty" | "reading.expands-too-far" | "reading.nested-too-deep" | "reading.too-large" | "reading.too-many-elements" | "reading.too-many-entities" | "reading.too-many-segments" | "reading.too-slow" | "reading.truncated" | "reading.unexpected" | "reading.unknown-kind" | "request.body-too-large" | "request.body-unreadable" | "request.foreign-origin" | "request.foreign-page" | "request.html-form" | "request.invalid" | "request.key-needed" | "request.key-reused" | "request.local-only" | "request.no-host" | "request.not-marked" | "request.not-storable" | "request.nothing-there" | "request.refused" | "request.upload-too-large" | "request.wrong-host" | "request.wrong-key" | "request.wrong-method" | "rs274.active-comment" | "rs274.after-end" | "rs274.arc-of-other-carriage" | "rs274.axis-without-motion" | "rs274.bad-arc" | "rs274.bad-character" | "rs274.bad-feed" | "rs274.bad-line-number" | "rs274.centre-without-arc" | "rs274.change-without-station" | "rs274.control-byte" | "rs274.ends-lowered" | "rs274.ends-oscillating" | "rs274.ends-output-on" | "rs274.ends-with-offset" | "rs274.g64-unsupported" | "rs274.incomplete-arc" | "rs274.letter-without-number" | "rs274.line-too-long" | "rs274.missing-p" | "rs274.mode-g17" | "rs274.mode-g21" | "rs274.mode-g40" | "rs274.mode-g49" | "rs274.mode-g54" | "rs274.mode-g90" | "rs274.mode-g91-1" | "rs274.mode-g92-1" | "rs274.mode-g94" | "rs274.motion-without-axis" | "rs274.moves-and-switches" | "rs274.moves-other-carriage" | "rs274.moves-unstated" | "rs274.nested-comment" | "rs274.no-end" | "rs274.no-feed" | "rs274.not-settled" | "rs274.number-too-large" | "rs274.offset-without-station" | "rs274.open-comment" | "rs274.repeated-word" | "rs274.speed-without-m3" | "rs274.stray-p" | "rs274.stray-q" | "rs274.switches-while-moving" | "rs274.timed-without-f" | "rs274.too-many-digits" | "rs274.unbounded-rounding" | "rs274.unknown-letter" | "rs274.unknown-output" | "rs274.unknown-station" | "rs274.unknown-word" | "rs274.wrong-dwell" | "rs274.wrong-speed" | "rule.block" | "rule.colour" | "rule.conditions" | "rule.entity" | "rule.everything" | "rule.layer" | "rule.linetype" | "run.executed" | "run.in-buffer" | "run.nothing-sent" | "segment.not-finite" | "server.address-in-use" | "server.answered" | "server.busy" | "server.database-silent" | "server.internal-error" | "server.not-started" | "server.stopping" | "server.unreachable" | "settings.bad-host" | "settings.bad-key" | "settings.key-file" | "settings.two-keys" | "sheet.bad-size" | "sheet.off-table" | "sheet.smaller-than-drawing" | "sheet.without-outline" | "store.no-column" | "store.unknown" | "stored.text" | "svg.cut-short" | "svg.damaged-at" | "svg.empty" | "svg.external-entity" | "svg.long-entity" | "svg.markup-entity" | "svg.nested-too-deep" | "svg.other-xml" | "svg.packed-cut-short" | "svg.packed-damaged" | "svg.too-many-rules" | "svg.unpacks-too-far" | "tool.bad-radius" | "tool.cannot-work" | "tool.missing" | "tool.shallow-lead" | "tool.short-lead" | "tool.tilted" | "tool.without-power" | "tool.without-speed" | "toolpath.arc-too-long" | "toolpath.empty" | "toolpath.feed-too-fast" | "toolpath.move" | "toolpath.no-approach" | "toolpath.no-feed" | "toolpath.not-finite" | "toolpath.rapid-arc" | "toolpath.row" | "toolpath.row-of-edge" | "toolpath.swivel-without-turn" | "toolpath.too-far" | "toolpath.unknown-motion" | "toolpath.unknown-station" | "track.too-flat" | "travel.above" | "travel.below" | "travel.heads-too-near" | "unit.cf2-inches" | "unit.cf2-millimetres" | "unit.cf2-none" | "unit.cf2-scale-applied" | "unit.cf2-scale-invalid" | "unit.cf2-scale-not-applied" | "unit.cf2-scale-undecided" | "unit.cf2-scaled" | "unit.dimensions-larger" | "unit.dimensions-smaller" | "unit.drawn-in-imperial" | "unit.drawn-in-inches" | "unit.drawn-in-metric" | "unit.drawn-in-millimetres" | "unit.given" | "unit.header" | "unit.header-decimal-inches" | "unit.header-factor" | "unit.header-fractions" | "unit.header-imperial" | "unit.header-metric" | "unit.header-missing" | "unit.header-not-a-number" | "unit.header-undefined" | "unit.header-unitless" | "unit.header-unsupported" | "unit.imprecise" | "unit.inconclusive" | "unit.multiples" | "unit.no-number-matches" | "unit.not-given" | "unit.number" | "unit.number-in" | "unit.numbers-match" | "unit.numbers-match-often" | "unit.overruled" | "unit.page-in-pixels" | "unit.page-in-points" | "unit.paper-size" | "unit.part-drawn-twice" | "unit.parts-differ" | "unit.pdf" | "unit.pdf-scaled" | "unit.read-against-evidence" | "unit.read-against-header" | "unit.scale-mentioned" | "unit.share-stated" | "unit.share-unstated" | "unit.shortest-edges" | "unit.size-unusual" | "unit.size-usual" | "unit.svg-no-size" | "unit.svg-no-unit" | "unit.svg-pixel" | "unit.svg-pixel-illustrator" | "unit.svg-size" | "unit.svg-size-in-pixels" | "unit.text-states" | "unit.unsupported" | "verify.bad-tolerance" | "verify.beam-on-rapid" | "verify.beam-refocused" | "verify.beside-line" | "verify.beyond-rotation" | "verify.beyond-travel" | "verify.bridge-near-corner" | "verify.bridge-spacing" | "verify.bridge-spare" | "verify.bridge-width" | "verify.centre-off-path" | "verify.cleaning-beyond" | "verify.cleaning-dropped" | "verify.cleaning-incomplete" | "verify.cleaning-invented" | "verify.cleaning-moved" | "verify.cleaning-type" | "verify.comes-out-anywhere" | "verify.comes-out-past" | "verify.comes-out-short" | "verify.crease-meets-cuts" | "verify.crease-stops-at-cut" | "verify.crease-too-short" | "verify.cuts-part" | "verify.cutter-at-rest" | "verify.feed-of-other-axis" | "verify.flank-inside" | "verify.flank-outside" | "verify.flank-through-cut" | "verify.fold-angle" | "verify.goes-in-anywhere" | "verify.groove-arc" | "verify.groove-past-ends" | "verify.groove-shallower" | "verify.groove-shifted" | "verify.head-not-located" | "verify.heads-too-near" | "verify.idle-head-low" | "verify.in-zone" | "verify.inside-part" | "verify.knife-at-rest" | "verify.laser-off" | "verify.loose-piece" | "verify.lowers-second" | "verify.moves-before-stated" | "verify.moves-overlap" | "verify.moves-with-beam" | "verify.never-stated" | "verify.no-station" | "verify.no-such-shortfall" | "verify.not-acceptable" | "verify.not-worked" | "verify.off-curve" | "verify.off-line" | "verify.oscillation-on" | "verify.other-placement" | "verify.output" | "verify.output-off" | "verify.pass-alone" | "verify.pass-too-deep" | "verify.past-end" | "verify.past-open-cut" | "verify.past-stop" | "verify.perforation-bridge" | "verify.perforation-cut" | "verify.perforation-gap" | "verify.perforation-uneven" | "verify.plunge-without-move" | "verify.rapid-in-board" | "verify.rapid-near-sheet" | "verify.rapid-too-low" | "verify.slanted" | "verify.spindle" | "verify.stray" | "verify.stray-along" | "verify.stray-plunge" | "verify.stray-plunge-along" | "verify.switches-at-unknown-height" | "verify.switches-low" | "verify.too-few-bridges" | "verify.turn-at-feed" | "verify.turn-in-board" | "verify.turn-off-path" | "verify.turn-overlaps" | "verify.two-lowered" | "verify.unclassified" | "verify.unknown-position" | "verify.unreached" | "verify.where-from-start" | "verify.where-past-end" | "verify.where-past-start" | "verify.wide-slit" | "verify.work-creased" | "verify.work-cut" | "verify.work-grooved" | "verify.work-grooved-from-end" | "verify.work-grooved-from-start" | "verify.wrong-depth" | "verify.wrong-feed" | "verify.wrong-heading" | "verify.wrong-time" | "waiting.confirmed" | "waiting.for-gateway" | "waiting.for-machine" | "waiting.for-person" | "waiting.for-sheet" | "waiting.for-start" | "waiting.for-turn" | "waiting.sheet-outline" | "waiting.sheet-size" | "waiting.taken" | "waiting.taken-interrupted" | "waiting.taken-unconfirmed" | "waiting.tool" | "waiting.tools" | "waiting.unconfirmed-run" | "worker.died" | "worker.memory" | "worker.timeout" | "zone.work";
         /** @description A code with its arguments. */
         Message: {
             /** @constant */
@@ -6738,6 +6860,14 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "job.exceptions-accepted";
+            arguments: {
+                by: string;
+                count: number;
+                reason: string;
+            };
+        } | {
+            /** @constant */
             code: "job.executed";
             arguments: Record<string, never>;
         } | {
@@ -6813,6 +6943,12 @@ export interface components {
         } | {
             /** @constant */
             code: "job.no-sheet-awaited";
+            arguments: {
+                job: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.no-shortfalls";
             arguments: {
                 job: string;
             };
@@ -9151,6 +9287,20 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "verify.no-such-shortfall";
+            arguments: {
+                code: string;
+                edge: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.not-acceptable";
+            arguments: {
+                code: string;
+                edge: number;
+            };
+        } | {
+            /** @constant */
             code: "verify.not-worked";
             arguments: {
                 length: number;
@@ -10218,6 +10368,42 @@ export interface operations {
                 };
                 content: {
                     "application/octet-stream": string;
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    accept_shortfalls: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Id of the job */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ExceptionsIn"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobOut"];
                 };
             };
             /** @description Error with a hint */

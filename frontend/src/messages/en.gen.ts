@@ -2143,6 +2143,10 @@ export const TEXTS = {
     "text": "The operator marked the job as finished, after the machine had stopped at program line {line} of {lines}.",
     "hint": ""
   },
+  "job.exceptions-accepted": {
+    "text": "{by} accepted {count:# shortfall|# shortfalls}: {reason}",
+    "hint": ""
+  },
   "job.executed": {
     "text": "The machine executed every line of the program.",
     "hint": ""
@@ -2190,6 +2194,10 @@ export const TEXTS = {
   "job.no-sheet-awaited": {
     "text": "Job {job} is on hold, but it does not wait for a new sheet.",
     "hint": "Resume the job."
+  },
+  "job.no-shortfalls": {
+    "text": "Job {job} cannot be accepted, because it is not refused for shortfalls alone.",
+    "hint": "Follow the reason for which the job was refused."
   },
   "job.no-work": {
     "text": "The drawing contains nothing to cut, crease or groove: every edge is ignored or too short for its tool.",
@@ -3726,6 +3734,14 @@ export const TEXTS = {
   "verify.no-station": {
     "text": "The program line cuts, but no station (T and M6) has been selected before.",
     "hint": "Select the station before the first cut."
+  },
+  "verify.no-such-shortfall": {
+    "text": "The verdict has no finding {code} at edge {edge}.",
+    "hint": "Read the findings again: the drawing or the program may have changed since."
+  },
+  "verify.not-acceptable": {
+    "text": "The finding {code} at edge {edge} cannot be accepted, because it is no shortfall.",
+    "hint": "Change the drawing, the tool or the board, and compile the job again."
   },
   "verify.not-worked": {
     "text": "{length:.3f} mm along the edge are not {work}{where}.",

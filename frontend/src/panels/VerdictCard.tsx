@@ -21,6 +21,7 @@ import {
 import { UNCUT } from "../state/palette";
 import { useVerdict } from "../state/queries";
 import { useUiStore } from "../state/store";
+import { AcceptForm } from "./AcceptForm";
 import css from "./panels.module.css";
 import verdictCss from "./verdict.module.css";
 
@@ -89,13 +90,17 @@ export function VerdictCard({ job }: { job: Job }) {
           )}
         </div>
       )}
+      {job.actions.includes("accept") && <AcceptForm job={job} findings={findings} />}
     </article>
   );
 }
 
 /** Heading of the card: whether the program matches the drawing, and otherwise why not. */
 function title(verdict: VerdictSummary, findings: readonly Finding[]): string {
-  if (verdict.accepted) return "Program matches the drawing";
+  if (verdict.accepted)
+    return verdict.exceptions === 0
+      ? "Program matches the drawing"
+      : `Program matches the drawing, except for ${pluralize(verdict.exceptions, "accepted shortfall")}`;
   return findings.length === 0 || findings.some((finding) => finding.severity === "fault")
     ? "Program has errors and cannot be sent"
     : "Tool cannot make every line as drawn";
@@ -231,6 +236,11 @@ function Row({ finding }: { finding: Finding }) {
       <span>
         {place(finding)}
         {renderText(finding)}
+        {finding.acceptance && (
+          <em className={verdictCss.acceptance} data-testid="acceptance">
+            Accepted by {finding.acceptance.by}: {finding.acceptance.reason}
+          </em>
+        )}
       </span>
     </button>
   );

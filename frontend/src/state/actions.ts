@@ -1,6 +1,7 @@
 /** Actions of the user: each sends requests to the server and updates the cached data. */
 
 import {
+  type Exceptions,
   type JobCommand,
   type Profile,
   pageProblem,
@@ -196,6 +197,18 @@ export function compile(machine: string, board: string): Promise<void> {
         useUiStore.getState().set({ compileQuestions: cause.problem.questions });
       throw cause;
     }
+  });
+}
+
+/** Accept shortfalls in the verdict of a refused job. */
+export function acceptShortfalls(job: string, exceptions: Exceptions): Promise<void> {
+  return enqueue(async () => {
+    upsertJob(await service.accept(job, exceptions));
+    await Promise.all(
+      [queries.verdict(job).queryKey, queries.verdictColumns(job).queryKey].map((queryKey) =>
+        queryClient.invalidateQueries({ queryKey }),
+      ),
+    );
   });
 }
 

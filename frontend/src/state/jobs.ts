@@ -25,7 +25,9 @@ export const STATE_STYLES: Readonly<Record<JobState, StateStyle>> = {
 export function commandsOf(job: Job): readonly JobCommand[] {
   // The confirmation card has its own button, which also resumes the job.
   const confirms = job.actions.includes("confirm");
-  return job.actions.filter((word) => word !== "confirm" && !(confirms && word === "resume"));
+  // The verdict card has a form for accepting shortfalls.
+  const commands = job.actions.filter((word) => word !== "accept");
+  return commands.filter((word) => word !== "confirm" && !(confirms && word === "resume"));
 }
 
 /** The job waits for the operator to check the table and confirm. */

@@ -7,10 +7,10 @@ from collections.abc import Callable, Iterator
 import pytest
 
 from knifetip.errors import WrongState
-from knifetip.jobs.compile_result import CompileResult
+from knifetip.jobs.compile_result import CompileResult, VerdictColumns
 from knifetip.jobs.drawing_store import NewDrawing
 from knifetip.jobs.gateway_store import GatewayReport
-from knifetip.jobs.job import State
+from knifetip.jobs.job import OPERATOR, State
 from knifetip.jobs.job_store import JobOrder
 from knifetip.jobs.operator_actions import OperatorAction, allowed_actions
 from knifetip.jobs.store import Store
@@ -53,6 +53,22 @@ def compiled(store: Store, *, accepted: bool = True) -> str:
 
 def refused(store: Store) -> str:
     return compiled(store, accepted=False)
+
+
+def short(store: Store) -> str:
+    """Return a job that is refused only for a shortfall."""
+    id = compiling(store)
+    summary = {"seconds": 1.0, "accepted": False, "faults": 0, "shortfalls": 1}
+    result = CompileResult(
+        False, stored("A slit is wide."), b"M30\n", "ab", LINES, b"", b"", summary
+    )
+    store.compiles.save_result(id, store.jobs.get(id).epoch, result)
+    return id
+
+
+def accept(store: Store, id: str) -> Job:
+    columns = VerdictColumns(b"", {"seconds": 1.0, "accepted": True}, None, [])
+    return store.jobs.accept(id, lambda _block, _summary: columns, OPERATOR, stored("Accepted."))
 
 
 def queued(store: Store) -> str:
@@ -137,6 +153,7 @@ EXPECTED: dict[Make, tuple[State, str]] = {
     compiling: (State.COMPILING, "cancel"),
     compiled: (State.READY, "release cancel"),
     refused: (State.REFUSED, ""),
+    short: (State.REFUSED, "accept"),
     queued: (State.QUEUED, "cancel"),
     claimed: (State.QUEUED, "confirm cancel"),
     running: (State.RUNNING, "hold cancel"),
@@ -153,6 +170,7 @@ EXPECTED: dict[Make, tuple[State, str]] = {
     cancelled: (State.CANCELLED, ""),
 }
 METHODS: dict[OperatorAction, Callable[[Store, str], Job]] = {
+    OperatorAction.ACCEPT: accept,
     OperatorAction.RELEASE: lambda store, id: store.jobs.release(id),
     OperatorAction.CONFIRM: lambda store, id: store.jobs.confirm(id),
     OperatorAction.HOLD: lambda store, id: store.jobs.hold(id),

@@ -242,6 +242,11 @@ class VerdictSummary(BaseModel):
     slit_places: int = Field(
         default=0, description="Number of slits that are milled as wide as the cutter"
     )
+    faults: int = Field(default=0, description="Number of faults; they cannot be accepted")
+    shortfalls: int = Field(
+        default=0, description="Number of shortfalls that nobody has accepted yet"
+    )
+    exceptions: int = Field(default=0, description="Number of accepted shortfalls")
     seconds: float = Field(description="Machine time of one copy (s)")
     seconds_retracted: float | None = Field(
         default=None,
@@ -377,6 +382,35 @@ class JobEvent(BaseModel):
     why: str = Field(description="Text of `message` in English; empty if `message` is null")
 
 
+class ShortfallIn(Strict):
+    """A shortfall of a verdict, selected by its edge and its code."""
+
+    edge: Annotated[int, Field(ge=0, le=2**31 - 1)] = Field(
+        description="Row of the edge in the drawing, counted from 0, as in the finding"
+    )
+    code: str = Field(max_length=100, description="Code of the finding's message")
+
+
+class ExceptionsIn(Strict):
+    """Shortfalls of a verdict that a user accepts."""
+
+    findings: list[ShortfallIn] = Field(
+        min_length=1, max_length=1000, description="Shortfalls to accept"
+    )
+    reason: str = Field(
+        min_length=1, max_length=500, description="Why the shortfalls are acceptable"
+    )
+    by: str = Field(min_length=1, max_length=100, description="Name of the user")
+
+
+class AcceptanceOut(BaseModel):
+    """Who accepted a shortfall, when and why."""
+
+    by: str = Field(description="Name of the user")
+    reason: str = Field(description="Why the shortfall is acceptable")
+    at: float = Field(description="Time of the decision (seconds since 1970)")
+
+
 class FindingOut(MessageOut):
     """One fault, shortfall or note of the verifier, with its edge and program line."""
 
@@ -392,6 +426,9 @@ class FindingOut(MessageOut):
     )
     refuses: bool = Field(
         default=True, description="Whether the program is refused because of this finding"
+    )
+    acceptance: AcceptanceOut | None = Field(
+        default=None, description="Who accepted the shortfall; null if nobody did"
     )
     measure: float = Field(description="Measured value (mm; degrees for `heading` and `fold`)")
     edge: int = Field(

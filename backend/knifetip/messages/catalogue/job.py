@@ -91,6 +91,12 @@ MESSAGES: Final[Entries] = {
         line="count",
         lines="count",
     ),
+    "job.exceptions-accepted": entry(
+        "{by} accepted {count:# shortfall|# shortfalls}: {reason}",
+        by="text",
+        count="count",
+        reason="text",
+    ),
     "job.executed": entry(
         "The machine executed every line of the program.",
     ),
@@ -165,6 +171,11 @@ MESSAGES: Final[Entries] = {
     "job.no-sheet-awaited": entry(
         "Job {job} is on hold, but it does not wait for a new sheet.",
         "Resume the job.",
+        job="text",
+    ),
+    "job.no-shortfalls": entry(
+        "Job {job} cannot be accepted, because it is not refused for shortfalls alone.",
+        "Follow the reason for which the job was refused.",
         job="text",
     ),
     "job.no-work": entry(

@@ -316,6 +316,18 @@ MESSAGES: Final[Entries] = {
         "The program line cuts, but no station (T and M6) has been selected before.",
         "Select the station before the first cut.",
     ),
+    "verify.no-such-shortfall": entry(
+        "The verdict has no finding {code} at edge {edge}.",
+        "Read the findings again: the drawing or the program may have changed since.",
+        code="text",
+        edge="count",
+    ),
+    "verify.not-acceptable": entry(
+        "The finding {code} at edge {edge} cannot be accepted, because it is no shortfall.",
+        "Change the drawing, the tool or the board, and compile the job again.",
+        code="text",
+        edge="count",
+    ),
     "verify.not-worked": entry(
         "{length:.3f} mm along the edge are not {work}{where}.",
         "Compile the job again. If the finding remains, report it as an internal error with "

@@ -1,0 +1,57 @@
+"""Accept shortfalls in the stored verdict of a job."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from typing import Any
+
+from knifetip.jobs.compile_result import VerdictColumns
+from knifetip.model.acceptance import Shortfall, accept_shortfalls
+from knifetip.model.verdict import Acceptance
+from knifetip.presentation.columns import pack_columns, unpack_columns
+from knifetip.presentation.verdict import (
+    acceptance_json,
+    count_findings,
+    finding_from_json,
+    refusal,
+    refused_handles,
+)
+
+
+def accept_in_block(
+    block: bytes,
+    summary: Mapping[str, Any],
+    chosen: Collection[Shortfall],
+    acceptance: Acceptance,
+) -> VerdictColumns:
+    """Return a stored verdict in which the chosen shortfalls are accepted.
+
+    Parameters
+    ----------
+    block
+        The packed verdict, see ``presentation.verdict``.
+    summary
+        Its summary.
+    chosen
+        Edge and code of each shortfall to accept.
+    acceptance
+        Who accepts the shortfalls, when and why.
+
+    Raises
+    ------
+    RequestError
+        There is no such finding, or it is a fault or a note.
+    """
+    columns, meta = unpack_columns(block)
+    rows = meta.pop("findings")
+    findings = accept_shortfalls(tuple(finding_from_json(row) for row in rows), chosen, acceptance)
+    for row, finding in zip(rows, findings, strict=True):
+        row |= {"refuses": finding.refuses, "acceptance": acceptance_json(finding)}
+    message = refusal(findings)
+    changed = {"accepted": message is None, **count_findings(findings)}
+    return VerdictColumns(
+        pack_columns(columns, {"findings": rows, **meta, **changed}),
+        {**summary, **changed},
+        message,
+        refused_handles(rows),
+    )
