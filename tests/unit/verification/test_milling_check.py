@@ -245,12 +245,13 @@ def test_a_round_hole_is_milled_from_inside() -> None:
 
 
 def test_a_slot_narrower_than_the_disc_is_unreached_and_one_that_is_wider_is_not() -> None:
-    def slotted(width: float) -> Dieline:
+    def slotted(width: float, bottom: float = 20.0) -> Dieline:
         left, right = 50 - width / 2, 50 + width / 2
         return dieline(
             (CUT, 0, 0, 100, 0, 0.0), (CUT, 100, 0, 100, 40, 0.0), (CUT, 100, 40, right, 40, 0.0),
-            (CUT, right, 40, right, 20, 0.0), (CUT, right, 20, left, 20, 0.0),
-            (CUT, left, 20, left, 40, 0.0), (CUT, left, 40, 0, 40, 0.0), (CUT, 0, 40, 0, 0, 0.0),
+            (CUT, right, 40, right, bottom, 0.0), (CUT, right, bottom, left, bottom, 0.0),
+            (CUT, left, bottom, left, 40, 0.0), (CUT, left, 40, 0, 40, 0.0),
+            (CUT, 0, 40, 0, 0, 0.0),
         )  # fmt: skip
 
     over = program("G0 X50 Y-3 Z20", "G0 Z4", "G1 Z-0.3 F1200", "G1 X-3 F6000", "G1 Y43",
@@ -264,6 +265,10 @@ def test_a_slot_narrower_than_the_disc_is_unreached_and_one_that_is_wider_is_not
     )
     # The bottom of the slot, y = 20, is 23 below the path at y = 43.
     np.testing.assert_allclose(narrow.unreached_distance[[3, 4, 5]], 20.0, atol=1e-3)
+    # A notch 5 mm deep: only its bottom is known to be no corner.
+    notch = verdict_of(over, slotted(5.0, 35.0))
+    severity = {edge: limits(notch)["unreached", edge].severity for edge in (3, 4, 5)}
+    assert severity == {3: Severity.NOTE, 4: Severity.SHORTFALL, 5: Severity.NOTE}
     wide = verdict_of(over, slotted(8.0))
     # Of the 20 mm of each side, 17 can be touched; of the bottom 2.
     assert {(f.kind, f.edge) for f in faults(wide)} == {("uncut", 3), ("uncut", 4), ("uncut", 5)}

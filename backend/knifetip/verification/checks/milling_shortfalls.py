@@ -1,9 +1,10 @@
 """Report where a router bit or a laser cannot make the cuts as they are drawn.
 
 A stretch of an edge is unreached if the cutter's disc cannot touch it without cutting into a part.
-In a concave corner of 60° or more the stretch is nowhere farther from the cut than the radius of
-the disc.  Every round cutter leaves such a corner, so it is a note.  A stretch that is farther from
-the cut, for example in a narrow slot, is a shortfall.
+Every round cutter leaves some board in a concave corner, so a stretch in a corner is a note.  It is
+a shortfall if it is farther from the cut than the diameter of the disc, which is so in corners of
+less than 39°.  It is also a shortfall if it is farther from the cut than the radius of the disc and
+lies at the bottom of a slot: the whole edge is unreached, and so are the edges at both its ends.
 
 A slit is an open cut, which does not separate a part from waste.  The centre of the disc follows
 it, so the slit becomes as wide as the disc.  A wide slit is a shortfall.
@@ -19,11 +20,16 @@ from knifetip.messages import Message
 from knifetip.model.verdict import Severity
 from knifetip.verification.checks import milling_geometry
 from knifetip.verification.checks.check_context import CheckContext
-from knifetip.verification.columns import F64, I64
+from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import line_curves, point_at
 from knifetip.verification.curves.intervals import uncovered_edges
 from knifetip.verification.curves.overlap import find_overlaps
-from knifetip.verification.expectation.edges import JOIN_DISTANCE, Edges
+from knifetip.verification.expectation.edges import (
+    JOIN_DISTANCE,
+    TOUCH_DISTANCE,
+    Edges,
+    pairs_within,
+)
 from knifetip.verification.findings import MAX_FINDINGS
 
 #: Widest slit that counts as a line without width (mm); the kerf of a laser is narrower.
@@ -73,14 +79,43 @@ def report_unreached(
     worst = np.zeros(len(edges))
     np.maximum.at(worst, edge, farthest)
     np.maximum.at(context.figures.unreached_distance, edges.row, worst)
+    radius = float(reach.max())
+    is_short = worst > 2.0 * radius
+    is_short |= (worst > radius) & _slot_bottoms(edges, edge, begin, end)
     for k in np.flatnonzero(worst > context.tolerance)[:MAX_FINDINGS]:
         context.findings.add(
             "unreached",
             Message("verify.unreached", length=length[k], places=places[k], distance=worst[k]),
             float(length[k]),
             edge=int(edges.row[k]),
-            severity=Severity.NOTE if worst[k] <= reach.max() else Severity.SHORTFALL,
+            severity=Severity.SHORTFALL if is_short[k] else Severity.NOTE,
         )
+
+
+def _slot_bottoms(edges: Edges, edge: I64, begin: F64, end: F64) -> Bool:
+    """Return the mask of the n edges that are unreached as a whole, with their neighbours at both
+    ends, (n,).
+
+    Parameters
+    ----------
+    edges
+        The n edges.
+    edge, begin, end : (k,) each
+        Index of the edge of each unreached stretch, and its start and its end along the edge (mm).
+    """
+    size = edges.curve[edge, 5]
+    is_left = np.zeros((len(edges), 2), np.bool_)
+    is_left[edge[begin <= JOIN_DISTANCE], 0] = True
+    is_left[edge[end >= size - JOIN_DISTANCE], 1] = True
+    left = np.flatnonzero(is_left.ravel())
+    points = edges.ends.reshape(-1, 2)[left]
+    one, other = pairs_within(points, points, TOUCH_DISTANCE)
+    has_neighbour = np.zeros(2 * len(edges), np.bool_)
+    has_neighbour[left[one[left[one] // 2 != left[other] // 2]]] = True
+    whole = np.zeros(len(edges), np.bool_)
+    whole[edge[end - begin >= size - 2.0 * JOIN_DISTANCE]] = True
+    result: Bool = whole & has_neighbour.reshape(-1, 2).all(axis=1)
+    return result
 
 
 def report_wide_slits(
