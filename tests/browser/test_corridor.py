@@ -361,6 +361,13 @@ def on_router(page: Page, board: str) -> None:
     compile_on(page, board)
 
 
+def accept_shortfalls(page: Page, reason: str) -> None:
+    """Accept all shortfalls of the open job."""
+    page.get_by_test_id("accept-reason").fill(reason)
+    page.get_by_test_id("accept-by").fill("Ada")
+    page.get_by_test_id("accept-shortfalls").click()
+
+
 def test_corner_types_of_a_cutter_are_selected_and_unreached_areas_shown(
     page: Page, screenshots: Path
 ) -> None:
@@ -370,7 +377,16 @@ def test_corner_types_of_a_cutter_are_selected_and_unreached_areas_shown(
     expect(page.get_by_test_id("corners")).to_be_hidden()
     on_router(page, "Greyboard 3.0 mm")
     expect(page.get_by_test_id("corners")).to_be_visible()
-    expect(page.get_by_test_id("verdict")).to_have_attribute("data-accepted", "true")
+    # The cutter does not fit into the slot: the user must accept that it is left out.
+    verdict = page.get_by_test_id("verdict")
+    expect(verdict).to_have_attribute("data-accepted", "false")
+    expect(page.get_by_test_id("job-state")).to_have_text("Refused")
+    expect(page.get_by_test_id("accept-shortfalls")).to_be_disabled()
+    accept_shortfalls(page, "the slot is cut by hand")
+    expect(verdict).to_have_attribute("data-accepted", "true")
+    expect(verdict).to_contain_text("except for 3 accepted shortfalls")
+    expect(page.get_by_test_id("acceptance").first).to_contain_text("Ada: the slot is cut by hand")
+    expect(page.get_by_test_id("job-state")).to_have_text("Ready to send")
     # Four corners of the window, 1.93 mm² each, and the slot: 4 × 40 - 1.9.
     expect(page.get_by_test_id("unreached")).to_contain_text(
         re.compile(r"16\d\smm² in 5 places cannot be reached")
@@ -402,7 +418,9 @@ def test_corner_types_of_a_cutter_are_selected_and_unreached_areas_shown(
     page.screenshot(path=screenshots / "router-2-choosing.png")
     page.get_by_test_id("compile").click()
     expect(page.get_by_test_id("program")).not_to_have_attribute("href", str(before))
-    expect(page.get_by_test_id("job-state")).to_have_text("Ready to send", timeout=60_000)
+    expect(page.get_by_test_id("job-state")).to_have_text("Refused", timeout=60_000)
+    accept_shortfalls(page, "as before")
+    expect(page.get_by_test_id("job-state")).to_have_text("Ready to send")
     page.get_by_test_id("layer-uncut").click()
     page.get_by_test_id("layer-swept").click()
     # The largest area first, then a corner of the window.

@@ -191,10 +191,13 @@ def test_a_double_crease_is_half_its_width_to_either_side(
     line = dieline((LineType.CREASE, ends), bulge={0: bent})
     path = compensate(plan(line, MACHINE, replace(BOARD, double_crease=apart))[0])
     fed = np.flatnonzero(path.motion == Motion.FEED)
-    assert len(fed) == 2
+    # An arc is divided where the angle to the grain changes the depth.
+    tracks = path.track[fed]
+    assert len(set(tracks.tolist())) == 2
+    assert len(fed) == 2 or bent
     chord = ends[0, 1] - ends[0, 0]
     normal = np.array([-chord[1], chord[0]]) / length
-    for row, side in zip(fed, (1.0, -1.0), strict=True):
+    for row, side in zip(fed, np.where(tracks == tracks[0], 1.0, -1.0), strict=True):
         for pose in path.pose[[row, row + 1], :2]:
             if bent:
                 up = (1 - bent**2) / (4 * bent) * length

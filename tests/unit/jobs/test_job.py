@@ -24,9 +24,16 @@ def test_every_state_can_be_reached_from_received() -> None:
     assert reachable(State.RECEIVED) == set(State)
 
 
-def test_nothing_leads_out_of_the_four_ends() -> None:
-    ends = {State.DONE, State.REFUSED, State.SCRAPPED, State.CANCELLED}
+def test_nothing_leads_out_of_the_three_ends() -> None:
+    ends = {State.DONE, State.SCRAPPED, State.CANCELLED}
     assert {row.source for row in TRANSITIONS} == set(State) - ends
+
+
+def test_only_an_operator_who_accepts_shortfalls_leads_out_of_a_refusal() -> None:
+    leaving = [row for row in TRANSITIONS if row.source == "refused"]
+    assert [(row.action, row.target, row.actors) for row in leaving] == [
+        (Action.ACCEPT, State.READY, (ActorKind.OPERATOR,))
+    ]
 
 
 def test_only_an_operator_returns_an_interrupted_job_to_the_queue() -> None:

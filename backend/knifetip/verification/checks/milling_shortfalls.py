@@ -2,8 +2,8 @@
 
 A stretch of an edge is unreached if the cutter's disc cannot touch it without cutting into a part.
 Every round cutter leaves some board in a concave corner, so a stretch in a corner is a note.  It is
-a shortfall if it is farther from the cut than the diameter of the disc, which is so in corners of
-less than 39°.  It is also a shortfall if it is farther from the cut than the radius of the disc and
+a shortfall if it is farther from the cut than three radii of the disc, which is so in corners of
+less than 29°.  It is also a shortfall if it is farther from the cut than the radius of the disc and
 lies at the bottom of a slot: the whole edge is unreached, and so are the edges at both its ends.
 
 A slit is an open cut, which does not separate a part from waste.  The centre of the disc follows
@@ -34,6 +34,9 @@ from knifetip.verification.findings import MAX_FINDINGS
 
 #: Widest slit that counts as a line without width (mm); the kerf of a laser is narrower.
 MAX_LINE_WIDTH: Final = 0.5
+#: Greatest distance of a corner from the cut, in radii of the disc: that of a corner of 29°, so that
+#: corners of 30° are no shortfalls.
+_FARTHEST_CORNER: Final = 3.0
 #: Positions in each unreached stretch at which its distance from the disc is measured.
 _FRACTIONS: Final = (0.0, 0.25, 0.5, 0.75, 1.0)
 #: Greatest distance from the disc that is measured (mm).
@@ -80,7 +83,7 @@ def report_unreached(
     np.maximum.at(worst, edge, farthest)
     np.maximum.at(context.figures.unreached_distance, edges.row, worst)
     radius = float(reach.max())
-    is_short = worst > 2.0 * radius
+    is_short = worst > _FARTHEST_CORNER * radius
     is_short |= (worst > radius) & _slot_bottoms(edges, edge, begin, end)
     for k in np.flatnonzero(worst > context.tolerance)[:MAX_FINDINGS]:
         context.findings.add(
