@@ -34,8 +34,8 @@ from knifetip.verification.findings import MAX_FINDINGS
 
 #: Widest slit that counts as a line without width (mm); the kerf of a laser is narrower.
 MAX_LINE_WIDTH: Final = 0.5
-#: Greatest distance of a corner from the cut, in radii of the disc: that of a corner of 29°, so that
-#: corners of 30° are no shortfalls.
+#: Greatest distance of a corner from the cut, in radii of the disc: that of a corner of 29°, so
+#: that corners of 30° are no shortfalls.
 _FARTHEST_CORNER: Final = 3.0
 #: Positions in each unreached stretch at which its distance from the disc is measured.
 _FRACTIONS: Final = (0.0, 0.25, 0.5, 0.75, 1.0)
