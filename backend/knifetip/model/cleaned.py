@@ -123,7 +123,7 @@ class Cleaned:
 
     @property
     def notes(self) -> tuple[Message, ...]:
-        """What the user of a program must be told about the cleaning; empty if it is nothing."""
+        """Messages about folds that cleaning dropped outside all panels; may be empty."""
         rows = self.reason == CleaningReason.OFF_PANEL
         if not rows.any():
             return ()

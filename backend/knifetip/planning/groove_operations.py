@@ -121,10 +121,10 @@ def _shifted_from_cuts(
     shift[continued] = 0.0
     cuts = dieline.line_type == LineType.CUT
     lines = dieline.ends[cuts, 0], dieline.ends[cuts, 1], dieline.bulge[cuts]
-    nobody = np.full(len(points), -1, np.int32)
-    contact = find_points_on_segments(points, nobody, *lines, GAP)
+    no_owner = np.full(len(points), -1, np.int32)
+    contact = find_points_on_segments(points, no_owner, *lines, GAP)
     result = _shift_paths(paths, shift)
-    after = find_points_on_segments(end_points(result)[0], nobody, *lines, GAP)
+    after = find_points_on_segments(end_points(result)[0], no_owner, *lines, GAP)
     shift[(contact != after).reshape(2, -1).any(axis=0)] = 0.0
     result = _shift_paths(paths, shift)
     # What needs a further shift cannot be shifted.

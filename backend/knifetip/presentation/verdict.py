@@ -243,5 +243,5 @@ def refused_handles(rows: Sequence[Mapping[str, Any]]) -> list[str]:
 
 
 def acceptance_json(finding: Finding) -> dict[str, Any] | None:
-    """Return who accepted a shortfall, when and why, as JSON data; None if nobody did."""
+    """Return the acceptance of a shortfall as JSON data; None if it is not accepted."""
     return None if finding.acceptance is None else asdict(finding.acceptance)

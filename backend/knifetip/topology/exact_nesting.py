@@ -99,8 +99,8 @@ def find_half_edges_below(points: F64, start: F64, end: F64, bulge: F64) -> I64:
     boxes = _boxes_of_spans(spans)
     order = order_boxes(boxes)[::-1].copy()
     # No span has an owner, so that none is left out.
-    nobody = np.full(len(spans), -1, np.int32)
-    hit = _first_below(np.ascontiguousarray(points), spans, nobody, boxes[order], order)
+    no_owner = np.full(len(spans), -1, np.int32)
+    hit = _first_below(np.ascontiguousarray(points), spans, no_owner, boxes[order], order)
     result: I64 = np.where(hit < 0, -1, above[hit])
     return result
 

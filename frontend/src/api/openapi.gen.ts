@@ -1823,7 +1823,7 @@ export interface components {
              * @default true
              */
             refuses: boolean;
-            /** @description Who accepted the shortfall; null if nobody did */
+            /** @description Who accepted the shortfall; null if it is not accepted */
             acceptance?: components["schemas"]["AcceptanceOut"] | null;
             /**
              * Measure
@@ -3510,7 +3510,7 @@ export interface components {
             faults: number;
             /**
              * Shortfalls
-             * @description Number of shortfalls that nobody has accepted yet
+             * @description Number of shortfalls that no user has accepted
              * @default 0
              */
             shortfalls: number;
@@ -3720,7 +3720,7 @@ export interface components {
             faults: number;
             /**
              * Shortfalls
-             * @description Number of shortfalls that nobody has accepted yet
+             * @description Number of shortfalls that no user has accepted
              * @default 0
              */
             shortfalls: number;

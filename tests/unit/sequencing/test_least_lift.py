@@ -49,7 +49,7 @@ def codes(text: bytes, machine: Machine = TABLE) -> list[str]:
 
 def test_the_lowest_point_of_each_tool_is_above_the_board_by_the_safety() -> None:
     path = sequenced(SAFETY)
-    # Knife and wheel stand upright; the V-cutter leans by 45°, r sin 45° = 1.0607.
+    # Knife and wheel are upright; the V-cutter leans by 45°, r sin 45° = 1.0607.
     assert heights(path, 1) == {0.5}
     assert heights(path, 2) == {0.5}
     assert heights(path, 3) == {1.5607}

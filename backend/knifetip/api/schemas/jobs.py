@@ -243,9 +243,7 @@ class VerdictSummary(BaseModel):
         default=0, description="Number of slits that are milled as wide as the cutter"
     )
     faults: int = Field(default=0, description="Number of faults; they cannot be accepted")
-    shortfalls: int = Field(
-        default=0, description="Number of shortfalls that nobody has accepted yet"
-    )
+    shortfalls: int = Field(default=0, description="Number of shortfalls that no user has accepted")
     exceptions: int = Field(default=0, description="Number of accepted shortfalls")
     seconds: float = Field(description="Machine time of one copy (s)")
     seconds_retracted: float | None = Field(
@@ -428,7 +426,7 @@ class FindingOut(MessageOut):
         default=True, description="Whether the program is refused because of this finding"
     )
     acceptance: AcceptanceOut | None = Field(
-        default=None, description="Who accepted the shortfall; null if nobody did"
+        default=None, description="Who accepted the shortfall; null if it is not accepted"
     )
     measure: float = Field(description="Measured value (mm; degrees for `heading` and `fold`)")
     edge: int = Field(

@@ -44,7 +44,7 @@ _ACTIVE_COMMENT: Final = re.compile(
 _PLACEMENT: Final = re.compile(rb"\(placement X(-?\d+\.\d+) Y(-?\d+\.\d+)\)")
 
 
-#: Bytes below 0x80 that grbl executes at once, wherever they stand.
+#: Bytes below 0x80 that grbl executes at once, even inside a line or a comment.
 _REALTIME: Final = b"!~?\x18"
 
 
