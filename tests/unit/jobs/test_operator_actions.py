@@ -45,13 +45,15 @@ def compiling(store: Store) -> str:
 def compiled(store: Store, *, accepted: bool = True) -> str:
     id = compiling(store)
     refusal = None if accepted else stored("Edge 3 is 0.4 mm off.")
-    verdict = {"seconds": 1.0, "accepted": accepted}
+    found = 0 if accepted else 1
+    verdict = {"seconds": 1.0, "accepted": accepted, "faults": found, "shortfalls": found}
     result = CompileResult(accepted, refusal, b"M30\n", "ab", LINES, b"", b"", verdict)
     store.compiles.save_result(id, store.jobs.get(id).epoch, result)
     return id
 
 
 def refused(store: Store) -> str:
+    """Return a job that is refused for a fault and a shortfall."""
     return compiled(store, accepted=False)
 
 
