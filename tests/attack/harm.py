@@ -9,7 +9,7 @@ differ in the waste.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Final
 
@@ -20,9 +20,9 @@ import shapely.ops
 from knifetip.geometry.columns import F64
 from knifetip.model.dieline import LineType
 from knifetip.model.machine import Machine
-from knifetip.model.tool import Cutter, Laser
+from knifetip.model.tool import Cutter, Knife, Laser
 from tests.attack.controller import NotExecuted, Run, execute
-from tests.attack.effects import TOLERANCE, Contact, Effect, effect
+from tests.attack.effects import BLADE, TOLERANCE, Contact, Effect, effect
 from tests.attack.plotter import plot
 from tests.attack.subjects import DIALECTS, Subject
 from tests.controllers.linuxcnc_rs274 import RS274, TipTool, read_program
@@ -112,7 +112,8 @@ class Oracle:
                 if reason := self._mills_otherwise(old, new, self._milling[station]):
                     return reason
                 continue
-            for kind, own, others in (("is off by", new, old), ("leaves out", old, new)):
+            cut = old + self._passes_back(old)
+            for kind, own, others in (("is off by", new, cut), ("leaves out", old, new)):
                 far, where = _farthest(own, others)
                 if kind == "leaves out" and self._in_waste(where):
                     # A lead that is shorter or missing in the waste does no harm.
@@ -121,6 +122,28 @@ class Oracle:
                     x, y, z = where[:3]
                     return f"station {station} {kind} {far:.4f} mm at ({x:.3f}, {y:.3f}, {z:.3f})"
         return ""
+
+    def _passes_back(self, contacts: list[Contact]) -> list[Contact]:
+        """Return the passes with a knife reversed that stay within the slits of straight cuts.
+
+        They cut nothing more.  Where the leading edge is slanted, the slit in the top face begins
+        that much later than the slit in the bottom face, and the reversed blade is as much behind
+        its tip.
+        """
+        back = []
+        for each in contacts:
+            tool = self.subject.machine.stations[each.station].tool
+            if not isinstance(tool, Knife) or tool.trail:
+                continue
+            points = each.points[[0, -1]]
+            ahead = points[0, 3:] / BLADE
+            shift = 2.0 * tool.lead(self.subject.board.caliper)
+            straight = (np.abs(np.diff(each.points[:, 2:], axis=0)) < 1e-9).all()
+            if straight and (points[1] - points[0])[:2] @ ahead > shift:
+                points[0, :2] += shift * ahead
+                points[:, 3:] *= -1.0
+                back.append(replace(each, points=points))
+        return back
 
     # --- routers and lasers ------------------------------------------------------------------
 
