@@ -130,7 +130,9 @@ class Oracle:
         that much later than the slit in the bottom face, and the reversed blade is as much behind
         its tip.
         """
-        back = []
+        back: list[Contact] = []
+        if self.subject.language not in DIALECTS:
+            return back
         for each in contacts:
             tool = self.subject.machine.stations[each.station].tool
             if not isinstance(tool, Knife) or tool.trail:
