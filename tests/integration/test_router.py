@@ -15,12 +15,13 @@ from knifetip.geometry.columns import F64, I32, U8, Bool
 from knifetip.geometry.path import Paths
 from knifetip.library import load
 from knifetip.messages import Message
+from knifetip.model.acceptance import with_exceptions
 from knifetip.model.board import Board, Deflection
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
 from knifetip.model.tool import Cutter
 from knifetip.model.toolpath import Motion
-from knifetip.model.verdict import Verdict
+from knifetip.model.verdict import Acceptance, Verdict
 from knifetip.verification.verify import verify
 from tests.support.modules import original
 from tests.support.shapes import closed, dieline, edges
@@ -222,3 +223,21 @@ def test_a_contour_without_room_for_a_lead_in_is_noted() -> None:
     line = dieline((CUT, closed((100, 100), (160, 100), (160, 106.2), (100, 106.2))), FRAME)
     work = [compensate(operation) for operation in plan(line, ROUTER, BOARD)]
     assert [note.code for path in work for note in path.notes] == ["lead.no-room"]
+
+
+def test_holes_that_the_cutter_does_not_enter_are_shortfalls() -> None:
+    line = dieline(
+        (LineType.CUT, closed((100, 100), (300, 100), (300, 200), (100, 200))),
+        (LineType.CUT, closed((130, 120), (135, 120), (135, 170), (130, 170))),
+        # All points of this hole are nearer to the cut round the part than the cutter's radius.
+        (LineType.CUT, closed((100.3, 120), (101.8, 120), (101.8, 121.5), (100.3, 121.5))),
+        (LineType.CUT, edges(((150, 150), (154, 150)), ((154, 150), (150, 150)))),
+        (LineType.CREASE, edges(((200, 120), (200, 180)))),
+        bulge={12: 1.0, 13: 1.0},
+    )
+    toolpath = sequence([compensate(operation) for operation in plan(line, ROUTER, BOARD)], ROUTER)
+    result = verify(process(toolpath, ROUTER).text, line, (0.0, 0.0), ROUTER, BOARD)
+    assert not has_faults(result), result.findings[:3]
+    refused = [(one.edge, one.message.code) for one in result.findings if one.refuses]
+    assert sorted(refused) == [(edge, "verify.contour-unreached") for edge in range(4, 14)]
+    assert with_exceptions(result, refused, Acceptance("Ada", "punched by hand", 0.0)).accepted

@@ -10,15 +10,21 @@ over-cutting"); s is our derivation.
 
 from __future__ import annotations
 
+from typing import Final
+
 import numpy as np
 
 from knifetip.compensation.tracks import Strokes, at_height, headings
 from knifetip.geometry.columns import F64, I32
 from knifetip.geometry.path import point_along, select_paths, trim_ends
-from knifetip.geometry.tolerance import POINT
 from knifetip.model.operation import End, Operation
 from knifetip.model.tool import CreaseWheel
 from knifetip.model.toolpath import Toolpath
+
+#: Least length over which the wheel is rolled (mm).
+_LEAST_LENGTH: Final = 1e-5
+#: Least depth at which the wheel is pressed (mm).
+_LEAST_DEPTH: Final = 0.001
 
 
 def half_contact_length(depth: F64, wheel: CreaseWheel) -> F64:
@@ -48,8 +54,9 @@ def crease_toolpath(operation: Operation) -> Toolpath:
 
     A free end is one at which no other path continues, so that the wheel must not crease beyond it.
     A path too short for the setback is pressed in one position at a smaller depth.  A path that is
-    shorter than its end clearances is not made, nor is a short path on a board that refuses short
-    creases (``short_crease``).  The verifier reports such a path as a shortfall.
+    shorter than its end clearances or would be pressed by less than 0.001 mm is not made, nor is a
+    short path on a board that refuses short creases (``short_crease``).  The verifier reports such
+    a path as a shortfall.
     """
     wheel = operation.tool
     assert isinstance(wheel, CreaseWheel)
@@ -60,7 +67,7 @@ def crease_toolpath(operation: Operation) -> Toolpath:
     contact = half_contact_length(operation.end_depth, wheel)
     at_start = np.where(free_start, contact[:, 0] + clear, 0.0)
     at_end = np.where(free_end, contact[:, 1] + clear, 0.0)
-    fits = length - at_start - at_end > 10.0 * POINT
+    fits = length - at_start - at_end > _LEAST_LENGTH
     rolled = np.flatnonzero(fits).astype(np.int32)
     short_paths = np.flatnonzero(~fits).astype(np.int32)
 
@@ -105,7 +112,8 @@ def _presses(operation: Operation, wheel: CreaseWheel, short_paths: I32) -> Stro
         operation.finish[short_paths] == End.FREE
     )
     half = np.where(both_free, lengths / 2.0, lengths) - operation.end_clearance
-    possible = (half > POINT) & (operation.short_crease != "refuse")
+    possible = (half > 0.0) & (depth_at_contact(half, wheel) > _LEAST_DEPTH)
+    possible &= operation.short_crease != "refuse"
     short_paths, half = short_paths[possible], half[possible]
     paths, _ = select_paths(operation.paths, short_paths)
     free_start = operation.start[short_paths] == End.FREE

@@ -74,14 +74,14 @@ def centre_paths(operation: Operation) -> CentrePaths:
     paths keep the cutter out of all other closed paths of the operation.  Each closed centre path
     starts in the middle of its longest line, or of its longest arc if it has no line.  For a
     lead-in round a corner it starts behind a corner instead, if there is one with room for the
-    lead-in.
+    lead-in.  A contour into which the cutter does not fit has no centre path; the verifier reports
+    its edges as shortfalls.
 
     Raises
     ------
     CompensationError
-        The cutter does not fit into a contour.  Or there are areas that it cannot reach without
-        cutting into a contour, and the operation refuses them (``interference`` is "refuse").  Or
-        the corner type, its parameter k or the deflection is invalid.
+        The operation refuses areas that the cutter cannot reach (``interference`` is "refuse"), and
+        there are such areas.  Or the corner type, its parameter k or the deflection is invalid.
     """
     cutter = operation.tool
     assert isinstance(cutter, DiscTool)
@@ -103,12 +103,19 @@ def centre_paths(operation: Operation) -> CentrePaths:
         except (CompensationError, GeometryError) as reason:
             edges = [str(operation.source[int(row)]) for row in reason.source]
             message = reason.message
-            if edges:
+            if message.code == "offset.interference":
+                message = Message(
+                    "cutter.interference",
+                    diameter=2.0 * cutter.radius,
+                    edge=edges[0],
+                    other=edges[1],
+                    depth=message.arguments["depth"],
+                )
+            elif edges:
                 message = Message("error.at-edges", edges=edges, error=message)
             raise CompensationError(message, source=edges) from None
         notes = replaced_corner_notes(operation, kind, offset.replaced)
         paths, segment, unreached = offset.paths, offset.source, offset.unreached
-        _check_every_path_fits(operation, cutter, segment)
         paths, rows = shift_centres(paths, operation.side, *rest)
         segment, inserted = segment[rows], offset.inserted[rows]
     if operation.side == 0 or cutter.approach >= 0.0 or len(operation.bridges):
@@ -144,25 +151,6 @@ def _split_deflection(operation: Operation, cutter: DiscTool) -> tuple[float, tu
         )
     mean = 0.5 * (x + y)
     return mean, (x - mean, y - mean)
-
-
-def _check_every_path_fits(operation: Operation, cutter: DiscTool, segment: I32) -> None:
-    """Raise ``CompensationError`` if the cutter does not fit into a path of the operation.
-
-    Such a path has no offset.  ``segment`` contains, for each segment of the offset, the segment of
-    the operation from which it comes.
-    """
-    owner = operation.paths.path_of
-    missing = np.setdiff1d(np.arange(len(operation.paths)), owner[segment])
-    if len(missing):
-        rows = operation.source[operation.paths.first[missing]]
-        raise CompensationError(
-            "cutter.does-not-fit",
-            diameter=2.0 * cutter.radius,
-            edge=rows[0],
-            others=len(missing) - 1,
-            source=[str(row) for row in rows[:10]],
-        )
 
 
 def _starts_behind_corners(

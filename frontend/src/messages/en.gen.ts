@@ -671,9 +671,9 @@ export const TEXTS = {
     "text": "The cut at edge {edge} is {length:.2f} mm long and ends inside a panel or at a bridge. The slanted blade of the knife needs a cut of at least {lead:.2f} mm.",
     "hint": "Set the line type of the cut to ignored, join the cut to another cut, or choose a knife with a less slanted blade."
   },
-  "cutter.does-not-fit": {
-    "text": "The cutter of {diameter:.2f} mm diameter does not fit into the contour at edge {edge}. Number of other contours that are too narrow: {others}.",
-    "hint": "Choose a thinner cutter, or set the line type of the contours to ignored."
+  "cutter.interference": {
+    "text": "The cutter of {diameter:.2f} mm diameter does not fit beside edge {edge}: it would cut {depth:.3g} mm into the part at edge {other}. The job allows no parts of contours that the cutter leaves uncut.",
+    "hint": "Choose 'Leave this part uncut' (interference 'trim') and accept the shortfalls that the verdict then lists, or choose a thinner cutter."
   },
   "cutter.misses-bridge": {
     "text": "A bridge is needed on the contour at edge {edge}, {distance:.1f} mm from the start of this edge in the direction of milling, but the cutter does not reach the contour there.",
@@ -2200,8 +2200,8 @@ export const TEXTS = {
     "hint": "Follow the reason for which the job was refused."
   },
   "job.no-work": {
-    "text": "The drawing contains nothing to cut, crease or groove: every edge is ignored or too short for its tool.",
-    "hint": "Give at least one edge a line type for which the machine has a tool. If creases are too short, choose a board on which short creases are pressed or a smaller creasing wheel."
+    "text": "The drawing contains nothing that the machine can make: every edge is ignored, too short for its tool, or in a place that the cutter does not enter.",
+    "hint": "Check the unit of the drawing and the line types of its edges. Otherwise choose another machine or machine file: a smaller creasing wheel for short creases, a thinner cutter or a knife for narrow contours."
   },
   "job.not-confirmed": {
     "text": "Job {job} was started, although the operator has not confirmed that the table is ready.",
@@ -3618,6 +3618,10 @@ export const TEXTS = {
   "verify.comes-out-short": {
     "text": "The knife leaves the board {distance:.3f} mm before the end of the edge.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
+  },
+  "verify.contour-unreached": {
+    "text": "The cutter of {width:.2f} mm diameter does not fit into or beside the contour of this edge, so nothing of the contour is cut ({length:.3f} mm on this edge).",
+    "hint": "Choose a thinner cutter, enlarge the opening, or accept that the contour is not cut."
   },
   "verify.crease-meets-cuts": {
     "text": "Cuts end on {count} creases from one side. These creases are made without interruption, because all creases are made before the cuts.",

@@ -30,10 +30,8 @@ def test_the_deflected_cutter_touches_the_contour_and_does_not_enter_it(
                 *paths.start, side=side, r=radius, paths=paths, corner=corner,
                 deflection=deflection, start=end, finish=end,
             )  # fmt: skip
-            try:
-                made = centre_paths(operation).paths
-            except CompensationError as reason:
-                assert reason.message.code == "cutter.does-not-fit"  # noqa: PT017
+            made = centre_paths(operation).paths
+            if len(made) == 0:
                 continue
             points = arc.points_along(made.start, made.end, made.bulge, 5).reshape(-1, 2)
             assert depth_in_band(points, paths, side, reach).max() < 0.005

@@ -316,15 +316,16 @@ def test_a_contour_with_a_narrow_neck_gives_two_paths_or_is_refused() -> None:
     assert path.track.max() == 1
     assert distance(sampled(path), operation.paths).min() >= 3.0 - 1e-9
     assert centre_paths(operation).unreached.sum() > 20 * 4
-    with pytest.raises(CompensationError, match=r"Edges .* would cut"):
+    with pytest.raises(CompensationError, match=r"does not fit beside edge .* would cut"):
         compensate(replace(operation, interference="refuse"))
 
 
-def test_a_hole_too_small_for_the_cutter_is_refused() -> None:
-    with pytest.raises(
-        CompensationError, match=r"6\.00 mm diameter does not fit into the contour at edge 0"
-    ):
-        compensate(contour((0, 0), (50, 0), (50, 5), (0, 5), side=1))
+def test_a_hole_too_small_for_the_cutter_is_left_out_or_refused() -> None:
+    hole = contour((0, 0), (50, 0), (50, 5), (0, 5), side=1)
+    assert len(compensate(hole)) == 0
+    with pytest.raises(CompensationError, match=r"does not fit beside edge 0") as refused:
+        compensate(replace(hole, interference="refuse"))
+    assert "interference to 'trim'" in refused.value.hint
 
 
 def test_the_cutter_does_not_enter_a_neighbour_nearer_than_its_diameter() -> None:

@@ -42,13 +42,16 @@ MESSAGES: Final[Entries] = {
         length="number",
         lead="number",
     ),
-    "cutter.does-not-fit": entry(
-        "The cutter of {diameter:.2f} mm diameter does not fit into the contour at edge "
-        "{edge}. Number of other contours that are too narrow: {others}.",
-        "Choose a thinner cutter, or set the line type of the contours to ignored.",
+    "cutter.interference": entry(
+        "The cutter of {diameter:.2f} mm diameter does not fit beside edge {edge}: it would cut "
+        "{depth:.3g} mm into the part at edge {other}. The job allows no parts of contours that "
+        "the cutter leaves uncut.",
+        "Choose 'Leave this part uncut' (interference 'trim') and accept the shortfalls that the "
+        "verdict then lists, or choose a thinner cutter.",
         diameter="number",
-        edge="count",
-        others="count",
+        edge="text",
+        depth="number",
+        other="text",
     ),
     "cutter.misses-bridge": entry(
         "A bridge is needed on the contour at edge {edge}, {distance:.1f} mm from the start of "

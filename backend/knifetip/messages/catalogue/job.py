@@ -179,10 +179,11 @@ MESSAGES: Final[Entries] = {
         job="text",
     ),
     "job.no-work": entry(
-        "The drawing contains nothing to cut, crease or groove: every edge is ignored or too short "
-        "for its tool.",
-        "Give at least one edge a line type for which the machine has a tool. If creases are too "
-        "short, choose a board on which short creases are pressed or a smaller creasing wheel.",
+        "The drawing contains nothing that the machine can make: every edge is ignored, too short "
+        "for its tool, or in a place that the cutter does not enter.",
+        "Check the unit of the drawing and the line types of its edges. Otherwise choose another "
+        "machine or machine file: a smaller creasing wheel for short creases, a thinner cutter or "
+        "a knife for narrow contours.",
     ),
     "job.not-confirmed": entry(
         "Job {job} was started, although the operator has not confirmed that the table is ready.",

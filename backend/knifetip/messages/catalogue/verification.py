@@ -136,6 +136,13 @@ MESSAGES: Final[Entries] = {
         "program file.",
         distance="number",
     ),
+    "verify.contour-unreached": entry(
+        "The cutter of {width:.2f} mm diameter does not fit into or beside the contour of this "
+        "edge, so nothing of the contour is cut ({length:.3f} mm on this edge).",
+        "Choose a thinner cutter, enlarge the opening, or accept that the contour is not cut.",
+        width="number",
+        length="number",
+    ),
     "verify.crease-meets-cuts": entry(
         "Cuts end on {count} creases from one side. These creases are made without interruption, "
         "because all creases are made before the cuts.",

@@ -139,7 +139,7 @@ class _MillingCheck:
         gap_edge, begin, end = self._untouched_stretches(pieces, is_through)
         unreached = self._record_untouched(pieces, gap_edge, begin, end)
         through = self.centres.curve[is_through]
-        report_unreached(self.context, self.edges, unreached, through, self.reach)
+        report_unreached(self.context, self.bounds, unreached, through, self.reach)
         on_slit = self.centres.curve[is_through & self._open_cut_mask()]
         slits = np.flatnonzero(~self.bounds.closing)
         report_wide_slits(self.context, self.edges, slits, on_slit, 2.0 * self.tool.radius)

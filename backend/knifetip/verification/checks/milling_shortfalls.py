@@ -5,6 +5,7 @@ Every round cutter leaves some board in a concave corner, so a stretch in a corn
 a shortfall if it is farther from the cut than three radii of the disc, which is so in corners of
 less than 29°.  It is also a shortfall if it is farther from the cut than the radius of the disc and
 lies at the bottom of a slot: the whole edge is unreached, and so are the edges at both its ends.
+Contours of which the disc touches nothing are shortfalls, too, wherever they lie.
 
 A slit is an open cut, which does not separate a part from waste.  The centre of the disc follows
 it, so the slit becomes as wide as the disc.  A wide slit is a shortfall.
@@ -30,6 +31,7 @@ from knifetip.verification.expectation.edges import (
     Edges,
     pairs_within,
 )
+from knifetip.verification.expectation.outline import CutOutlines
 from knifetip.verification.findings import MAX_FINDINGS
 
 #: Widest slit that counts as a line without width (mm); the kerf of a laser is narrower.
@@ -45,7 +47,7 @@ _FARTHEST: Final = 1e5
 
 def report_unreached(
     context: CheckContext,
-    edges: Edges,
+    bounds: CutOutlines,
     stretches: tuple[I64, F64, F64],
     centres: F64,
     reach: F64,
@@ -57,8 +59,8 @@ def report_unreached(
     ----------
     context
         Inputs and results of the verification; findings and figures are added to it.
-    edges
-        Cuts that the cutter must make.
+    bounds
+        Cuts that the cutter must make, with the contours that they form.
     stretches
         Three arrays, (k,) each: index of the edge of each unreached stretch, and the start and the
         end of the stretch along that edge (mm).
@@ -68,36 +70,54 @@ def report_unreached(
     reach : (2,) mm
         Half-axes of the disc along X and Y.
     """
+    edges = bounds.edges
     edge, begin, end = stretches
     long = end - begin > JOIN_DISTANCE
     edge, begin, end = edge[long], begin[long], end[long]
     if len(edge) == 0 or len(centres) == 0 or reach.min() <= 0.0:
         return
-    curve = edges.curve[edge]
-    points = [point_at(curve, begin + fraction * (end - begin)) for fraction in _FRACTIONS]
-    distance = _distance_from_disc(np.concatenate(points), centres, reach)
-    farthest = distance.reshape(len(_FRACTIONS), -1).max(axis=0)
+    whole = np.zeros(len(edges), np.bool_)
+    whole[edge[end - begin >= edges.curve[edge, 5] - 2.0 * JOIN_DISTANCE]] = True
+    is_left_out = _contours_within(bounds, whole)
     length = np.bincount(edge, end - begin, minlength=len(edges))
     places = np.bincount(edge, minlength=len(edges))
     worst = np.zeros(len(edges))
-    np.maximum.at(worst, edge, farthest)
+    curve = edges.curve[edge]
+    points = [point_at(curve, begin + fraction * (end - begin)) for fraction in _FRACTIONS]
+    distance = _distance_from_disc(np.concatenate(points), centres, reach)
+    np.maximum.at(worst, edge, distance.reshape(len(_FRACTIONS), -1).max(axis=0))
     np.maximum.at(context.figures.unreached_distance, edges.row, worst)
     radius = float(reach.max())
     is_short = worst > _FARTHEST_CORNER * radius
-    is_short |= (worst > radius) & _slot_bottoms(edges, edge, begin, end)
-    for k in np.flatnonzero(worst > context.tolerance)[:MAX_FINDINGS]:
+    is_short |= (worst > radius) & whole & _have_neighbours(edges, edge, begin, end)
+    for k in np.flatnonzero(is_left_out | (worst > context.tolerance))[:MAX_FINDINGS]:
+        message = Message("verify.unreached", length=length[k], places=places[k], distance=worst[k])
+        if is_left_out[k]:
+            message = Message("verify.contour-unreached", length=length[k], width=2.0 * radius)
         context.findings.add(
             "unreached",
-            Message("verify.unreached", length=length[k], places=places[k], distance=worst[k]),
+            message,
             float(length[k]),
             edge=int(edges.row[k]),
-            severity=Severity.SHORTFALL if is_short[k] else Severity.NOTE,
+            severity=Severity.SHORTFALL if is_short[k] or is_left_out[k] else Severity.NOTE,
         )
 
 
-def _slot_bottoms(edges: Edges, edge: I64, begin: F64, end: F64) -> Bool:
-    """Return the mask of the n edges that are unreached as a whole, with their neighbours at both
-    ends, (n,).
+def _contours_within(bounds: CutOutlines, selected: Bool) -> Bool:
+    """Return the mask of the edges on contours of which all edges are selected, (n,).
+
+    ``selected`` (n,) is the mask of selected edges.
+    """
+    rows = np.flatnonzero(bounds.closing)
+    has_other = np.zeros(len(selected), np.bool_)
+    has_other[bounds.component[rows[~selected[rows]]]] = True
+    result: Bool = bounds.closing & ~has_other[bounds.component]
+    return result
+
+
+def _have_neighbours(edges: Edges, edge: I64, begin: F64, end: F64) -> Bool:
+    """Return the mask of the n edges both of whose ends are unreached and touch an unreached end of
+    another edge, (n,).
 
     Parameters
     ----------
@@ -115,9 +135,7 @@ def _slot_bottoms(edges: Edges, edge: I64, begin: F64, end: F64) -> Bool:
     one, other = pairs_within(points, points, TOUCH_DISTANCE)
     has_neighbour = np.zeros(2 * len(edges), np.bool_)
     has_neighbour[left[one[left[one] // 2 != left[other] // 2]]] = True
-    whole = np.zeros(len(edges), np.bool_)
-    whole[edge[end - begin >= size - 2.0 * JOIN_DISTANCE]] = True
-    result: Bool = whole & has_neighbour.reshape(-1, 2).all(axis=1)
+    result: Bool = has_neighbour.reshape(-1, 2).all(axis=1)
     return result
 
 

@@ -41,6 +41,8 @@ from knifetip.verification.tools import OperationKind
 _CONTINUATION_PROBE: Final = 0.5
 
 
+#: A wheel that would be pressed by this depth or less is not pressed (mm).
+_SHALLOWEST_PRESS: Final = 0.001
 #: Greatest difference in direction of grooves that continue each other (degrees).
 _COLLINEAR_ANGLE: Final = 0.005
 
@@ -126,7 +128,7 @@ def expected_creases(
         reach = np.clip(half, 0.0, wheel.radius)
         fits = wheel.radius - np.sqrt(wheel.radius**2 - reach**2)
         rolled = depth_towards(azimuth_at(edges.curve[row], place), board)
-        possible = (board.short_crease == "press") & (half > 0.0)
+        possible = (board.short_crease == "press") & (fits > _SHALLOWEST_PRESS)
         refused[row] = ~possible
         row, place = row[possible], place[possible]
         press_depth[row] = np.minimum(rolled, fits)[possible]
