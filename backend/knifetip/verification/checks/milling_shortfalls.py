@@ -135,7 +135,8 @@ def _have_neighbours(edges: Edges, edge: I64, begin: F64, end: F64) -> Bool:
     one, other = pairs_within(points, points, TOUCH_DISTANCE)
     has_neighbour = np.zeros(2 * len(edges), np.bool_)
     has_neighbour[left[one[left[one] // 2 != left[other] // 2]]] = True
-    result: Bool = has_neighbour.reshape(-1, 2).all(axis=1)
+    both_ends = has_neighbour.reshape(-1, 2)
+    result: Bool = both_ends[:, 0] & both_ends[:, 1]
     return result
 
 
