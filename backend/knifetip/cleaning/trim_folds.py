@@ -33,7 +33,7 @@ from knifetip.geometry.azimuth import left_normal, unit_vectors
 from knifetip.geometry.columns import F64, I64, U8, Bool
 from knifetip.geometry.intersect import intersect_pairs
 from knifetip.geometry.points_on_segments import find_points_on_segments
-from knifetip.geometry.spatial_index.box_tree import box_pairs
+from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import ANGLE, JOIN
 from knifetip.model.dieline import LineType
 from knifetip.topology.contour_gaps import closing_links

@@ -1,4 +1,7 @@
-"""points_on_segments: test whether points are on segments, with a tree of bounding boxes."""
+"""points_on_segments: test whether points are on segments, with a grid of bounding boxes.
+
+A tree takes the place of the grid for segments that no grid suits.
+"""
 
 from __future__ import annotations
 
@@ -10,13 +13,14 @@ import numpy as np
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.intersect import write_box
+from knifetip.geometry.spatial_index.box_grid import BoxGrid, build_grid
 from knifetip.geometry.spatial_index.box_tree import (
-    BoxTree,
     build_tree,
     new_stack,
     next_overlap,
     start_query,
 )
+from knifetip.geometry.spatial_index.cells import cell_of
 from knifetip.geometry.spatial_index.morton import order_boxes
 from knifetip.geometry.tolerance import BULGE
 from knifetip.kernels import (
@@ -27,7 +31,6 @@ from knifetip.kernels import (
     I32_1,
     I64_1,
     OutBool_1,
-    OutI64_2,
     kernel,
 )
 
@@ -63,12 +66,14 @@ def find_points_on_segments(
     arcs = start[bent], end[bent], bulge[bent]
     middle[bent], radius[bent] = arc.centre(*arcs), arc.radius(*arcs)
     first[bent] = np.arctan2(*(start[bent] - middle[bent]).T[::-1])
-    order = order_boxes(boxes)
     # Enlarged for rounding.
     reach = gap + _ROUNDING * max(float(boxes.max()), -float(boxes.min()))
-    hit: Bool = _find_points(
-        points, owner, order, boxes[order], reach, start, end, middle, radius, first, sweep, gap
-    )
+    hit = np.zeros(len(points), np.bool_)
+    shapes = start, end, middle, radius, first, sweep
+    every = np.arange(len(bulge))
+    if not _mark_by_grid(points, owner, _Segments(every, *shapes), boxes, reach, gap, hit):
+        order = order_boxes(boxes)
+        _mark_by_tree(points, owner, _Segments(order, *shapes), boxes[order], reach, gap, hit)
     return hit
 
 
@@ -85,22 +90,31 @@ def _boxes(rows: F64_2) -> Any:
     return boxes
 
 
+class _Segments(NamedTuple):
+    """n segments, and the order in which they are in an index of boxes."""
+
+    order: I64_1  #: (n,) row of the segment of each box of the index
+    start: F64_2A  #: (n, 2) mm
+    end: F64_2A  #: (n, 2) mm
+    middle: F64_2  #: (n, 2) mm, centre of each arc
+    radius: F64_1  #: (n,) mm
+    first: F64_1  #: (n,) radians, angle of the start of each arc
+    sweep: F64_1  #: (n,) radians
+
+
 @kernel
-def _find_points(
+def _mark_by_grid(
     points: F64_2,
     owner: I32_1,
-    order: I64_1,
+    segments: _Segments,
     boxes: F64_2,
     reach: float,
-    start: F64_2A,
-    end: F64_2A,
-    middle: F64_2,
-    radius: F64_1,
-    first: F64_1,
-    sweep: F64_1,
     gap: float,
+    hit: OutBool_1,
 ) -> Any:
-    """Return the mask of points that are on a segment other than their own, (m,).
+    """Set the entries of ``hit``, (m,), of the points that are on a segment other than their own.
+
+    Returns False and sets nothing if no grid suits the segments.
 
     Parameters
     ----------
@@ -108,50 +122,64 @@ def _find_points(
         The points.
     owner : (m,)
         Number of the segment that each point belongs to, -1 for none.
-    order, boxes : (n,) and (n, 4)
-        Segments in Morton order, and their bounding boxes.
+    segments, boxes : (n,) and (n, 4)
+        The segments, and their bounding boxes in the order of ``segments.order``.
     reach : mm
         Distance from a point within which bounding boxes are searched.
-    start, end : (n, 2) mm
-        Start and end points of the segments.
-    middle, radius, first, sweep : (n, 2), (n,), (n,), (n,)
-        Centre and radius (mm), angle of the start and sweep (radians) of each arc.
     gap : mm
         Largest distance of a point that counts as on a segment.
     """
-    hit = np.zeros(len(points), np.bool_)
-    segments = _Segments(order, start, end, middle, radius, first, sweep)
-    _mark_points(points, owner, segments, build_tree(boxes), new_stack(), reach, gap, hit)
-    return hit
-
-
-class _Segments(NamedTuple):
-    """The segments that ``_find_points`` compares with points; it describes the fields."""
-
-    order: I64_1
-    start: F64_2A
-    end: F64_2A
-    middle: F64_2
-    radius: F64_1
-    first: F64_1
-    sweep: F64_1
+    suits, grid = build_grid(boxes)
+    if suits:
+        for k in range(len(points)):
+            hit[k] = _search_cells(points[k], owner[k], segments, boxes, grid, reach, gap)
+    return suits
 
 
 @kernel(allocates=False)
-def _mark_points(
+def _search_cells(
+    point: F64_1,
+    owner: int,
+    segments: _Segments,
+    boxes: F64_2,
+    grid: BoxGrid,
+    reach: float,
+    gap: float,
+) -> bool:
+    """Return whether a point is on a segment other than ``owner``; see ``_mark_by_grid``."""
+    x0, y0, x1, y1 = point[0] - reach, point[1] - reach, point[0] + reach, point[1] + reach
+    r0 = cell_of(y0, grid.low_y, grid.size, grid.tall)
+    r1 = cell_of(y1, grid.low_y, grid.size, grid.tall)
+    for c in range(
+        cell_of(x0, grid.low_x, grid.size, grid.wide),
+        cell_of(x1, grid.low_x, grid.size, grid.wide) + 1,
+    ):
+        for r in range(r0, r1 + 1):
+            cell = c * grid.tall + r
+            for k in range(grid.first[cell], grid.first[cell + 1]):
+                at = grid.listed[k]
+                near = (boxes[at, 0] <= x1) & (boxes[at, 2] >= x0)
+                near &= (boxes[at, 1] <= y1) & (boxes[at, 3] >= y0)
+                if near and _is_on(point, segments, segments.order[at], owner, gap):
+                    return True
+    return False
+
+
+@kernel
+def _mark_by_tree(
     points: F64_2,
     owner: I32_1,
     segments: _Segments,
-    tree: BoxTree,
-    stack: OutI64_2,
+    boxes: F64_2,
     reach: float,
     gap: float,
     hit: OutBool_1,
 ) -> None:
     """Set the entries of ``hit``, (m,), of the points that are on a segment other than their own.
 
-    ``_find_points`` describes the arguments.
+    The segments must be in Morton order.  ``_mark_by_grid`` describes the arguments.
     """
+    tree, stack = build_tree(boxes), new_stack()
     for k in range(len(points)):
         x, y = points[k, 0], points[k, 1]
         depth = start_query(tree, stack)
@@ -161,20 +189,25 @@ def _mark_points(
             )
             if at < 0:
                 break
-            i = segments.order[at]
-            hit[k] = (
-                i != owner[k]
-                and _distance(
-                    points[k],
-                    segments.start[i],
-                    segments.end[i],
-                    segments.middle[i],
-                    segments.radius[i],
-                    segments.first[i],
-                    segments.sweep[i],
-                )
-                <= gap
-            )
+            hit[k] = _is_on(points[k], segments, segments.order[at], owner[k], gap)
+
+
+@kernel(allocates=False)
+def _is_on(point: F64_1, segments: _Segments, row: int, owner: int, gap: float) -> bool:
+    """Return whether a point is at most ``gap`` mm from a segment that is not its own."""
+    return (
+        row != owner
+        and _distance(
+            point,
+            segments.start[row],
+            segments.end[row],
+            segments.middle[row],
+            segments.radius[row],
+            segments.first[row],
+            segments.sweep[row],
+        )
+        <= gap
+    )
 
 
 @kernel(allocates=False, checks_division=True)

@@ -31,7 +31,7 @@ from knifetip.geometry.azimuth import left_normal, unit_vectors
 from knifetip.geometry.columns import F64, I8, I32, I64, Bool
 from knifetip.geometry.path import Paths
 from knifetip.geometry.run_out import corner_run_outs
-from knifetip.geometry.spatial_index.box_tree import box_pairs
+from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import GAP
 from knifetip.planning.creases import inner_crossings
 

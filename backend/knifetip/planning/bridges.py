@@ -22,7 +22,7 @@ from knifetip.geometry import arc
 from knifetip.geometry.azimuth import unit_vectors
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.path import Paths
-from knifetip.geometry.spatial_index.box_tree import box_pairs
+from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import ANGLE, BULGE, GAP, POINT
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.planning.reachable import ReachableStretches

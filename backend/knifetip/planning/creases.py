@@ -16,7 +16,7 @@ from knifetip.geometry.azimuth import left_normal, unit_vectors
 from knifetip.geometry.chain import outward_directions
 from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.geometry.path import Paths, select_paths
-from knifetip.geometry.spatial_index.box_tree import box_pairs
+from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import ANGLE, BULGE, GAP
 
 #: A cut at a smaller angle runs along a crease and does not cross it (sine of 1°).

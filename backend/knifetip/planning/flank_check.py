@@ -19,7 +19,7 @@ from knifetip.geometry import arc
 from knifetip.geometry.azimuth import left_normal, unit_vectors
 from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.geometry.path import Paths
-from knifetip.geometry.spatial_index.box_tree import box_pairs
+from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import BULGE, GAP, POINT
 from knifetip.model.dieline import Dieline, LineType
 

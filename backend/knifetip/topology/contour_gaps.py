@@ -26,7 +26,7 @@ from knifetip.geometry import arc
 from knifetip.geometry.chain import number_vertices
 from knifetip.geometry.columns import F64
 from knifetip.geometry.points_on_segments import find_points_on_segments
-from knifetip.geometry.spatial_index.box_tree import box_pairs
+from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import CONTOUR_GAP, JOIN
 from knifetip.kernels import F64_1, F64_2, I64_1, Bool_1, kernel
 

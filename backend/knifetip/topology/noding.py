@@ -14,7 +14,7 @@ from knifetip.errors import PlanError
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.intersect import intersect_pairs
-from knifetip.geometry.spatial_index.box_tree import box_pairs
+from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import JOIN
 
 #: Limit for the pairs of cuts whose boxes overlap, to bound the memory.

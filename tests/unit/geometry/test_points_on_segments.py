@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from shapely import LineString, Point
@@ -29,14 +30,15 @@ def test_the_own_segment_of_a_point_is_ignored() -> None:
     assert find_points_on_segments(np.zeros((1, 2)), NONE, *args)[0]
 
 
+@pytest.mark.parametrize(("count", "gap"), [(30, 2.0), (250, 0.1)])
 @given(seed=st.integers(0, 1000))
-def test_shapely_agrees_about_lines(seed: int) -> None:
+def test_shapely_agrees_about_lines(count: int, gap: float, seed: int) -> None:
+    # So many lines across each other are searched with a tree instead of a grid.
     random = np.random.default_rng(seed)
-    ends = random.uniform(0, 100, (30, 2, 2))
-    points = random.uniform(-10, 110, (40, 2))
-    gap = 2.0
+    ends = random.uniform(0, 100, (count, 2, 2))
+    points = random.uniform(-10, 110, (20, 2))
     found = find_points_on_segments(
-        points, np.full(40, -1, np.int32), ends[:, 0], ends[:, 1], np.zeros(30), gap
+        points, np.full(20, -1, np.int32), ends[:, 0], ends[:, 1], np.zeros(count), gap
     )
     expected = [min(LineString(e).distance(Point(p)) for e in ends) <= gap for p in points]
     assert found.tolist() == expected

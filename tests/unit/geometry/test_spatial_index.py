@@ -1,4 +1,4 @@
-"""The packed tree of boxes against shapely's STRtree, and the lists of cells."""
+"""The searches for boxes against shapely's STRtree, and the lists of cells."""
 
 from __future__ import annotations
 
@@ -9,9 +9,10 @@ from hypothesis import strategies as st
 from shapely import STRtree, box
 
 from knifetip.geometry.columns import F64, I64
+from knifetip.geometry.spatial_index.box_grid import build_grid
+from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.spatial_index.box_tree import (
     NODE_SIZE,
-    box_pairs,
     build_tree,
     new_stack,
     next_overlap,
@@ -55,10 +56,20 @@ def test_a_query_finds_the_boxes_that_shapely_finds_in_ascending_order(
         assert overlaps(boxes, query_box, after) == [i for i in expected if i > after]
 
 
-@given(seed=st.integers(0, 10_000), gap=st.sampled_from([0.0, 1.0, 2.5]))
-def test_pairs_are_those_of_shapely_by_row_and_left_side(seed: int, gap: float) -> None:
+@given(
+    seed=st.integers(0, 10_000),
+    gap=st.sampled_from([0.0, 1.0, 2.5]),
+    spread=st.sampled_from([1.0, 0.1, 0.0]),
+    far=st.booleans(),
+)
+def test_pairs_are_those_of_shapely_by_row_and_left_side(
+    seed: int, gap: float, spread: float, far: bool
+) -> None:
+    # Crowded boxes, and a box far away, are searched with a tree instead of a grid.
     random = np.random.default_rng(seed)
-    boxes, others = some_boxes(random, 50), some_boxes(random, 80)
+    boxes, others = some_boxes(random, 50) * spread, some_boxes(random, 180) * spread
+    others[0] += 1e6 * far
+    assert build_grid(others)[0] == (spread > 0.0 and not far)
     reference = STRtree([box(*row) for row in others])
     wide = [box(x0 - gap, y0 - gap, x1 + gap, y1 + gap) for x0, y0, x1, y1 in boxes.tolist()]
     expected = sorted(reference.query(wide).T.tolist(), key=lambda p: (p[0], others[p[1], 0], p[1]))

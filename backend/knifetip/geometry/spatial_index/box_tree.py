@@ -22,8 +22,6 @@ from typing import Any, Final, NamedTuple
 
 import numpy as np
 
-from knifetip.geometry.columns import F64, I64
-from knifetip.geometry.spatial_index.morton import order_boxes
 from knifetip.kernels import F64_2, I64_1, OutF64_2, OutI64_1, OutI64_2, kernel
 
 #: Binary logarithm of the number of boxes in a node.
@@ -183,98 +181,3 @@ def next_overlap(
             stack[depth, 1] = child
             depth += 1
     return -1, 0
-
-
-def box_pairs(boxes: F64, others: F64, gap: float) -> tuple[I64, I64]:
-    """Return the pairs of boxes of two sets that are at most ``gap`` mm apart in x and in y.
-
-    Parameters
-    ----------
-    boxes, others : (n, 4) and (m, 4) mm
-        The two sets of boxes: x min, y min, x max, y max of each box.
-
-    Returns
-    -------
-    row, other_row : (k,) and (k,)
-        For each of k pairs the row in ``boxes`` and the row in ``others``.  The pairs are sorted by
-        ``row``, and pairs with equal ``row`` by x min of the other box.
-    """
-    if len(boxes) == 0 or len(others) == 0:
-        return np.zeros(0, np.int64), np.zeros(0, np.int64)
-    order = order_boxes(others)
-    one, other = _find_pairs(boxes, others[order], gap)
-    other = order[other]
-    rank = np.empty(len(others), np.int64)
-    rank[np.argsort(others[:, 0], kind="stable")] = np.arange(len(others))
-    by_rank = np.argsort(one * len(others) + rank[other], kind="stable")
-    return one[by_rank], other[by_rank]
-
-
-@kernel
-def _find_pairs(boxes: F64_2, others: F64_2, gap: float) -> Any:
-    """Return the pairs of boxes that are at most ``gap`` mm apart in x and in y, unsorted.
-
-    The result has two arrays: the row in ``boxes`` and the row in ``others`` of each of k pairs,
-    (k,) each.  ``boxes`` (n, 4) and ``others`` (m, 4), in Morton order, are x min, y min, x max and
-    y max.
-    """
-    tree, stack = build_tree(others), new_stack()
-    one = np.empty(2 * len(boxes) + 16, np.int64)
-    other = np.empty_like(one)
-    row, found = 0, 0
-    while True:
-        row, found = _append_pairs(boxes, row, gap, tree, stack, one, other, found)
-        if row == len(boxes):
-            return one[:found].copy(), other[:found].copy()
-        # The pairs of this row did not fit.
-        one = np.concatenate((one, np.empty_like(one)))
-        other = np.concatenate((other, np.empty_like(other)))
-
-
-@kernel(allocates=False)
-def _append_pairs(
-    boxes: F64_2,
-    begin: int,
-    gap: float,
-    tree: BoxTree,
-    stack: OutI64_2,
-    one: OutI64_1,
-    other: OutI64_1,
-    found: int,
-) -> tuple[int, int]:
-    """Append the pairs of the boxes from row ``begin`` on to ``one`` and ``other``, which contain
-    ``found`` pairs.
-
-    Returns the number of rows that are finished, and the number of pairs.  The search ends early
-    when the arrays are full.
-    """
-    nodes, level = tree.boxes, tree.level
-    for i in range(begin, len(boxes)):
-        x0, y0 = boxes[i, 0] - gap, boxes[i, 1] - gap
-        x1, y1 = boxes[i, 2] + gap, boxes[i, 3] + gap
-        depth = start_query(tree, stack)
-        done = found
-        # As in ``next_overlap``, but the boxes of a node are compared without using the stack.
-        while depth > 0:
-            depth -= 1
-            height = stack[depth, 0]
-            low = level[height - 1]
-            first = stack[depth, 1] * NODE_SIZE
-            for child in range(first, min(first + NODE_SIZE, level[height] - low)):
-                at = low + child
-                # One branch instead of four, which would often be mispredicted.
-                overlaps = (nodes[at, 0] <= x1) & (nodes[at, 2] >= x0)
-                overlaps &= (nodes[at, 1] <= y1) & (nodes[at, 3] >= y0)
-                if not overlaps:
-                    continue
-                if height > 1:
-                    stack[depth, 0] = height - 1
-                    stack[depth, 1] = child
-                    depth += 1
-                    continue
-                if found == len(one):
-                    return i, done
-                one[found] = i
-                other[found] = child
-                found += 1
-    return len(boxes), found
