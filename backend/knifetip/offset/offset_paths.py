@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from knifetip.errors import CompensationError, GeometryError, ZeroLengthEdge
-from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.geometry.columns import F64, I32, U8, Bool
 from knifetip.geometry.path import Paths
 from knifetip.offset.batch import offset_on_all_cores
+from knifetip.offset.cusps import find_cusp_loops, straighten_cusps
 from knifetip.offset.raw_segments import NO_FAILURE, NO_LENGTH, NOT_A_NUMBER, NOT_CLOSED
 from knifetip.offset.self_contact import find_self_contact
 from knifetip.offset.transition import Corner, check_corners
@@ -53,7 +54,8 @@ def offset_paths(
     Parameters
     ----------
     paths : Paths
-        p contours, closed or open, that do not cross themselves.
+        p contours, closed or open, that do not cross themselves.  Thin loops at cusps are removed
+        if no offset is found with them (see ``cusps``).
     distance : (p,) mm, or one for all
         The radius r; 0 returns the paths unchanged.
     side : (p,) or one for all
@@ -109,25 +111,65 @@ def offset_paths(
         raise GeometryError("offset.bad-interference", interference=interference)
     # Type B for all corners remains a single value: only types C and D change at single corners.
     same = 1 if np.ndim(k) == 0 and np.ndim(corner) == 0 and corner == Corner.B else rows
-    requested = _broadcast(corner, same, np.uint8)
-    kinds = requested.copy()
+    kinds = _broadcast(corner, same, np.uint8)
     k_values = _broadcast(k, same, np.float64)
     check_corners(kinds, k_values)
     signed = radius * sides
-    member, group_first = _order_by_group(group, signed)
+    regions = _Regions(*_order_by_group(group, signed), signed, interference == "refuse")
+    result, failure = _offset(paths, regions, kinds, k_values)
+    if failure[0] == NOT_CLOSED:
+        straight, segment = straighten_cusps(paths)
+        corner_row = segment if same > 1 else slice(None)
+        result, _ = _offset(straight, regions, kinds[corner_row], k_values[corner_row])
+        if result is not None:
+            result = replace(
+                result, source=segment[result.source], replaced=np.unique(segment[result.replaced])
+            )
+    if result is None:
+        raise _failure_error(failure, radius, paths)
+    return result
+
+
+class _Regions(NamedTuple):
+    """The regions to be offset: groups of p paths, as for ``offset_on_all_cores``."""
+
+    member: I32  #: (p,) path numbers in the order of their groups
+    first: I32  #: (g + 1,) position in ``member`` at which each group begins; the last entry is p
+    signed: F64  #: (p,) mm, radius of the tool for each path, positive if it is left of travel
+    refuse: bool  #: whether a position where the tool does not fit is a failure
+
+
+def _offset(
+    paths: Paths, regions: _Regions, requested: U8, k: F64
+) -> tuple[OffsetPaths | None, tuple[int, int, int, float]]:
+    """Return the offset of n segments, None if it failed, and the failure.
+
+    Parameters
+    ----------
+    requested, k : (n,) each, or (1,) each for type B at all corners
+        Types of the transitions, and the parameter k of type D.
+
+    Returns
+    -------
+    offset
+        The offset, or None.
+    failure
+        Failure code, the two contour segments concerned, and the depth by which the tool would cut
+        into the contour (mm).
+    """
+    kinds = requested.copy()
     start, end, bulge, source, inserted, first, owner, unreached, failure = offset_on_all_cores(
-        paths, member, group_first, signed, kinds, k_values, interference == "refuse"
+        paths, regions.member, regions.first, regions.signed, kinds, k, regions.refuse
     )
     if failure[0] != NO_FAILURE:
-        raise _failure_error(failure, radius, paths)
+        return None, failure
     for column in (start, end, bulge, first):
         column.flags.writeable = False
     # A corner that the tool does not reach has no transition of any type.
     changed = np.flatnonzero(kinds != requested).astype(np.int32)
     replaced = np.intersect1d(changed, source[inserted]) if len(changed) else changed
-    return OffsetPaths(
-        Paths(start, end, bulge, first), source, inserted, owner, unreached, replaced
-    )
+    columns = source, inserted, owner, unreached, replaced
+    return OffsetPaths(Paths(start, end, bulge, first), *columns), failure
 
 
 def _broadcast(values: ArrayLike, count: int, dtype: Any) -> Any:
@@ -208,6 +250,22 @@ def _failure_error(
                 radius=radius[path],
                 x=x,
                 y=y,
+                one=one,
+                two=two,
+                source=[str(one), str(two)],
+            )
+        loops = find_cusp_loops(paths)
+        of_path = np.flatnonzero(paths.path_of[loops.before] == path)
+        if len(of_path):
+            worst = of_path[loops.size[of_path].argmax()]
+            one, two = int(loops.before[worst]), int(loops.after[worst])
+            return CompensationError(
+                "offset.cusp",
+                path=path,
+                radius=radius[path],
+                size=loops.size[worst],
+                x=paths.end[one, 0],
+                y=paths.end[one, 1],
                 one=one,
                 two=two,
                 source=[str(one), str(two)],

@@ -2415,6 +2415,10 @@ export const TEXTS = {
     "text": "The side of a path must be +1 (left) or -1 (right).",
     "hint": "Give +1 or -1 as the side."
   },
+  "offset.cusp": {
+    "text": "The offset curve at a distance of {radius:g} mm from path {path} is not closed, because segments {one} and {two} of the contour cross {size:.4g} mm before the corner at ({x:.4f}, {y:.4f}) mm where they meet.",
+    "hint": "Trim the two segments at their crossing, so that the corner is there."
+  },
   "offset.dead-end": {
     "text": "The offset curve at a distance of {radius:g} mm from path {path} is not closed. A piece of the curve beside segment {segment} of the path is {depth:.4g} mm long and does not connect to the rest of the curve.",
     "hint": "Draw the contour so that it does not overlap itself, or change the radius of the tool slightly."

@@ -159,3 +159,54 @@ def test_offsets_of_islands_with_c_and_d_corners_are_inside_those_with_b(
     assert made.paths.closed.all()
     allowed = shape.buffer(-radius, quad_segs=200).buffer(1e-3 * radius)
     assert shapely.covers(allowed, points(made)).all()
+
+
+def fish_tail(lean: float) -> Paths:
+    """Return a contour with a cusp at the origin, behind a crossing of its two segments.
+
+    An arc runs into the cusp at the angle ``lean`` (radians) below the line that leads out of it.
+    """
+    xy = np.array([(-50.0, 12.0), (0.0, 0.0), (-50.0, 0.0), (-80.0, 6.0)])
+    chord = xy[1] - xy[0]
+    half = lean - np.arctan2(chord[1], chord[0])
+    return paths_of(xy, np.roll(xy, -1, axis=0), [np.tan(half / 2.0), 0.0, 0.0, 0.0], [0, 4])
+
+
+@pytest.mark.parametrize("kind", list(Corner))
+@pytest.mark.parametrize("side", [1, -1])
+def test_a_cusp_behind_a_crossing_of_its_segments_is_offset(side: int, kind: Corner) -> None:
+    contour = fish_tail(2.5e-4)
+    made = offset_paths(contour, 3.0, side, corner=kind)
+    line = shapely.LineString(
+        arc.points_along(contour.start, contour.end, contour.bulge, 2000).reshape(-1, 2)
+    )
+    assert made.paths.closed.all()
+    assert shapely.distance(line, points(made)).min() >= 3.0 - 1e-4
+    assert set(made.source.tolist()) <= {0, 1, 2, 3}
+    # Inside, the tool stays before the narrow end; outside, it goes round the cusp.
+    reach = shapely.get_x(points(made)).max()
+    assert reach < -20.0 if side == -1 else 2.9 < reach < 6.1
+
+
+def test_a_wide_loop_at_a_cusp_is_refused_and_its_hint_helps() -> None:
+    contour = fish_tail(0.02)
+    with pytest.raises(CompensationError) as caught:
+        offset_paths(contour, 3.0, 1)
+    said = caught.value.message
+    assert said.code == "offset.cusp"
+    assert list(caught.value.source) == ["0", "1"]
+    size = said.arguments["size"]
+    # Trimmed at the crossing, as the hint proposes.
+    along = np.linspace(0.0, 1.0, 200_001)
+    there = arc.point_at(
+        np.repeat(contour.start[:1], len(along), 0),
+        np.repeat(contour.end[:1], len(along), 0),
+        np.repeat(contour.bulge[:1], len(along)),
+        along,
+    )
+    first = int(np.flatnonzero(there[:, 1] < 0.0)[0])
+    assert size == pytest.approx(-there[first, 0], abs=0.01)
+    xy = np.array([(-50.0, 12.0), there[first], (-50.0, 0.0), (-80.0, 6.0)])
+    bulge = np.tan(np.arctan(contour.bulge[:1]) * along[first])
+    trimmed = paths_of(xy, np.roll(xy, -1, axis=0), [*bulge, 0.0, 0.0, 0.0], [0, 4])
+    assert len(offset_paths(trimmed, 3.0, 1).paths) == 1

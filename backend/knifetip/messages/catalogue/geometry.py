@@ -111,6 +111,19 @@ MESSAGES: Final[Entries] = {
         "The side of a path must be +1 (left) or -1 (right).",
         "Give +1 or -1 as the side.",
     ),
+    "offset.cusp": entry(
+        "The offset curve at a distance of {radius:g} mm from path {path} is not closed, "
+        "because segments {one} and {two} of the contour cross {size:.4g} mm before the corner at "
+        "({x:.4f}, {y:.4f}) mm where they meet.",
+        "Trim the two segments at their crossing, so that the corner is there.",
+        path="count",
+        radius="number",
+        size="number",
+        x="number",
+        y="number",
+        one="count",
+        two="count",
+    ),
     "offset.dead-end": entry(
         "The offset curve at a distance of {radius:g} mm from path {path} is not closed. A "
         "piece of the curve beside segment {segment} of the path is {depth:.4g} mm long and "
