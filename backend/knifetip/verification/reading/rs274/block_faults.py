@@ -53,10 +53,9 @@ def _check_words(blocks: ProgramBlocks, state: ModalState) -> None:
     """Add a fault for each block that lacks a required word or has incompatible words."""
     fault, has, has_code = blocks.fault, blocks.has, blocks.has_code
     moving = has_code(Group.MOTION)
-    any_axis: Bool = np.logical_or.reduce(blocks.axes, axis=1)
     curved = has_code(Group.MOTION, 20) | has_code(Group.MOTION, 30)
-    fault(any_axis & ~moving, Message("rs274.axis-without-motion"))
-    fault(moving & ~any_axis, Message("rs274.motion-without-axis"))
+    fault(blocks.moves_axis & ~moving, Message("rs274.axis-without-motion"))
+    fault(moving & ~blocks.moves_axis, Message("rs274.motion-without-axis"))
     fault(
         curved & ~(blocks.axes[:, 0] & blocks.axes[:, 1] & has("I") & has("J")),
         Message("rs274.incomplete-arc"),
@@ -203,6 +202,6 @@ def _check_end(blocks: ProgramBlocks, state: ModalState) -> None:
     fault(after, Message("rs274.after-end"))
     here = np.arange(blocks.count) == end
     fault(here & state.oscillating, Message("rs274.ends-oscillating"))
-    fault(here & state.extra.any(axis=1), Message("rs274.ends-output-on"))
-    fault(here & state.on.any(axis=1), Message("rs274.ends-lowered"))
+    fault(here & state.extra[end].any(), Message("rs274.ends-output-on"))
+    fault(here & state.on[end].any(), Message("rs274.ends-lowered"))
     fault(here & (state.offset_of >= 0), Message("rs274.ends-with-offset"))

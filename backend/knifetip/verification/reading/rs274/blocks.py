@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from enum import IntEnum
 from typing import Any, Final
 
 import numpy as np
 
 from knifetip.errors import ProgramUnreadable
-from knifetip.kernels import F64_1, F64_2, Bool_1, kernel
+from knifetip.kernels import F64_1, I32_1, I64_1, I64_2, U8_1, Bool_1, kernel
 from knifetip.messages import Message
 from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.reading.rs274.parse import ProgramWords
@@ -72,6 +73,26 @@ _M: Final = {
     65: Group.OUTPUT,
 }
 
+#: Modal group of the codes 0 … 999 of G words and of M words, -1 for none, (2, 1000).
+_GROUP_OF: Final = np.array(
+    [[known.get(code, -1) for code in range(1000)] for known in (_G, _M)], np.int64
+)
+#: Messages about the letter and the number of a word, in the order of the kinds of
+#: ``_fill_columns``.
+_WORD_FAULTS: Final[tuple[Callable[[str, float], Message], ...]] = (
+    lambda letter, value: Message("rs274.unknown-word", word=f"{letter}{value:g}"),
+    lambda letter, value: Message("rs274.unknown-word", word=f"{letter}{value:g}"),
+    lambda letter, _: Message("rs274.unknown-letter", letter=letter),
+    lambda _letter, _value: Message("rs274.bad-line-number"),
+    lambda _letter, _value: Message("rs274.repeated-word"),
+)
+#: Greatest number of faults of each kind that are listed.
+_MOST_FAULTS: Final = 1000
+_GROUPS: Final = len(Group)
+_G_LETTER: Final = ord("G")
+_M_LETTER: Final = ord("M")
+_N_LETTER: Final = ord("N")
+
 
 class ProgramBlocks:
     """The words of a program in columns: one row for each block (program line with words).
@@ -83,51 +104,27 @@ class ProgramBlocks:
         self, words: ProgramWords, letters: str, faults: list[tuple[int, Message]]
     ) -> None:
         self.faults = faults
-        new = np.ones(len(words.line), np.bool_)
-        new[1:] = words.line[1:] != words.line[:-1]
-        block = np.cumsum(new) - 1
-        self.line: I32 = words.line[new]
-        count = len(self.line)
+        count, used = _count_blocks(words.line, words.letter)
         if count > MAX_BLOCKS:
             raise ProgramUnreadable("program.too-many-lines", lines=count, limit=MAX_BLOCKS)
-        self.count = count
-        groups = np.full((len(Group), count), -1, np.int32)
-        numbers = {letter: np.full(count, np.nan) for letter in _LETTERS + letters}
-        kind = np.zeros(len(words.line), np.int64)
-        for letter, known in (("G", _G), ("M", _M)):
-            rows = np.flatnonzero(words.letter == ord(letter))
-            scaled = words.value[rows] * (10.0 if letter == "G" else 1.0)
-            codes = np.rint(scaled).astype(np.int64)
-            table = np.full(1000, -1, np.int64)
-            table[list(known)] = list(known.values())
-            group = table[np.clip(codes, 0, 999)]
-            group[(codes < 0) | (codes > 999) | (np.abs(codes - scaled) > 1e-9)] = -1
-            for row in rows[group < 0][:1000]:
-                word = f"{letter}{words.value[row]:g}"
-                self._fault(block[row], Message("rs274.unknown-word", word=word))
-            known_rows = rows[group >= 0]
-            # If a line has two words of a group, use the first; the second is a fault below.
-            groups[group[group >= 0][::-1], block[known_rows][::-1]] = codes[group >= 0][::-1]
-            kind[rows] = np.where(group >= 0, 100 + group, -1)
-        for letter, column in numbers.items():
-            rows = np.flatnonzero(words.letter == ord(letter))
-            column[block[rows][::-1]] = words.value[rows][::-1]
-            kind[rows] = 200 + ord(letter)
-        for row in np.flatnonzero(kind == 0)[:1000]:
-            letter = chr(words.letter[row])
-            self._fault(block[row], Message("rs274.unknown-letter", letter=letter))
-        for row in np.flatnonzero((words.letter == ord("N")) & ~new)[:1000]:
-            self._fault(block[row], Message("rs274.bad-line-number"))
-        words_used = np.flatnonzero(kind >= 100)
-        key = np.sort(block[words_used] * 1000 + kind[words_used])
-        for twice in np.unique(key[1:][key[1:] == key[:-1]] // 1000)[:1000]:
-            self._fault(twice, Message("rs274.repeated-word"))
-        self.group = groups
-        self.number = numbers
-        if len(words_used):
-            self.position = np.stack([numbers[letter] for letter in letters], axis=1)
-        else:
-            self.position = np.full((count, len(letters)), np.nan)
+        self.count: int = count
+        present = [letter for letter in _LETTERS if used[ord(letter)]]
+        axis, column = np.full(256, -1), np.full(256, -1)
+        axis[[ord(letter) for letter in letters]] = np.arange(len(letters))
+        column[[ord(letter) for letter in present]] = np.arange(len(present))
+        self.line: I32
+        self.group: I32  #: (groups, count) code of the word of each modal group, -1 for none
+        self.position: F64  #: (count, axes) NaN if the block has no word of the axis
+        self.moves_axis: Bool  #: (count,) the block has a word of an axis
+        self.line, self.group, self.position, self.moves_axis, numbers, wrong = _fill_columns(
+            words.line, words.letter, words.value, count, _GROUP_OF, axis, column
+        )
+        # The letters that the program does not use share one column.
+        self.number: dict[str, F64] = dict.fromkeys(_LETTERS, np.full(count, np.nan))
+        self.number.update(zip(present, numbers, strict=True))
+        for kind, block, word in wrong[np.argsort(wrong[:, 0], kind="stable")].tolist():
+            fault_of = _WORD_FAULTS[kind]
+            self._fault(block, fault_of(chr(words.letter[word]), float(words.value[word])))
         self.axes: Bool = ~np.isnan(self.position)
 
     def _fault(self, block: int, message: Message) -> None:
@@ -158,6 +155,109 @@ class ProgramBlocks:
         return result
 
 
+@kernel
+def _count_blocks(line: I32_1, letter: U8_1) -> Any:
+    """Return the number of blocks of n words, and the mask of the letters that occur, (256,)."""
+    used = np.zeros(256, np.bool_)
+    count = 0
+    for word in range(len(line)):
+        used[letter[word]] = True
+        if word == 0 or line[word] != line[word - 1]:
+            count += 1
+    return count, used
+
+
+@kernel
+def _fill_columns(
+    line: I32_1,
+    letter: U8_1,
+    value: F64_1,
+    count: int,
+    group_of: I64_2,
+    axis: I64_1,
+    column: I64_1,
+) -> Any:
+    """Sort n words into columns of ``count`` blocks.
+
+    If a block has two words of a modal group or a letter, the first one counts.
+
+    Parameters
+    ----------
+    line, letter, value : (n,)
+        Program line of each word, its letter as an ASCII code, and its number.
+    count
+        Number of blocks.
+    group_of : (2, 1000)
+        Modal group of the codes of G words, and of those of M words; -1 for none.
+    axis, column : (256,)
+        For each letter its column in ``position``, and its row in ``numbers``; -1 for none.
+
+    Returns
+    -------
+    line_of : (count,)
+        Program line of each block.
+    groups : (g, count)
+        Code of the word of each modal group, -1 for none.
+    position, moves_axis : (count, a) and (count,)
+        Numbers of the words of the axes, NaN for none, and the mask of the blocks with such a word.
+    numbers : (c, count)
+        Numbers of the words of other letters, NaN for none.
+    wrong : (k, 3)
+        Kind of each fault (0 and 1 an unknown G or M word, 2 an unknown letter, 3 a line number
+        that is not the first word, 4 a repeated word), its block and its word.
+    """
+    line_of = np.empty(count, np.int32)
+    groups = np.full((_GROUPS, count), -1, np.int32)
+    position = np.full((count, axis.max() + 1), np.nan)
+    moves_axis = np.zeros(count, np.bool_)
+    numbers = np.full((column.max() + 1, count), np.nan)
+    wrong = np.empty((5 * _MOST_FAULTS, 3), np.int64)
+    faults, many, repeated = 0, np.zeros(5, np.int64), -1
+    block = -1
+    for word in range(len(line)):
+        first = word == 0 or line[word] != line[word - 1]
+        if first:
+            block += 1
+            line_of[block] = line[word]
+        name, kind, twice = letter[word], -1, False
+        if name in (_G_LETTER, _M_LETTER):
+            scaled = value[word] * 10.0 if name == _G_LETTER else value[word]
+            nearest = np.rint(scaled)
+            table = 0 if name == _G_LETTER else 1
+            group = -1
+            if 0.0 <= nearest <= 999.0 and abs(nearest - scaled) <= 1e-9:
+                group = group_of[table, int(nearest)]
+            if group < 0:
+                kind = table
+            elif groups[group, block] >= 0:
+                twice = True
+            else:
+                groups[group, block] = int(nearest)
+        elif axis[name] >= 0:
+            twice = not math.isnan(position[block, axis[name]])
+            if not twice:
+                position[block, axis[name]] = value[word]
+                moves_axis[block] = True
+        elif column[name] >= 0:
+            twice = not math.isnan(numbers[column[name], block])
+            if not twice:
+                numbers[column[name], block] = value[word]
+            if name == _N_LETTER and not first:
+                kind = 3
+        else:
+            kind = 2
+        # A block is listed once, however many of its words are repeated.
+        again = twice and block != repeated
+        if again:
+            repeated = block
+        for each in (kind, 4 if again else -1):
+            if each >= 0 and many[each] < _MOST_FAULTS:
+                wrong[faults, 0], wrong[faults, 1], wrong[faults, 2] = each, block, word
+                faults += 1
+                many[each] += 1
+    return line_of, groups, position, moves_axis, numbers, wrong[:faults].copy()
+
+
 def latest_block(mask: Bool) -> I64:
     """For each of n blocks, return the index of the nearest block in ``mask`` at or before it,
     (n,).
@@ -178,49 +278,3 @@ def _latest(mask: Bool_1) -> Any:
             latest = row
         rows[row] = latest
     return rows
-
-
-def value_in_force(values: F64, mask: Bool, initial: float = np.nan) -> F64:
-    """Return the value in force at each of n blocks, (n,).
-
-    The value is set by the block itself, or by the last earlier block that sets it.
-
-    Parameters
-    ----------
-    values : (n,)
-        Value of each block, if the block sets it.
-    mask : (n,)
-        Mask of the blocks that set the value.
-    initial
-        Value before the first block that sets it.
-    """
-    result: F64 = _in_force(
-        np.ascontiguousarray(values), np.ascontiguousarray(mask), float(initial)
-    )
-    return result
-
-
-@kernel
-def _in_force(values: F64_1, mask: Bool_1, initial: float) -> Any:
-    """Return the value in force at each of n blocks, (n,); see ``value_in_force``."""
-    result = np.empty(len(values))
-    value = initial
-    for row in range(len(values)):
-        if mask[row]:
-            value = values[row]
-        result[row] = value
-    return result
-
-
-@kernel
-def last_known(values: F64_2) -> Any:
-    """Return n rows of values, each NaN replaced by the last earlier value of its column.
-
-    ``values`` is (n, k).  A NaN without an earlier value remains.
-    """
-    result = values.copy()
-    for row in range(1, len(values)):
-        for column in range(values.shape[1]):
-            if math.isnan(result[row, column]):
-                result[row, column] = result[row - 1, column]
-    return result

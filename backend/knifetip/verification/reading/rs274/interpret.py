@@ -9,17 +9,19 @@ of execution); grbl's own rules where they are stricter.
 
 from __future__ import annotations
 
+import math
 from operator import itemgetter
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 
+from knifetip.kernels import F64_2, I64_1, kernel
 from knifetip.messages import Message
 from knifetip.model.machine import Machine
 from knifetip.verification.columns import F64, I64, U8, Bool
 from knifetip.verification.reading.moves import Moves, Switches
 from knifetip.verification.reading.rs274.block_faults import PRINT_ROUNDING, check_blocks
-from knifetip.verification.reading.rs274.blocks import Group, ProgramBlocks, last_known
+from knifetip.verification.reading.rs274.blocks import Group, ProgramBlocks
 from knifetip.verification.reading.rs274.modal_state import ModalState
 from knifetip.verification.reading.rs274.parse import ProgramWords
 from knifetip.verification.tools import carriage_columns
@@ -45,12 +47,8 @@ def interpret(words: ProgramWords, machine: Machine) -> tuple[Moves, list[tuple[
 
 def _make_moves(blocks: ProgramBlocks, state: ModalState, machine: Machine) -> Moves:
     ended = np.cumsum(blocks.has_code(Group.END)) > 0
-    any_axis: Bool = np.logical_or.reduce(blocks.axes.T, axis=0)
-    rows = np.flatnonzero(blocks.has_code(Group.MOTION) & any_axis & ~ended)
-    joints = blocks.position[rows] + state.offset[rows]
-    count = joints.shape[1]
-    axes_end = last_known(joints)
-    axes_start = np.vstack([np.full((min(1, len(rows)), count), np.nan), axes_end[:-1]])
+    rows = np.flatnonzero(blocks.has_code(Group.MOTION) & blocks.moves_axis & ~ended)
+    axes_start, axes_end = _trace_joints(blocks.position, state.offset_of, state.datum, rows)
     if machine.gantry:
         own = carriage_columns(machine)[state.station[rows]]
         start, end = (np.take_along_axis(axes, own, axis=1) for axes in (axes_start, axes_end))
@@ -82,6 +80,37 @@ def _make_moves(blocks: ProgramBlocks, state: ModalState, machine: Machine) -> M
         dwell=state.dwell,
         switches=_switching_lines(blocks, state, rows),
     )
+
+
+@kernel
+def _trace_joints(position: F64_2, offset_of: I64_1, datum: F64_2, moving: I64_1) -> Any:
+    """Return the positions of the joints before and after each of n moves, (n, axes) each.
+
+    An axis without a word keeps its position, which is NaN before its first word.
+
+    Parameters
+    ----------
+    position : (blocks, axes)
+        Programmed position of each axis in each block, NaN if it has no word of the axis.
+    offset_of : (blocks,)
+        Row in ``datum`` of the tool offset of each block; -1 for the last row.
+    datum : (stations + 1, axes)
+        Tool offsets.
+    moving : (n,)
+        Indices of the blocks that contain moves, ascending.
+    """
+    axes = position.shape[1]
+    start, end = np.empty((len(moving), axes)), np.empty((len(moving), axes))
+    known = np.full(axes, np.nan)
+    for move in range(len(moving)):
+        block = moving[move]
+        for axis in range(axes):
+            start[move, axis] = known[axis]
+            joint = position[block, axis] + datum[offset_of[block], axis]
+            if not math.isnan(joint):
+                known[axis] = joint
+            end[move, axis] = known[axis]
+    return start, end
 
 
 def _check_carriages(blocks: ProgramBlocks, moving: I64, own: I64) -> None:
@@ -136,7 +165,8 @@ def _switching_lines(blocks: ProgramBlocks, state: ModalState, moving: I64) -> S
         move=np.searchsorted(moving, rows) - 1,
         lowers=state.lowers[rows],
         beside=state.on[rows] | ~state.stated[rows, : state.on.shape[1]],
-        at_end=np.logical_or.reduce(state.stated, axis=0),
+        # What the program has stated once remains stated.
+        at_end=state.stated[-1] if blocks.count else np.zeros(state.stated.shape[1], np.bool_),
         spindle=(spindle & ~output & ~change)[rows],
     )
 
