@@ -140,7 +140,9 @@ def read_program(program: bytes, tools: Mapping[int, TipTool] | None = None) -> 
             # rs274 writes a file in HOME, which must not be shared by two processes.
             env=os.environ | {"HOME": folder},
             capture_output=True,
-            text=True,
+            # It repeats comments byte by byte, in whatever encoding.
+            encoding="ascii",
+            errors="replace",
             timeout=120,
             check=False,
         )
