@@ -1,9 +1,9 @@
-"""Accept shortfalls in the stored verdict of a job."""
+"""Accept shortfalls in the stored verdict of a job, and find those of an earlier job."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from typing import Any
+from typing import Any, Final
 
 from knifetip.jobs.compile_result import VerdictColumns
 from knifetip.model.acceptance import Shortfall, accept_shortfalls
@@ -16,6 +16,9 @@ from knifetip.presentation.verdict import (
     refusal,
     refused_handles,
 )
+
+#: Greatest difference between the measures of two findings about the same shortfall.
+_SAME_MEASURE: Final = 0.001
 
 
 def accept_in_block(
@@ -55,3 +58,35 @@ def accept_in_block(
         message,
         refused_handles(rows),
     )
+
+
+def find_same_exceptions(block: bytes, earlier: bytes) -> list[dict[str, Any]]:
+    """Return the findings that are accepted in an earlier verdict and refuse a present program.
+
+    Two findings are the same if their edge, their code and their measure agree.
+
+    Parameters
+    ----------
+    block, earlier
+        The packed verdicts of the present and of the earlier program.
+
+    Returns
+    -------
+    The findings of the earlier verdict, as in ``presentation.verdict.findings_json``.
+    """
+    accepted = {
+        (row["edge"], row["code"]): row
+        for row in unpack_columns(earlier)[1]["findings"]
+        if row.get("acceptance")
+    }
+    found = []
+    for row in unpack_columns(block)[1]["findings"]:
+        same = accepted.get((row["edge"], row["code"]))
+        if (
+            same is not None
+            and row["refuses"]
+            and row["handle"] == same["handle"]
+            and abs(row["measure"] - same["measure"]) <= _SAME_MEASURE
+        ):
+            found.append(same)
+    return found

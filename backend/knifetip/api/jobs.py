@@ -10,13 +10,14 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Query, Request, Response
 from fastapi.responses import PlainTextResponse
 
-from knifetip.api.exceptions import accept_in_block
+from knifetip.api.exceptions import accept_in_block, find_same_exceptions
 from knifetip.api.overrides import merge_overrides
 from knifetip.api.parameters import Cursor, DataFormat, IdempotencyKey, JobId, Limit
 from knifetip.api.queue import queued
 from knifetip.api.revisions import check_revision
 from knifetip.api.schemas.jobs import (
     ConfirmIn,
+    EarlierExceptions,
     ExceptionsIn,
     JobEvent,
     JobIn,
@@ -46,6 +47,7 @@ from knifetip.jobs.readings import StoredDrawing
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Drawing, Job
 from knifetip.messages import Message, hint, render
+from knifetip.model.acceptance import Exceptions, Shortfall
 from knifetip.model.choices import Choices
 from knifetip.model.corners import Corners
 from knifetip.model.interpretation import Interpretation
@@ -100,8 +102,23 @@ def _ordered(service: ServiceDep, order: JobIn, key: str | None, request: str) -
         copies=order.copies,
         priority=order.priority,
         release=order.release,
+        exceptions=_exceptions(service, order.exceptions),
     )
     return service.store.jobs.add(drawing, ordered, key=key, fingerprint=request)
+
+
+def _exceptions(service: Service, ordered: ExceptionsIn | None) -> Exceptions | None:
+    """Return the exceptions that an order contains, None for none; they are accepted now."""
+    if ordered is None:
+        return None
+    chosen = tuple(sorted(_shortfalls(ordered)))
+    return Exceptions(
+        chosen, Acceptance(ordered.by, ordered.reason, service.store.database.clock())
+    )
+
+
+def _shortfalls(exceptions: ExceptionsIn) -> set[Shortfall]:
+    return {(one.edge, one.code) for one in exceptions.findings}
 
 
 def _interpretation(service: Service, order: JobIn, drawing: Drawing) -> Interpretation:
@@ -248,6 +265,30 @@ def get_toolpath(service: ServiceDep, request: Request, id: JobId) -> Response:
     return bytes_response(request, block, row.program_sha256, "application/octet-stream")
 
 
+@router.get("/{id}/earlier-exceptions")
+def get_earlier_exceptions(service: ServiceDep, id: JobId) -> EarlierExceptions | None:
+    """Get the shortfalls of a refused job that a user accepted for an earlier job.
+
+    The earlier job is the newest one for the same file, unit, machine and board that has accepted
+    shortfalls; its shortfalls with the same edge, code and measure are listed.  They refuse the
+    present job until a user accepts them again (`POST /api/jobs/{id}/exceptions`).  Null if there
+    are none.
+    """
+    row = service.store.jobs.get(id)
+    earlier = service.store.jobs.last_with_exceptions(row)
+    if earlier is None or row.verdict_summary is None:
+        return None
+    found = find_same_exceptions(
+        service.store.jobs.column(id, "verdict"),
+        service.store.jobs.column(earlier.id, "verdict"),
+    )
+    if not found:
+        return None
+    return EarlierExceptions.model_validate(
+        {"job": earlier.id, "created": earlier.created, "findings": found}
+    )
+
+
 @router.post("/{id}/exceptions")
 def accept_shortfalls(service: ServiceDep, id: JobId, exceptions: ExceptionsIn) -> JobOut:
     """Accept shortfalls of a refused job, each by its edge and the code of its finding.
@@ -258,7 +299,7 @@ def accept_shortfalls(service: ServiceDep, id: JobId, exceptions: ExceptionsIn) 
     created with ``release``.  Faults cannot be accepted: the status is then 422.  The status is 409
     if the job is not ``refused``.
     """
-    chosen = {(one.edge, one.code) for one in exceptions.findings}
+    chosen = _shortfalls(exceptions)
     acceptance = Acceptance(exceptions.by, exceptions.reason, service.store.database.clock())
     row = service.store.jobs.accept(
         id,

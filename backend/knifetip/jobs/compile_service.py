@@ -29,6 +29,7 @@ from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.jobs.warm_up import WarmUp
 from knifetip.library import load
+from knifetip.model.acceptance import Exceptions
 from knifetip.model.stage import Stage
 from knifetip.model.tool import Engine, kind_of
 
@@ -176,6 +177,7 @@ class CompileService:
                 job.machine,
                 job.board,
                 (f"knifetip {version('knifetip')}", f"drawing {drawing.sha256[:40]}"),
+                None if job.exceptions is None else Exceptions.from_json(job.exceptions),
                 limit=self.limit,
                 watch=watch,
             )

@@ -18,6 +18,7 @@ from knifetip.jobs.job import CLOCK, Action, Actor, ActorKind, State
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE, Transitions
 from knifetip.messages import Message
+from knifetip.model.acceptance import Exceptions
 from knifetip.model.stage import Stage
 
 ATTEMPTS = 5  #: failed attempts after which a job is refused
@@ -244,6 +245,7 @@ class CompileStore:
             "lease": 0.0,
         }
         with self._db.writing() as session:
+            self._record_exceptions(session, id, result.verdict_summary.get("exceptions", 0))
             if result.message is not None:
                 self._transitions.move(
                     session,
@@ -262,6 +264,20 @@ class CompileStore:
             )
             if session.scalar(sa.select(Job.release).where(Job.id == id)):
                 self._transitions.release_by_order(session, id)
+
+    def _record_exceptions(self, session: Session, id: str, count: int) -> None:
+        """Write an event if the verdict on a job has shortfalls that its order accepts.
+
+        ``count`` is the number of accepted shortfalls.
+        """
+        ordered = session.scalar(sa.select(Job.exceptions).where(Job.id == id))
+        if ordered is not None and count > 0:
+            given = Exceptions.from_json(ordered).acceptance
+            message = Message(
+                "job.exceptions-accepted", by=given.by, count=count, reason=given.reason
+            )
+            actor = Actor(ActorKind.OPERATOR, given.by)
+            self._transitions.write_event(session, "job", id, State.COMPILING, actor, message)
 
     def refuse(
         self,

@@ -35,6 +35,7 @@ from knifetip.jobs.operator_actions import (
 from knifetip.jobs.tables import Drawing, Job
 from knifetip.jobs.transitions import Transitions, advice, same_request, unknown_job_error
 from knifetip.messages import Message
+from knifetip.model.acceptance import Exceptions
 from knifetip.model.interpretation import Interpretation
 
 
@@ -51,6 +52,7 @@ class JobOrder:
     copies: int = 1
     priority: int = 0  #: jobs with a higher one are claimed first
     release: bool = False  #: queue the job when it is ready
+    exceptions: Exceptions | None = None  #: shortfalls that the user accepts in advance
 
 
 class JobStore:
@@ -100,6 +102,7 @@ class JobStore:
             copies=order.copies,
             priority=order.priority,
             release=order.release,
+            exceptions=None if order.exceptions is None else order.exceptions.as_json(),
             created=now,
             updated=now,
             queued=0.0,
@@ -226,6 +229,28 @@ class JobStore:
             query = query.where(Job.id.in_(ids))
         with self._db.reading() as session:
             return list(session.scalars(query))
+
+    def last_with_exceptions(self, row: Job) -> Job | None:
+        """Return the newest earlier job for the same file, unit, machine and board whose verdict
+        has accepted shortfalls, None if there is none.
+        """
+        file = sa.select(Drawing.sha256).where(Drawing.id == row.drawing).scalar_subquery()
+        query = (
+            sa.select(Job)
+            .join(Drawing, Drawing.id == Job.drawing)
+            .where(
+                Job.serial < row.serial,
+                Drawing.sha256 == file,
+                Job.unit_given == row.unit_given,
+                Job.machine == row.machine,
+                Job.board == row.board,
+                Job.verdict_summary["exceptions"].as_integer() > 0,
+            )
+            .order_by(Job.serial.desc())
+            .limit(1)
+        )
+        with self._db.reading() as session:
+            return session.scalar(query)
 
     def accept(
         self,

@@ -133,6 +133,8 @@ class Job(Base):
     sheet: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
     #: height of the tool in turns: see ``Choices``
     lift: Mapped[str] = mapped_column(sa.String(16), default="clearance")
+    #: shortfalls that the order accepts: see ``model.acceptance.Exceptions``; None for none
+    exceptions: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
     overrides: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)
     program: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)
     toolpath: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)

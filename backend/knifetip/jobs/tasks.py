@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from knifetip.errors import UnitUnknown
+from knifetip.errors import KnifetipError, UnitUnknown
 from knifetip.jobs.compile_result import CompileResult
 from knifetip.jobs.readings import (
     StoredDrawing,
@@ -24,6 +24,10 @@ from knifetip.jobs.readings import (
 )
 from knifetip.library import load
 from knifetip.messages import finite, printable
+from knifetip.model.acceptance import Exceptions, with_ordered_exceptions
+from knifetip.model.cleaned import Cleaned
+from knifetip.model.dieline import Dieline
+from knifetip.model.drawing import Drawing
 from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
 from knifetip.model.machine import Machine
 from knifetip.model.stage import Progress, Stage
@@ -88,9 +92,7 @@ def read(
         overrides = carry_over(before, handles, [printable(handle) for handle in drawing.handles])
     progress(Stage.CLASSIFY, 0.6)
     dieline = pipeline.interpret(drawing, replace(interpretation, overrides=overrides.tobytes()))
-    # The limits of cleaning are lengths in mm.
-    cleaned = pipeline.clean(dieline) if drawing.unit else None
-    outcomes = edge_outcomes(drawing, dieline, cleaned)
+    outcomes = edge_outcomes(drawing, dieline, _clean(drawing, dieline))
     progress(Stage.STORE, 0.9)
     questions = pipeline.questions(drawing, dieline)
     return Reading(
@@ -99,6 +101,23 @@ def read(
         pack_rows(import_report_rows(drawing)),
         overrides.tobytes(),
     )
+
+
+def _clean(drawing: Drawing, dieline: Dieline) -> Cleaned | None:
+    """Return the result of cleaning a drawing; None if it cannot be cleaned.
+
+    A drawing that cannot be cleaned is stored, so that its user sees it.  The report on its
+    cleaning and its compile are refused with the reason.
+    """
+    from knifetip import pipeline
+
+    # The limits of cleaning are lengths in mm.
+    if not drawing.unit:
+        return None
+    try:
+        return pipeline.clean(dieline)
+    except KnifetipError:
+        return None
 
 
 def cleaning_report(progress: Progress, edges: bytes) -> dict[str, Any]:
@@ -163,6 +182,7 @@ def compile(
     machine: str,
     board: str,
     notes: Sequence[str],
+    exceptions: Exceptions | None = None,
 ) -> CompileResult:
     """Compile a drawing for a board and a machine, verify the program, and return the result.
 
@@ -180,6 +200,8 @@ def compile(
         Name of the board in the library.
     notes
         Comment lines for the beginning of the program.
+    exceptions
+        Shortfalls that the order accepts; None for none.
 
     Raises
     ------
@@ -202,6 +224,9 @@ def compile(
         notes=notes,
         progress=progress,
     )
+    if exceptions is not None:
+        verdict = with_ordered_exceptions(compiled.verdict, exceptions)
+        compiled = replace(compiled, verdict=verdict)
     return _result(compiled, [printable(handle) for handle in drawing.handles], table)
 
 

@@ -53,6 +53,7 @@ export type VerdictSummary = Schemas["VerdictSummary"];
 /** Actions without further data, each a route of its own. */
 export type JobCommand = Exclude<Schemas["OperatorAction"], "accept">;
 export type Exceptions = Schemas["ExceptionsIn"];
+export type EarlierExceptions = Schemas["EarlierExceptions"];
 
 const api = createClient<paths>({
   // Request needs an absolute URL; tests have no location.
@@ -194,6 +195,8 @@ export const service = {
     dataOf(api.POST(`/api/jobs/{id}/${command}`, { params: byId(id) })),
   accept: (id: string, exceptions: Exceptions): Promise<Job> =>
     dataOf(api.POST("/api/jobs/{id}/exceptions", { params: byId(id), body: exceptions })),
+  earlierExceptions: (id: string, signal?: AbortSignal): Promise<EarlierExceptions | null> =>
+    dataOf(api.GET("/api/jobs/{id}/earlier-exceptions", { params: byId(id), ...uncached(signal) })),
   verdict: async (id: string, signal?: AbortSignal): Promise<Verdict> => {
     const params = { ...byId(id), query: { format: "json" as const } };
     const { data } = await api.GET("/api/jobs/{id}/verdict", { params, ...uncached(signal) });

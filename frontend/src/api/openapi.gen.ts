@@ -284,6 +284,31 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/jobs/{id}/earlier-exceptions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Earlier Exceptions
+         * @description Get the shortfalls of a refused job that a user accepted for an earlier job.
+         *
+         *     The earlier job is the newest one for the same file, unit, machine and board that has accepted
+         *     shortfalls; its shortfalls with the same edge, code and measure are listed.  They refuse the
+         *     present job until a user accepts them again (`POST /api/jobs/{id}/exceptions`).  Null if there
+         *     are none.
+         */
+        get: operations["get_earlier_exceptions"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/jobs/{id}/exceptions": {
         parameters: {
             query?: never;
@@ -932,6 +957,24 @@ export interface components {
              * @description Time of the decision (seconds since 1970)
              */
             at: number;
+        };
+        /**
+         * AcceptedShortfall
+         * @description A shortfall that a user accepted.
+         */
+        AcceptedShortfall: {
+            /**
+             * Edge
+             * @description Row of the edge in the drawing, counted from 0
+             */
+            edge: number;
+            /**
+             * Code
+             * @description Code of the finding's message
+             */
+            code: string;
+            /** @description Who accepted the shortfall */
+            acceptance: components["schemas"]["AcceptanceOut"];
         };
         /**
          * BoardOut
@@ -1652,6 +1695,27 @@ export interface components {
             questions: number;
         };
         /**
+         * EarlierExceptions
+         * @description Shortfalls of a job that a user accepted for an earlier job.
+         */
+        EarlierExceptions: {
+            /**
+             * Job
+             * @description Id of the earlier job
+             */
+            job: string;
+            /**
+             * Created
+             * @description Time of the earlier order (seconds since 1970)
+             */
+            created: number;
+            /**
+             * Findings
+             * @description Shortfalls that both jobs have
+             */
+            findings: components["schemas"]["AcceptedShortfall"][];
+        };
+        /**
          * EdgeOut
          * @description One edge of a drawing with its line type and its outcome of cleaning.
          */
@@ -2231,6 +2295,8 @@ export interface components {
              * @default false
              */
             release: boolean;
+            /** @description Shortfalls that the user accepts in advance, as those of an earlier job for the same drawing. Shortfalls that the program does not have are disregarded; all others refuse it. Null for none */
+            exceptions?: components["schemas"]["ExceptionsIn"] | null;
         };
         /**
          * JobOut
@@ -3605,6 +3671,11 @@ export interface components {
              * @description Per edge: length of a slit that is milled as wide as the cutter (mm)
              */
             edge_slit_length: number[];
+            /**
+             * Edge Tidied
+             * @description Per edge: distance of the cleaned edge from the edge as drawn (mm); empty if an older version compiled the job
+             */
+            edge_tidied: number[];
             /**
              * Edge Bottom Uncut
              * @description Per edge: length not cut at the bottom face of the board (mm)
@@ -10388,6 +10459,38 @@ export interface operations {
                 };
                 content: {
                     "application/octet-stream": string;
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_earlier_exceptions: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Id of the job */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EarlierExceptions"] | null;
                 };
             };
             /** @description Error with a hint */

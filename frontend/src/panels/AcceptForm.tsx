@@ -2,9 +2,10 @@
 
 import { Button, Checkbox, TextInput } from "@mantine/core";
 import { useState } from "react";
-import type { Finding, Job } from "../api/client";
+import type { EarlierExceptions, Finding, Job } from "../api/client";
 import { acceptShortfalls } from "../state/actions";
 import { pluralize } from "../state/format";
+import { useEarlierExceptions } from "../state/queries";
 import { useUiStore } from "../state/store";
 import verdictCss from "./verdict.module.css";
 
@@ -18,26 +19,34 @@ const TITLES: Readonly<Record<string, string>> = {
 };
 /** Key of the user's name in the local storage of the browser. */
 const NAME = "knifetip.accepted-by";
+/** Greatest number of characters of a reason. */
+const REASON_LENGTH = 500;
 
 export function AcceptForm({ job, findings }: { job: Job; findings: readonly Finding[] }) {
   const busy = useUiStore((ui) => ui.busy);
   const [left, setLeft] = useState<ReadonlySet<string>>(new Set());
-  const [reason, setReason] = useState("");
+  const { data: earlier = null } = useEarlierExceptions(job.id);
+  const [typed, setTyped] = useState<string | null>(null);
   const [by, setBy] = useState(() => localStorage.getItem(NAME) ?? "");
   const open = findings.filter((finding) => finding.severity === "shortfall" && finding.refuses);
   const kinds = [...new Set(open.map((finding) => finding.kind))];
   const chosen = open.filter((finding) => !left.has(finding.kind));
-  const isComplete = chosen.length > 0 && reason.trim() !== "" && by.trim() !== "";
+  const reason = typed ?? (earlier === null ? "" : reasonOf(earlier));
+  const isComplete = reason.trim() !== "" && by.trim() !== "";
+  const again = new Set(earlier?.findings.map(keyOf));
+  const same = open.filter((finding) => again.has(keyOf(finding)));
+  const isSame = chosen.length === same.length && chosen.every((one) => again.has(keyOf(one)));
   if (open.length === 0) return null;
   const toggle = (kind: string) => {
     const next = new Set(left);
     if (!next.delete(kind)) next.add(kind);
     setLeft(next);
   };
-  const accept = () => {
+  const accept = (findings: readonly Finding[]) => {
+    if (!isComplete || findings.length === 0) return;
     localStorage.setItem(NAME, by.trim());
     acceptShortfalls(job.id, {
-      findings: chosen.map(({ edge, code }) => ({ edge, code })),
+      findings: findings.map(({ edge, code }) => ({ edge, code })),
       reason: reason.trim(),
       by: by.trim(),
     });
@@ -48,10 +57,11 @@ export function AcceptForm({ job, findings }: { job: Job; findings: readonly Fin
       data-testid="accept-form"
       onSubmit={(event) => {
         event.preventDefault();
-        if (isComplete) accept();
+        accept(chosen);
       }}
     >
       <p>The program is safe. You can accept these lines as they will be made:</p>
+      {earlier !== null && <Earlier exceptions={earlier} />}
       {kinds.map((kind) => (
         <Checkbox
           key={kind}
@@ -64,9 +74,9 @@ export function AcceptForm({ job, findings }: { job: Job; findings: readonly Fin
       <TextInput
         size="xs"
         label="Reason"
-        maxLength={500}
+        maxLength={REASON_LENGTH}
         value={reason}
-        onChange={(event) => setReason(event.currentTarget.value)}
+        onChange={(event) => setTyped(event.currentTarget.value)}
         data-testid="accept-reason"
       />
       <TextInput
@@ -77,15 +87,51 @@ export function AcceptForm({ job, findings }: { job: Job; findings: readonly Fin
         onChange={(event) => setBy(event.currentTarget.value)}
         data-testid="accept-by"
       />
+      {same.length > 0 && !isSame && (
+        <Button
+          size="xs"
+          variant="light"
+          disabled={!isComplete || busy}
+          onClick={() => accept(same)}
+          data-testid="accept-same"
+        >
+          Accept the same {pluralize(same.length, "shortfall")} as before
+        </Button>
+      )}
       <Button
         type="submit"
         size="xs"
-        variant="light"
-        disabled={!isComplete || busy}
+        variant={isSame || same.length === 0 ? "light" : "default"}
+        disabled={!isComplete || chosen.length === 0 || busy}
         data-testid="accept-shortfalls"
       >
-        Accept {pluralize(chosen.length, "shortfall")}
+        {isSame
+          ? `Accept the same ${pluralize(chosen.length, "shortfall")} as before`
+          : `Accept ${pluralize(chosen.length, "shortfall")}`}
       </Button>
     </form>
   );
+}
+
+/** Who accepted which of the shortfalls for an earlier job of the same drawing. */
+function Earlier({ exceptions }: { exceptions: EarlierExceptions }) {
+  const names = [...new Set(exceptions.findings.map(({ acceptance }) => acceptance.by))];
+  const time = new Date(1000 * exceptions.created).toLocaleString([], {
+    dateStyle: "medium",
+    timeStyle: "short",
+  });
+  return (
+    <p className={verdictCss.acceptance} data-testid="earlier-exceptions">
+      {names.join(", ")} accepted {exceptions.findings.length} of these lines for the job of {time}.
+      Accept them again for this job, with your name.
+    </p>
+  );
+}
+
+const keyOf = ({ edge, code }: { edge: number; code: string }): string => `${edge} ${code}`;
+
+/** Reasons given for an earlier job, cut to the greatest length of a reason. */
+function reasonOf({ findings }: EarlierExceptions): string {
+  const reasons = new Set(findings.map(({ acceptance }) => acceptance.reason));
+  return [...reasons].join("; ").slice(0, REASON_LENGTH);
 }

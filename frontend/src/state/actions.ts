@@ -205,8 +205,8 @@ export function acceptShortfalls(job: string, exceptions: Exceptions): Promise<v
   return enqueue(async () => {
     upsertJob(await service.accept(job, exceptions));
     await Promise.all(
-      [queries.verdict(job).queryKey, queries.verdictColumns(job).queryKey].map((queryKey) =>
-        queryClient.invalidateQueries({ queryKey }),
+      [queries.verdict, queries.verdictColumns, queries.earlierExceptions].map((query) =>
+        queryClient.invalidateQueries({ queryKey: query(job).queryKey }),
       ),
     );
   });

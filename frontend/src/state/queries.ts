@@ -71,6 +71,11 @@ export const queries = {
       queryFn: ({ signal }) => service.verdict(id, signal),
       staleTime: Number.POSITIVE_INFINITY,
     }),
+  earlierExceptions: (id: string) =>
+    queryOptions({
+      queryKey: ["earlier exceptions", id],
+      queryFn: ({ signal }) => service.earlierExceptions(id, signal),
+    }),
   verdictColumns: (id: string) =>
     queryOptions({
       queryKey: ["verdict columns", id],
@@ -155,6 +160,9 @@ export function useVerdict() {
     enabled: job !== undefined && job.verdict !== null,
   });
 }
+
+/** Shortfalls of a refused job that a user accepted for an earlier job; null if there are none. */
+export const useEarlierExceptions = (job: string) => useQuery(queries.earlierExceptions(job));
 
 /** Deviations along the edges and unreachable areas, from the verdict of the open job. */
 export function useVerdictColumns() {

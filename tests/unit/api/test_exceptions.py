@@ -16,11 +16,16 @@ SLITS = tuple(text.line(20.0, y, 80.0, y, (8, "CUT")) for y in (40.0, 60.0))
 DECISION = {"reason": "the tab is 8 mm wide", "by": "Ada"}
 
 
-def slit_job(client: httpx.Client, **fields: object) -> dict[str, Any]:
-    drawing = upload_drawing(client, square(extra=SLITS))["id"]
+def slit_job(
+    client: httpx.Client,
+    slits: tuple[str, ...] = SLITS,
+    state: str = "refused",
+    **fields: object,
+) -> dict[str, Any]:
+    drawing = upload_drawing(client, square(extra=slits))["id"]
     order = {"drawing": drawing, "machine": "router-table", "board": "greyboard-3.0", **fields}
     answer = client.post("/api/jobs", json=order)
-    return wait_for_state(client, answer.json()["id"], "refused")
+    return wait_for_state(client, answer.json()["id"], state)
 
 
 def shortfalls(client: httpx.Client, job: dict[str, Any]) -> list[dict[str, Any]]:
@@ -83,3 +88,63 @@ def test_a_job_that_could_not_be_compiled_has_nothing_to_accept(client: httpx.Cl
     answer = accept(client, job, {"edge": 0, "code": "verify.wide-slit"})
     assert answer.status_code == 409
     assert "not refused for shortfalls alone" in answer.text
+
+
+def exceptions_of(*findings: dict[str, Any], by: str = "ERP") -> dict[str, Any]:
+    chosen = [{"edge": one["edge"], "code": one["code"]} for one in findings]
+    return {"findings": chosen, "reason": "as agreed with the customer", "by": by}
+
+
+def test_an_order_can_accept_shortfalls_in_advance(client: httpx.Client) -> None:
+    first, second = shortfalls(client, slit_job(client))
+    other = {"edge": 0, "code": "verify.unreached"}
+    partly = slit_job(client, exceptions=exceptions_of(first))
+    assert (partly["verdict"]["exceptions"], partly["verdict"]["shortfalls"]) == (1, 1)
+    assert f"Edge {second['edge']}:" in partly["reason"]
+    given = exceptions_of(first, second, other)
+    job = slit_job(client, state="queued", release=True, exceptions=given)
+    assert (job["verdict"]["accepted"], job["verdict"]["exceptions"]) == (True, 2)
+    kept = [one["acceptance"] for one in shortfalls(client, job)]
+    assert [(one["by"], one["reason"]) for one in kept] == [
+        ("ERP", "as agreed with the customer")
+    ] * 2
+    events = client.get(f"/api/jobs/{job['id']}/events").json()
+    assert ("operator ERP", "ERP accepted 2 shortfalls: as agreed with the customer") in [
+        (one["who"], one["why"]) for one in events
+    ]
+    client.post(f"/api/jobs/{job['id']}/cancel")
+
+
+def test_exceptions_of_an_order_accept_no_faults(client: httpx.Client) -> None:
+    # A square that is larger than the table gives no program and so no verdict.
+    drawing = upload_drawing(client, square(side=5000.0))["id"]
+    order = {"drawing": drawing, "machine": "router-table", "board": "greyboard-3.0"}
+    given = exceptions_of({"edge": 0, "code": "travel.beyond"})
+    answer = client.post("/api/jobs", json={**order, "exceptions": given})
+    job = wait_for_state(client, answer.json()["id"], "refused")
+    assert job["verdict"] is None
+
+
+def test_shortfalls_of_an_earlier_job_are_listed_and_not_accepted(client: httpx.Client) -> None:
+    height = 33.25  # a drawing of this test alone
+    slits = tuple(text.line(20.0, y, 80.0, y, (8, "CUT")) for y in (height, 60.0))
+    earlier = slit_job(client, slits)
+    path = f"/api/jobs/{earlier['id']}/earlier-exceptions"
+    assert client.get(path).json() is None
+    one, _ = shortfalls(client, earlier)
+    accept(client, earlier, one)
+    # The same file, uploaded again; one of its two shortfalls was accepted.
+    job = slit_job(client, slits)
+    assert job["verdict"]["exceptions"] == 0
+    found = client.get(f"/api/jobs/{job['id']}/earlier-exceptions").json()
+    assert (found["job"], found["created"]) == (earlier["id"], earlier["created"])
+    assert [(each["edge"], each["code"]) for each in found["findings"]] == [
+        (one["edge"], one["code"])
+    ]
+    assert found["findings"][0]["acceptance"]["by"] == "Ada"
+    accept(client, job, one)
+    assert client.get(f"/api/jobs/{job['id']}/earlier-exceptions").json() is None
+    # Another board is another job.
+    other = slit_job(client, slits, board="greyboard-2.0")
+    assert client.get(f"/api/jobs/{other['id']}/earlier-exceptions").json() is None
+    assert len(shortfalls(client, other)) == 2

@@ -9,9 +9,11 @@ import pytest
 
 from knifetip import pipeline
 from knifetip.dxf.samples import samples
+from knifetip.errors import DrawingTooLarge
 from knifetip.jobs import readings, tasks
 from knifetip.jobs.readings import StoredDrawing, restore_or_read
 from knifetip.library import load
+from knifetip.model.cleaned import Cleaned
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing
 from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
@@ -149,3 +151,14 @@ def test_a_program_of_a_reading_is_that_of_its_file(unread: None) -> None:
     table, board = load.machine("demo-table"), load.board("fbb-0.4")
     assert made.accepted
     assert made.program == pipeline.compile(drawing, dieline, table, board).program.text
+
+
+def test_a_drawing_that_cannot_be_cleaned_is_stored(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(_dieline: Dieline) -> Cleaned:
+        raise DrawingTooLarge("edge.too-many-overlaps", edges=3, limit=2)
+
+    monkeypatch.setattr(pipeline, "clean", refuse)
+    reading = tasks.read(no_progress, CONTENT, Interpretation())
+    assert len(unpack_columns(reading.edges)[1]["handles"]) > 0
+    with pytest.raises(DrawingTooLarge):
+        tasks.cleaning_report(no_progress, reading.edges)

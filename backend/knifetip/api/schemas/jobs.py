@@ -116,6 +116,27 @@ class Sheet(Strict):
         return self
 
 
+class ShortfallIn(Strict):
+    """A shortfall of a verdict, selected by its edge and its code."""
+
+    edge: Annotated[int, Field(ge=0, le=2**31 - 1)] = Field(
+        description="Row of the edge in the drawing, counted from 0, as in the finding"
+    )
+    code: str = Field(max_length=100, description="Code of the finding's message")
+
+
+class ExceptionsIn(Strict):
+    """Shortfalls of a verdict that a user accepts."""
+
+    findings: list[ShortfallIn] = Field(
+        min_length=1, max_length=1000, description="Shortfalls to accept"
+    )
+    reason: str = Field(
+        min_length=1, max_length=500, description="Why the shortfalls are acceptable"
+    )
+    by: str = Field(min_length=1, max_length=100, description="Name of the user")
+
+
 class JobIn(Strict):
     """A new job: a drawing, a machine and a board."""
 
@@ -165,6 +186,12 @@ class JobIn(Strict):
         default=False,
         description="Whether to queue the job as soon as its program is accepted; if false, the "
         "job stays `ready` until it is released",
+    )
+    exceptions: ExceptionsIn | None = Field(
+        default=None,
+        description="Shortfalls that the user accepts in advance, as those of an earlier job for "
+        "the same drawing. Shortfalls that the program does not have are disregarded; all others "
+        "refuse it. Null for none",
     )
 
 
@@ -380,33 +407,28 @@ class JobEvent(BaseModel):
     why: str = Field(description="Text of `message` in English; empty if `message` is null")
 
 
-class ShortfallIn(Strict):
-    """A shortfall of a verdict, selected by its edge and its code."""
-
-    edge: Annotated[int, Field(ge=0, le=2**31 - 1)] = Field(
-        description="Row of the edge in the drawing, counted from 0, as in the finding"
-    )
-    code: str = Field(max_length=100, description="Code of the finding's message")
-
-
-class ExceptionsIn(Strict):
-    """Shortfalls of a verdict that a user accepts."""
-
-    findings: list[ShortfallIn] = Field(
-        min_length=1, max_length=1000, description="Shortfalls to accept"
-    )
-    reason: str = Field(
-        min_length=1, max_length=500, description="Why the shortfalls are acceptable"
-    )
-    by: str = Field(min_length=1, max_length=100, description="Name of the user")
-
-
 class AcceptanceOut(BaseModel):
     """Who accepted a shortfall, when and why."""
 
     by: str = Field(description="Name of the user")
     reason: str = Field(description="Why the shortfall is acceptable")
     at: float = Field(description="Time of the decision (seconds since 1970)")
+
+
+class AcceptedShortfall(BaseModel):
+    """A shortfall that a user accepted."""
+
+    edge: int = Field(description="Row of the edge in the drawing, counted from 0")
+    code: str = Field(description="Code of the finding's message")
+    acceptance: AcceptanceOut = Field(description="Who accepted the shortfall")
+
+
+class EarlierExceptions(BaseModel):
+    """Shortfalls of a job that a user accepted for an earlier job."""
+
+    job: str = Field(description="Id of the earlier job")
+    created: float = Field(description="Time of the earlier order (seconds since 1970)")
+    findings: list[AcceptedShortfall] = Field(description="Shortfalls that both jobs have")
 
 
 class FindingOut(MessageOut):
@@ -514,6 +536,10 @@ class VerdictOut(VerdictSummary):
     )
     edge_slit_length: list[float] = Field(
         description="Per edge: length of a slit that is milled as wide as the cutter (mm)"
+    )
+    edge_tidied: list[float] = Field(
+        description="Per edge: distance of the cleaned edge from the edge as drawn (mm); empty if "
+        "an older version compiled the job"
     )
     edge_bottom_uncut: list[float] = Field(
         description="Per edge: length not cut at the bottom face of the board (mm)"
