@@ -1,0 +1,99 @@
+"""Follow the hints of refusals: change a job as the hint of its refusal says."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from knifetip.library import load
+from knifetip.model.dieline import LineType
+
+if TYPE_CHECKING:
+    from tests.cartons.trial import Attempt, Refusal
+
+#: What was done, and the changed attempt; None if the hint cannot be followed here.
+Change = "tuple[str, Attempt] | None"
+
+
+def follow(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
+    """Return what the hint of a refusal says to do and the job changed so; None if it is no help."""
+    action = _ACTIONS.get(refusal.code)
+    return None if action is None else action(refusal, attempt)
+
+
+def _other_tool(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt]:
+    """Give edges that the machine cannot make the line type that comes next."""
+    kinds = {LineType.V_GROOVE: LineType.CREASE, LineType.PERFORATION: LineType.CUT}
+    rows = list(refusal.edges)
+    kind = LineType(int(attempt.line_type[rows[0]]))
+    chosen = kinds.get(kind, LineType.IGNORED)
+    return f"{kind.word} becomes {chosen.word}", _typed(attempt, rows, chosen)
+
+
+def _typed(attempt: Attempt, rows: list[int], kind: LineType) -> Attempt:
+    line_type = attempt.line_type.copy()
+    line_type[rows] = kind
+    return replace(attempt, line_type=line_type)
+
+
+def _ignored(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
+    """Set the line type of the edges to ignored."""
+    rows = [row for row in refusal.edges if row >= 0]
+    return ("ignored", _typed(attempt, rows, LineType.IGNORED)) if rows else None
+
+
+def _as_crease(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
+    rows = [row for row in refusal.edges if row >= 0]
+    return ("crease instead", _typed(attempt, rows, LineType.CREASE)) if rows else None
+
+
+def _knife(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
+    """Choose a machine with a knife."""
+    if attempt.machine.name == "demo-table":
+        return None
+    machine = load.machine("demo-table")
+    choices = replace(attempt.choices, corners=None)
+    return "knife", replace(attempt, machine=machine, dialect=machine.dialect, choices=choices)
+
+
+def _shallower(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
+    """Choose a board with a shallower groove."""
+    boards = ("greyboard-2.0", "greyboard-1.5", "e-flute", "fbb-0.4")
+    for name in boards:
+        board = load.board(name)
+        if board.groove_depth < attempt.board.groove_depth:
+            return f"board {name}", replace(attempt, board=board)
+    return None
+
+
+def _larger_machine(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
+    """Choose a larger machine, or turn the drawing by 90°."""
+    if attempt.machine.name == "flat-cutter-hpgl":
+        return _knife(refusal, attempt)
+    return None
+
+
+def _whole_sheet(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
+    """State no sheet."""
+    if attempt.choices.sheet is None:
+        return None
+    return "no sheet", replace(attempt, choices=replace(attempt.choices, sheet=None))
+
+
+_ACTIONS: Final[dict[str, Callable[[Refusal, Attempt], tuple[str, Attempt] | None]]] = {
+    "question.tool": _other_tool,
+    "cut.too-short": _ignored,
+    "cutter.does-not-fit": _ignored,
+    "groove.along-edge": _as_crease,
+    "groove.curved": _as_crease,
+    "groove.runs-out": _as_crease,
+    "groove.through-cut": _shallower,
+    "groove.too-short": _ignored,
+    "milling.shared-edge": _knife,
+    "drawing.larger-than-table": _larger_machine,
+    "sheet.without-outline": _whole_sheet,
+}
