@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -19,10 +20,14 @@ from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.pipeline import Compiled
 from knifetip.verification.reading.hpgl import READER
+from tests.support.drawings import drawing
 from tests.support.programs.mixed_carton import mixed_carton
+from tests.support.shapes import closed, dieline
 
 MACHINE, BOARD = load.machine("flat-cutter-hpgl"), load.board("fbb-0.4")
 Made = tuple[Dieline, Compiled]
+#: A turn by 5.4°, for rows of points.
+TURN = np.array([[np.cos(0.0942), np.sin(0.0942)], [-np.sin(0.0942), np.cos(0.0942)]])
 
 
 def compiled(data: bytes) -> Made:
@@ -55,6 +60,26 @@ def test_every_line_type_of_a_knife_and_a_creasing_tool_is_accepted(made: Made) 
     pens = re.findall(rb"SP(\d);", result.program.text)
     # Creases, then partial cuts, then cuts through the board; last, the tool is put away.
     assert pens == [b"2", b"3", b"1", b"0"]
+
+
+@pytest.mark.parametrize(
+    ("corners", "bulges"),
+    [
+        # A slot of 0.4 mm: units of the plotter turn its floor by up to 2°.
+        (((30.4, 80), (30.4, 60), (30, 60), (30, 80)), ()),
+        # Two arcs that meet in a notch: chords of the path turn from their tangents.
+        (((70, 80), (50, 70), (30, 80)), (0.0, 0.3, 0.3)),
+    ],
+)
+def test_a_contour_is_one_run_although_a_notch_interrupts_it(
+    corners: tuple[tuple[float, float], ...], bulges: tuple[float, ...]
+) -> None:
+    outline = closed((0, 80), (0, 0), (100, 0), (100, 80), *corners)
+    dieline_of = dieline((LineType.CUT, outline), bulge={4 + i: b for i, b in enumerate(bulges)})
+    turned = replace(dieline_of, ends=dieline_of.ends @ TURN)
+    lines = drawing(turned.ends, [("CUT", 7, "CONTINUOUS")] * len(turned), bulge=turned.bulge)
+    made = pipeline.compile(lines, turned, MACHINE, BOARD)
+    assert made.verdict.findings == ()
 
 
 def _nth(text: bytes, pattern: bytes, new: bytes, which: int = 0) -> bytes:

@@ -14,10 +14,8 @@ from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import azimuth_at, point_at
 from knifetip.verification.expectation.edges import (
     JOIN_DISTANCE,
-    STRAIGHT_ANGLE,
     TOUCH_DISTANCE,
     Edges,
-    angle_between,
     pairs_within,
 )
 from knifetip.verification.expectation.expected_work import KnifeEnds
@@ -93,8 +91,8 @@ def check_track_ends(
     jump = np.hypot(*(start[1:] - stop[:-1]).T)
     # A new run may begin near the overrun of the previous one, but not at the same point.
     new[1:] = jump > np.where(run_over[:-1], PRINT_TURN, JOIN_DISTANCE)
-    new[1:] |= _stops_at_junctions(check, ends, stop[:-1]) & ~_starts_along_edges(
-        solid_edges, start[1:], azimuth_at(check.curve[first[1:]], np.zeros(count - 1))
+    new[1:] |= _stops_at_junctions(check, ends, stop[:-1]) & ~_start_along_edges(
+        solid_edges, check.curve[first[1:]], check.slack
     )
     opens = np.flatnonzero(new)
     closes = np.concatenate([opens[1:], [count]]) - 1
@@ -161,17 +159,30 @@ def _stops_at_junctions(check: StationCheck, ends: KnifeEnds, stop: F64) -> Bool
     return result
 
 
-def _starts_along_edges(edges: Edges, start: F64, heading: F64) -> Bool:
-    """Return the mask of the t tracks that begin at an end of an edge and run along this edge,
+def _start_along_edges(edges: Edges, paths: F64, tolerance: float) -> Bool:
+    """Return the mask of the t tip paths that begin at an end of an edge and run along this edge,
     (t,).
 
-    ``start`` and ``heading`` are the point (mm) and the direction (degrees) at which each track
-    begins, (t, 2) and (t,).
+    The curves are compared by their points at the same distance from that end, at most at the end
+    of the shorter one.  Their directions may differ: the path may be a chord of the edge, and
+    coarse coordinates turn a short line.
+
+    Parameters
+    ----------
+    paths : (t, 6)
+        Curves of the tip paths.
+    tolerance : mm
+        Greatest distance of a path from the edge.
     """
+    start = point_at(paths, np.zeros(len(paths)))
     track, end = pairs_within(start, edges.ends, TOUCH_DISTANCE)
-    along = angle_between(heading[track], edges.outward[end] + 180.0) <= STRAIGHT_ANGLE
-    result = np.zeros(len(start), np.bool_)
-    result[track[along]] = True
+    edge = edges.curve[end // 2]
+    size = np.minimum(paths[track, 5], edge[:, 5])
+    away = point_at(paths[track], size) - point_at(
+        edge, np.where(end % 2 == 0, size, edge[:, 5] - size)
+    )
+    result = np.zeros(len(paths), np.bool_)
+    result[track[np.hypot(*away.T) <= tolerance]] = True
     return result
 
 
