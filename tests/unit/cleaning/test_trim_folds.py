@@ -267,3 +267,12 @@ def test_a_part_in_a_window_is_a_panel() -> None:
     made = clean(drawn)
     assert grooves_of(made) == [[[0, 40], [40, 40]], [[45, 40], [55, 40]], [[60, 40], [100, 40]]]
     assert check_cleaning(drawn, made) == []
+
+
+def test_an_overshoot_beside_a_cut_at_a_small_angle_is_dropped() -> None:
+    # The cut that begins at the end of the fold leaves it by only 1.1°, as in a narrow slot.
+    outline = closed((0, 0), (49, -50), (50, 0), (51, 0), (51, -50), (100, 0), (100, 80), (0, 80))
+    drawn = dieline((CUT, outline), (CREASE, edges(((50, 80), (50, -0.25)))))
+    made = clean(drawn)
+    assert made.dropped[8] == pytest.approx(0.25)
+    assert check_cleaning(drawn, made) == []

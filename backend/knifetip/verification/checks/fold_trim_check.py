@@ -131,15 +131,15 @@ def _sub_dieline(drawn: Dieline, parts: Stretches, at: I64) -> Dieline:
 def _touch_cuts(stretches: Edges, cuts: Edges, margin: float) -> Bool:
     """Return the mask of the stretches that cuts touch between their ends, (n,).
 
-    A cut that touches a stretch at most ``margin`` mm from one of its ends does not count.
+    A cut that touches a stretch at most ``margin`` mm from one of its ends does not count, even if
+    it leaves the stretch at so small an angle that it touches more of the stretch.
     """
     size = stretches.curve[:, 5]
     near = find_overlaps(
         stretches.curve, cuts.curve, np.zeros(len(cuts)), cuts.curve[:, 5], JOIN_DISTANCE
     )
     inset = np.minimum(margin, 0.5 * size)[near.curve]
-    middle = near.along.mean(axis=1)
-    inner = (middle > inset) & (middle < size[near.curve] - inset)
+    inner = (near.along[:, 0] > inset) & (near.along[:, 1] < size[near.curve] - inset)
     result = np.zeros(len(stretches), np.bool_)
     result[near.curve[inner]] = True
     return result
