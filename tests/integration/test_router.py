@@ -186,6 +186,26 @@ def test_blanks_and_holes_that_touch_in_a_point_are_accepted() -> None:
     assert not has_faults(verdict_of(dieline(OUTLINE, (CUT, one), (CUT, other))))
 
 
+@pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
+def test_a_line_that_is_slit_and_outline_is_milled_as_both(dialect: str) -> None:
+    # The line of the side flap, from (200, 140) to (300, 140), is a slit as far as the lower flap
+    # reaches, and outline beyond it.
+    cuts = edges(
+        ((100, 100), (260, 100)),
+        ((260, 100), (260, 140)),
+        ((200, 140), (300, 140)),
+        ((300, 140), (300, 240)),
+        ((300, 240), (100, 240)),
+        ((100, 240), (100, 100)),
+    )
+    result = verdict_of(dieline((CUT, cuts)), dialect=dialect)
+    assert {finding.message.code for finding in result.findings} == {"verify.wide-slit"}
+    assert result.slit_length[2] == pytest.approx(60.0, abs=0.01)
+    on_line = result.samples.edge == 2
+    assert result.samples.place[on_line].min() == pytest.approx(0.6, abs=0.02)
+    assert result.samples.place[on_line].max() == pytest.approx(1.0, abs=0.02)
+
+
 def with_lead(angle: float) -> Machine:
     """Return the router's machine with a lead-in of 7 mm at this angle."""
     stations = [

@@ -10,7 +10,7 @@ on its line, and each side loses the cutter's radius.  An edge between two parts
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -64,16 +64,17 @@ def plan_milling(
     machine, board, cutter = setup.machine, setup.board, setup.station.tool
     x, y = machine.carriage_of(setup.station).axes[:2]
     assert isinstance(cutter, DiscTool)
-    ends, bulge = dieline.ends[rows], dieline.bulge[rows]
-    sides, face, shared = _find_sides(dieline)
-    _check_shared(rows[shared[rows]], cutter)
-    layer = cut_layers(ends, bulge, face[rows])
-    chains = chain(ends, bulge, group=layer * (int(face.max()) + 2) + face[rows])
+    pieces = _divide_by_sides(dieline.ends[rows], dieline.bulge[rows])
+    _check_shared(rows[np.unique(pieces.row[pieces.shared])], cutter)
+    ends, bulge, face = pieces.ends, pieces.bulge, pieces.face
+    layer = cut_layers(ends, bulge, face)
+    chains = chain(ends, bulge, group=layer * (int(face.max()) + 2) + face)
     paths = _close_joints(chains.paths(ends, bulge))
-    source = rows[chains.order]
+    source = rows[pieces.row[chains.order]]
     number = layer[chains.order][chains.first[:-1]]
-    avoid = ends_of_others(dieline, rows[sides[rows] != 0])
-    waste = (np.where(chains.flipped, -1, 1) * sides[source])[paths.first[:-1]]
+    avoid = ends_of_others(dieline, rows[np.unique(pieces.row[pieces.waste != 0])])
+    flip = np.where(chains.flipped, -1, 1)
+    waste = (flip * pieces.waste[chains.order])[paths.first[:-1]]
     inside = paths.closed & (waste == 0)
     side = np.where(inside, np.where(paths.areas > 0.0, 1, -1), waste)
     # All contours have the cutter on the left of travel.
@@ -181,23 +182,48 @@ def apply_choices(operations: list[Operation], corners: Corners) -> list[Operati
     return result
 
 
-def _find_sides(dieline: Dieline) -> tuple[I8, I64, Bool]:
-    """Return three arrays with one entry for every edge of a dieline.
+@dataclass(frozen=True, eq=False, slots=True)
+class _Pieces:
+    """q pieces of cuts, each with the same sides along its whole length."""
 
-    The arrays contain the side of the waste (+1 left, -1 right, 0 none), the number of the part or
-    hole that the edge bounds (-1 for none), and whether the edge lies between two parts.  An edge
-    that is no cut has 0, -1 and False.
+    row: I64  #: (q,) index of the cut of each piece
+    ends: F64  #: (q, 2, 2) mm
+    bulge: F64  #: (q,)
+    waste: I8  #: (q,) side of the waste: +1 left, -1 right, 0 none
+    face: I64  #: (q,) number of the part or hole that the piece bounds, -1 for none
+    shared: Bool  #: (q,) the piece lies between two parts
+
+
+def _divide_by_sides(ends: F64, bulge: F64) -> _Pieces:
+    """Return the pieces of n cuts between which the sides of the cuts change.
+
+    One part of a cut may be the outline, and another part a slit between two flaps.
+
+    Parameters
+    ----------
+    ends, bulge : (n, 2, 2) mm and (n,)
+        Start and end points, and bulges, of the cuts.
     """
-    cuts = np.flatnonzero(dieline.line_type == LineType.CUT)
-    # A line between the insides of two edges separates two parts without a vertex on the edges.
-    ends, bulge, row = split_at_ends(dieline.ends[cuts], dieline.bulge[cuts])
-    bounds = cut_sides(ends, bulge)
-    count = len(dieline.bulge)
-    side, face = np.zeros(count, np.int8), np.full(count, -1, np.int64)
-    shared = np.zeros(count, np.bool_)
-    side[cuts[row]], face[cuts[row]] = bounds.waste, bounds.face
-    shared[cuts[row[bounds.shared]]] = True
-    return side, face, shared
+    piece_ends, piece_bulge, row = split_at_ends(ends, bulge)
+    sides = cut_sides(piece_ends, piece_bulge)
+    new = np.ones(len(row), np.bool_)
+    new[1:] = np.diff(row) > 0
+    for column in (sides.waste, sides.face, sides.shared):
+        new[1:] |= column[1:] != column[:-1]
+    first = np.flatnonzero(new)
+    last = np.append(first[1:], len(row))[: len(first)] - 1
+    turn = np.add.reduceat(np.arctan(piece_bulge), first) if len(first) else np.zeros(0)
+    kept = row[first]
+    whole = np.bincount(kept, minlength=len(bulge))[kept] == 1
+    joined = np.stack([piece_ends[first, 0], piece_ends[last, 1]], axis=1)
+    return _Pieces(
+        kept,
+        np.where(whole[:, None, None], ends[kept], joined),
+        np.where(whole, bulge[kept], np.tan(turn)),
+        sides.waste[first],
+        sides.face[first],
+        sides.shared[first],
+    )
 
 
 def _check_shared(rows: I32, cutter: DiscTool) -> None:

@@ -14,7 +14,7 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.kernels import F64_1, F64_2, I64_1, Bool_1, kernel
-from knifetip.verification.columns import F64, I64, Bool
+from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.curves.curve import line_curves, point_at
 from knifetip.verification.curves.overlap import find_overlaps, grid_layout, list_by_cell
 from knifetip.verification.expectation.edge_paths import edge_paths, joined_ends
@@ -81,7 +81,7 @@ def find_cut_faces(cuts: Edges) -> CutFaces:
     """
     links = _gap_links(cuts)
     curve = np.concatenate([cuts.curve, links])
-    piece, edge, begin = _split_curves(curve)
+    piece, edge, begin = split_curves(curve)
     edge = np.where(edge < len(cuts), edge, -1)
     unique, twin, first = without_duplicates(edges_from_curves(piece))
     cycle, swept, component = face_cycles(unique)
@@ -181,12 +181,20 @@ def _neighbour_mask(one: I64_1, other: I64_1, points: F64_2, first: I64_1) -> An
     return kept
 
 
-def _split_curves(curve: F64) -> tuple[F64, I64, F64]:
+def split_curves(curve: F64, *, at_crossings: bool = True) -> tuple[F64, I64, F64]:
     """Split n curves where the ends of other curves touch them, and where two curves cross.
 
-    ``curve`` contains lines and arcs as rows of six numbers (see ``curves.curve``), (n, 6).
-    Returns three arrays: the p pieces as rows of six numbers (p, 6), the index of the curve of each
-    piece (p,), and the position on that curve at which the piece starts (p,) mm.
+    Parameters
+    ----------
+    curve : (n, 6)
+        Lines and arcs as rows of six numbers (see ``curves.curve``).
+    at_crossings
+        Whether curves are also split where they cross.
+
+    Returns
+    -------
+    Three arrays: the p pieces as rows of six numbers (p, 6), the index of the curve of each piece
+    (p,), and the position on that curve at which the piece starts (p,) mm.
     """
     size, nothing = curve[:, 5], np.zeros(len(curve))
     ends = np.stack([point_at(curve, nothing), point_at(curve, size)], axis=1).reshape(-1, 2)
@@ -194,15 +202,12 @@ def _split_curves(curve: F64) -> tuple[F64, I64, F64]:
     inner = (touches.place[:, 0] > JOIN_DISTANCE) & (
         touches.place[:, 0] < size[touches.edge] - JOIN_DISTANCE
     )
-    cross = find_overlaps(curve, curve, nothing, size, JOIN_DISTANCE)
-    # If an end of one lies on the other, they touch and do not cross.
-    low, high = cross.place.min(axis=1), cross.place.max(axis=1)
-    crosses = (cross.along[:, 0] > JOIN_DISTANCE) & (
-        cross.along[:, 1] < size[cross.curve] - JOIN_DISTANCE
-    )
-    crosses &= (low > JOIN_DISTANCE) & (high < size[cross.edge] - JOIN_DISTANCE)
-    owner = np.concatenate([np.arange(len(curve)), touches.edge[inner], cross.edge[crosses]])
-    position = np.concatenate([nothing, touches.place[inner, 0], (0.5 * (low + high))[crosses]])
+    split, place = touches.edge[inner], touches.place[inner, 0]
+    if at_crossings:
+        crossing, crossing_place = _crossings(curve)
+        split, place = np.concatenate([split, crossing]), np.concatenate([place, crossing_place])
+    owner = np.concatenate([np.arange(len(curve)), split])
+    position = np.concatenate([nothing, place])
     order = np.lexsort((position, owner))
     owner, position = owner[order].astype(np.int64), position[order]
     last = np.append(owner[1:] != owner[:-1], True)[: len(owner)]
@@ -217,6 +222,23 @@ def _split_curves(curve: F64) -> tuple[F64, I64, F64]:
     piece[~straight, 4] += turned[~straight]
     piece[:, 5] = stop - position
     return piece, owner, position
+
+
+def _crossings(curve: F64) -> tuple[I32, F64]:
+    """Return the index of a curve and a position on it (mm) for each point at which another curve
+    crosses it, (k,) each.
+
+    ``curve`` contains lines and arcs as rows of six numbers (see ``curves.curve``), (n, 6).
+    """
+    size = curve[:, 5]
+    cross = find_overlaps(curve, curve, np.zeros(len(curve)), size, JOIN_DISTANCE)
+    # If an end of one lies on the other, they touch and do not cross.
+    low, high = cross.place.min(axis=1), cross.place.max(axis=1)
+    crosses = (cross.along[:, 0] > JOIN_DISTANCE) & (
+        cross.along[:, 1] < size[cross.curve] - JOIN_DISTANCE
+    )
+    crosses &= (low > JOIN_DISTANCE) & (high < size[cross.edge] - JOIN_DISTANCE)
+    return cross.edge[crosses], (0.5 * (low + high))[crosses]
 
 
 def _assign_faces(curve: F64, cycle: I64, outside: Bool, component: I64) -> tuple[I64, int]:

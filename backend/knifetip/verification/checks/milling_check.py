@@ -14,7 +14,7 @@ Source: "Tool radius compensation", equations 1-9.  The reach into corners was d
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -25,6 +25,7 @@ from knifetip.model.verdict import Severity
 from knifetip.verification.checks import milling_geometry
 from knifetip.verification.checks.bridge_check import check_bridges, order_bridges
 from knifetip.verification.checks.check_context import DEPTH_TOLERANCE, NEAR_EDGE, CheckContext
+from knifetip.verification.checks.cut_faces import split_curves
 from knifetip.verification.checks.milling_geometry import spans_near_points
 from knifetip.verification.checks.milling_shortfalls import report_unreached, report_wide_slits
 from knifetip.verification.checks.pass_depth import too_deep_spans, unfinished_spans
@@ -34,7 +35,7 @@ from knifetip.verification.curves.curve import left_distance, line_curves, point
 from knifetip.verification.curves.intervals import EPSILON, uncovered_curves, uncovered_edges
 from knifetip.verification.curves.overlap import find_overlaps
 from knifetip.verification.expectation.cutter_paths import CutterPaths, cutter_paths
-from knifetip.verification.expectation.edges import Edges
+from knifetip.verification.expectation.edges import Edges, edges_from_curves
 from knifetip.verification.expectation.expected_work import knife_ends
 from knifetip.verification.expectation.outline import CutOutlines, count_enclosing, find_outlines
 from knifetip.verification.findings import MAX_FINDINGS
@@ -94,6 +95,18 @@ def check_milling(
     _MillingCheck(context, edges, centres, tool.disc, reach, slack).run(planned)
 
 
+def _split_at_junctions(edges: Edges) -> tuple[Edges, I64, F64]:
+    """Return the p pieces of n edges between the ends of other edges that lie on them, the index of
+    the edge of each piece (p,), and the position on this edge at which the piece begins (p,) mm.
+    """
+    curve, owner, begin = split_curves(edges.curve, at_crossings=False)
+    if len(curve) == len(edges):
+        return edges, owner, begin
+    pieces = edges_from_curves(curve)
+    own = {name: getattr(edges, name)[owner] for name in ("row", "line_type", "chord")}
+    return replace(pieces, **own), owner, begin
+
+
 class _MillingCheck:
     """Check that compares the paths of one cutter's centre with all cuts that the cutter must
     make.
@@ -108,10 +121,13 @@ class _MillingCheck:
         reach: F64,
         slack: float,
     ) -> None:
-        self.context, self.edges, self.centres, self.tool = context, edges, centres, tool
+        self.context, self.centres, self.tool = context, centres, tool
         self.reach, self.slack, self.tolerance = reach, slack, context.tolerance
-        self.bounds: CutOutlines = find_outlines(edges)
-        self.size = edges.curve[:, 5]
+        # One part of an edge may be the outline, and another part a slit between two flaps.
+        self.edges, owner, self.begin = _split_at_junctions(edges)
+        self.size_of_edge = edges.curve[owner, 5]
+        self.bounds: CutOutlines = find_outlines(self.edges)
+        self.size = self.edges.curve[:, 5]
         self.rounds = np.where(np.isfinite(centres.blend), centres.blend, 0.0)
 
     def run(self, planned_depth: float) -> None:
@@ -246,7 +262,11 @@ class _MillingCheck:
                 centres.curve[overlaps.curve], overlaps.along[:, side], pieces.curve[overlaps.edge]
             )
             self.context.samples.append(
-                (self.edges.row[edge[runs]], (position / self.size[edge])[runs], offset[runs])
+                (
+                    self.edges.row[edge[runs]],
+                    ((self.begin[edge] + position) / self.size_of_edge[edge])[runs],
+                    offset[runs],
+                )
             )
         along = np.abs(np.diff(overlaps.place)[:, 0]) > self.tolerance
         for row in np.flatnonzero(runs & along & (figure > self.tolerance + 1e-9))[:MAX_FINDINGS]:
@@ -323,7 +343,10 @@ class _MillingCheck:
                     "verify.not-worked",
                     length=missed[k],
                     work=Message("verify.work-cut"),
-                    where=Message("verify.where-from-start", place=left_begin[k]),
+                    where=Message(
+                        "verify.where-from-start",
+                        place=self.begin[left_edge[k]] + left_begin[k],
+                    ),
                 ),
                 float(missed[k]),
             )
