@@ -35,9 +35,7 @@ class Blank:
     strokes: list[Stroke] = field(default_factory=list)
     panels: list[tuple[float, float, float, float]] = field(default_factory=list)
 
-    def path(
-        self, kind: str, points: Sequence[tuple[float, ...]], *, closed: bool = False
-    ) -> None:
+    def path(self, kind: str, points: Sequence[tuple[float, ...]], *, closed: bool = False) -> None:
         """Add a path through points (x, y), or (x, y, bulge of the side that begins there)."""
         kept = [one for i, one in enumerate(points) if i == 0 or one[:2] != points[i - 1][:2]]
         if closed and kept[0][:2] != kept[-1][:2]:

@@ -6,6 +6,7 @@ import io
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from random import Random
 from typing import Any, Final
 
@@ -169,7 +170,7 @@ class Draft:
         pieces = [0.0, 1.0]
         if rng.random() < self.habit.split and long > 8.0:
             pieces.insert(1, rng.uniform(0.3, 0.7))
-        for first, last in zip(pieces, pieces[1:], strict=False):
+        for first, last in pairwise(pieces):
             low, high = first * long, last * long
             reach = self.habit.overshoot if fold else 0.0
             low -= rng.uniform(-reach, reach) * (first == 0.0)

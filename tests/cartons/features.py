@@ -7,7 +7,7 @@ from collections.abc import Callable
 from random import Random
 from typing import Final
 
-from tests.cartons.blank import Blank
+from tests.cartons.blank import QUARTER, Blank
 
 #: A panel: x0, y0, x1, y1 (mm).
 Panel = tuple[float, float, float, float]
@@ -45,8 +45,14 @@ def hand_hole(blank: Blank, panel: Panel, rng: Random, t: float) -> None:
     else:
         blank.path(
             rng.choice(["cut", "cut", "perforation"]),
-            [(x - r, y + r), (x - r, y, 0.414), (x, y - r), (end, y - r, 0.414), (end + r, y)]
-            + [(end + r, y + r)],
+            [
+                (x - r, y + r),
+                (x - r, y, QUARTER),
+                (x, y - r),
+                (end, y - r, QUARTER),
+                (end + r, y),
+                (end + r, y + r),
+            ],
         )
         blank.line("crease", x - r, y + r, end + r, y + r)
 

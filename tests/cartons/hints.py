@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, Final
-
-import numpy as np
+from typing import TYPE_CHECKING, Final
 
 from knifetip.library import load
 from knifetip.model.dieline import LineType
@@ -15,12 +12,11 @@ from knifetip.model.dieline import LineType
 if TYPE_CHECKING:
     from tests.cartons.trial import Attempt, Refusal
 
-#: What was done, and the changed attempt; None if the hint cannot be followed here.
-Change = "tuple[str, Attempt] | None"
-
 
 def follow(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
-    """Return what the hint of a refusal says to do and the job changed so; None if it is no help."""
+    """Return what the hint of a refusal says to do, and the job changed so; None if it says
+    nothing that can be done here.
+    """
     action = _ACTIONS.get(refusal.code)
     return None if action is None else action(refusal, attempt)
 
@@ -60,6 +56,14 @@ def _knife(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
     return "knife", replace(attempt, machine=machine, dialect=machine.dialect, choices=choices)
 
 
+def _thinner_cutter(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
+    """Choose a machine with a thinner cutter."""
+    if attempt.machine.name != "router-table":
+        return None
+    machine = load.machine("laser-table")
+    return "laser", replace(attempt, machine=machine, dialect=machine.dialect)
+
+
 def _shallower(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
     """Choose a board with a shallower groove."""
     boards = ("greyboard-2.0", "greyboard-1.5", "e-flute", "fbb-0.4")
@@ -87,7 +91,7 @@ def _whole_sheet(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | No
 _ACTIONS: Final[dict[str, Callable[[Refusal, Attempt], tuple[str, Attempt] | None]]] = {
     "question.tool": _other_tool,
     "cut.too-short": _ignored,
-    "cutter.does-not-fit": _ignored,
+    "cutter.does-not-fit": _thinner_cutter,
     "groove.along-edge": _as_crease,
     "groove.curved": _as_crease,
     "groove.runs-out": _as_crease,
@@ -96,4 +100,6 @@ _ACTIONS: Final[dict[str, Callable[[Refusal, Attempt], tuple[str, Attempt] | Non
     "milling.shared-edge": _knife,
     "drawing.larger-than-table": _larger_machine,
     "sheet.without-outline": _whole_sheet,
+    "verify.cuts-part": _thinner_cutter,
+    "verify.inside-part": _thinner_cutter,
 }

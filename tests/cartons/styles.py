@@ -316,7 +316,9 @@ def divider(rng: Random, t: float) -> Blank:
         top += [(x + 0.5 * slot, high - 2.0 * funnel), (x + 0.5 * slot, 0.5 * high)]
         top += [(x - 0.5 * slot, 0.5 * high), (x - 0.5 * slot, high - 2.0 * funnel)]
         top += [(x - 0.5 * slot - funnel, high)]
-    blank.path("cut", _ring([(0.0, 0.0), (long, 0.0), (long, high), *top, (0.0, high)]), closed=True)
+    blank.path(
+        "cut", _ring([(0.0, 0.0), (long, 0.0), (long, high), *top, (0.0, high)]), closed=True
+    )
     return blank
 
 

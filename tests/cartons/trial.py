@@ -40,9 +40,7 @@ class Attempt:
     @property
     def dieline(self) -> Dieline:
         """The edges of the drawing with their line types."""
-        return pipeline.interpret(
-            self.drawing, Interpretation(overrides=self.line_type.tobytes())
-        )
+        return pipeline.interpret(self.drawing, Interpretation(overrides=self.line_type.tobytes()))
 
 
 @dataclass
