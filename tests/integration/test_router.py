@@ -201,9 +201,10 @@ def test_a_line_that_is_slit_and_outline_is_milled_as_both(dialect: str) -> None
     result = verdict_of(dieline((CUT, cuts)), dialect=dialect)
     assert {finding.message.code for finding in result.findings} == {"verify.wide-slit"}
     assert result.slit_length[2] == pytest.approx(60.0, abs=0.01)
-    on_line = result.samples.edge == 2
-    assert result.samples.place[on_line].min() == pytest.approx(0.6, abs=0.02)
-    assert result.samples.place[on_line].max() == pytest.approx(1.0, abs=0.02)
+    # Samples of the outline beyond the slit are at their place on the whole line.
+    place = result.samples.place[result.samples.edge == 2]
+    assert place.max() == pytest.approx(1.0, abs=0.02)
+    assert (np.abs(place - 0.6) < 0.02).any()
 
 
 def with_lead(angle: float) -> Machine:
