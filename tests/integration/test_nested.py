@@ -191,3 +191,57 @@ def test_the_last_pass_of_a_hole_ends_where_its_waste_comes_loose() -> None:
     assert out.any(), "the passes before come out of the waste"
     assert not (out & deepest).any()
     assert ((toolpath.motion == Motion.LEAD_OUT) & (toolpath.source < 4) & deepest).any()
+
+
+def order_codes(verdict: Verdict) -> set[tuple[str, int]]:
+    """Return the message codes and edges of the findings about the order."""
+    return {(one.message.code, one.edge) for one in verdict.findings if one.kind == "order"}
+
+
+def test_a_hole_in_a_piece_on_necks_is_cut_before_the_last_slit() -> None:
+    # Slits round a square of 80 mm, with necks of 3 mm between them.
+    slits = edges(
+        ((200, 200), (277, 200)), ((280, 200), (280, 277)), ((280, 280), (203, 280)),
+        ((200, 280), (200, 203)),
+    )  # fmt: skip
+    line = dieline((CUT, box(100, 100, 300, 300)), (CUT, slits), (CUT, box(230, 230, 20, 20)))
+    assert [min(one.source.tolist()) for one in plan(line, KNIFE, BOARD)] == [8, 4, 0]
+    assert order_codes(verdict_of(line, made(line))) == set()
+    late = verdict_of(line, made(line, order=(1, 0, 2)))
+    assert order_codes(late) == {("verify.hanging-piece", edge) for edge in range(8, 12)}
+
+
+@pytest.mark.parametrize("gap", [3.0, 3.9])
+def test_a_hole_in_a_blank_with_a_wide_gap_is_cut_before_the_blank(gap: float) -> None:
+    blank = edges(
+        ((100, 100), (300, 100)), ((300, 100), (300, 200 - gap / 2)),
+        ((300, 200 + gap / 2), (300, 300)), ((300, 300), (100, 300)), ((100, 300), (100, 100)),
+    )  # fmt: skip
+    line = dieline((CUT, blank), (CUT, box(130, 150, 20, 20)))
+    assert verdict_of(line, made(line)).accepted
+    late = verdict_of(line, made(line, order=(1, 0)))
+    assert order_codes(late) == {("verify.hanging-piece", edge) for edge in range(5, 9)}
+
+
+def test_a_hole_in_a_part_on_wide_bridges_is_cut_before_the_part() -> None:
+    line = dieline((CUT, box(100, 100, 200, 200)), (CUT, box(150, 150, 20, 20)))
+    held = replace(BOARD, bridge_width=6.0, bridge_spacing=100.0)
+    assert verdict_of(line, made(line, board=held), board=held).accepted
+    late = verdict_of(line, made(line, board=held, order=(1, 0)), board=held)
+    assert order_codes(late) == {("verify.hanging-piece", edge) for edge in range(4, 8)}
+
+
+@pytest.mark.parametrize("kind", [CREASE, LineType.HALF_CUT, LineType.PERFORATION])
+def test_other_work_after_the_first_cut_of_the_outline_is_refused(kind: LineType) -> None:
+    sides = box(100, 100, 200, 100)
+    other = edges(((150, 120), (150, 180)))
+    line = dieline((CUT, sides), (CUT, box(220, 120, 20, 20)), (kind, other))
+
+    def verdict_in(*order: Dieline) -> Verdict:
+        operations = [one for part in order for one in plan(part, KNIFE, BOARD)]
+        return verdict_of(line, sequence([compensate(one) for one in operations], KNIFE))
+
+    begun, rest = dieline((CUT, sides[:1])), dieline((CUT, sides[1:]))
+    hole, work = dieline((CUT, box(220, 120, 20, 20))), dieline((kind, other))
+    assert order_codes(verdict_in(hole, work, begun, rest)) == set()
+    assert order_codes(verdict_in(hole, begun, work, rest)) == {("verify.outline-begun", 8)}

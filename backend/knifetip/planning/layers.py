@@ -10,6 +10,7 @@ In this order, a hole is cut before its part, and a part before the window in wh
 line between two parts is cut before their common outline, and an open cut before the contour in
 which it lies.  A closed contour gets one layer, and so does a cut that belongs to no contour.  If
 the pieces between crossings with other cuts have different layers, the highest of these counts.
+``necks`` then divides the layers further.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.tolerance import CONTOUR_GAP
 from knifetip.kernels import F64_1, I64_1, I64_2, OutI64_1, kernel
+from knifetip.planning.necks import NECK, Stretches, layers_at_necks
 from knifetip.topology.contour_gaps import closing_links
 from knifetip.topology.noding import split_at_crossings
 from knifetip.topology.subdivision import subdivide
@@ -48,7 +50,8 @@ def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
     count = len(ends)
     if count == 0:
         return np.zeros(0, np.int64)
-    closing = closing_links(ends, bulge)
+    links = closing_links(ends, bulge, NECK)
+    closing = links[np.hypot(*(links[:, 1] - links[:, 0]).T) <= CONTOUR_GAP]
     pieces, bent, row = split_at_crossings(
         np.concatenate([ends, closing]), np.concatenate([bulge, np.zeros(len(closing))])
     )
@@ -70,7 +73,7 @@ def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
         owner = np.where(row < count, row, -1)
         layer, _ = _assign_layers(face, owner, size, by_face // 2, first, count)
     result: I64 = layer[work]
-    return result
+    return layers_at_necks(ends, bulge, result, Stretches(pieces, row, face), links)
 
 
 @kernel

@@ -1,7 +1,7 @@
 """contour_gaps: find links that close contours whose cuts do not quite meet.
 
 A dangling end is an end of a cut that lies on no other cut.  A link is a straight line from a
-dangling end to a point at most ``CONTOUR_GAP`` away.  Each dangling end is linked to the nearest
+dangling end to a point nearby.  Each dangling end is linked to the nearest
 point of another cut, and to every dangling end that is its relative neighbour.  Two dangling ends
 are relative neighbours if no third dangling end is nearer to both than they are to each other.
 Without the links between relative neighbours, an end of one of two close contours would only be
@@ -27,15 +27,15 @@ from knifetip.geometry.chain import number_vertices
 from knifetip.geometry.columns import F64
 from knifetip.geometry.points_on_segments import find_points_on_segments
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
-from knifetip.geometry.tolerance import CONTOUR_GAP, JOIN
+from knifetip.geometry.tolerance import JOIN
 from knifetip.kernels import F64_1, F64_2, I64_1, Bool_1, kernel
 
 #: Least ratio of the path along a chain to the gap that closes it.
 _CHAIN_FACTOR: Final = 3.0
 
 
-def closing_links(ends: F64, bulge: F64) -> F64:
-    """Return straight links that close gaps in contours, (k, 2, 2) mm.
+def closing_links(ends: F64, bulge: F64, longest: float) -> F64:
+    """Return straight links that close gaps of at most ``longest`` mm in contours, (k, 2, 2) mm.
 
     Parameters
     ----------
@@ -49,9 +49,7 @@ def closing_links(ends: F64, bulge: F64) -> F64:
     tips = np.flatnonzero(loose)
     if len(tips) == 0:
         return np.zeros((0, 2, 2))
-    tip, row = box_pairs(
-        np.tile(points[tips], 2), arc.bounding_boxes(start, end, bulge), CONTOUR_GAP
-    )
+    tip, row = box_pairs(np.tile(points[tips], 2), arc.bounding_boxes(start, end, bulge), longest)
     fraction = arc.nearest_fraction(start[row], end[row], bulge[row], points[tips[tip]])
     target = arc.point_at(start[row], end[row], bulge[row], fraction)
     for side in range(2):
@@ -60,7 +58,7 @@ def closing_links(ends: F64, bulge: F64) -> F64:
     node = number_vertices(points).astype(np.int64)
     by_node = np.argsort(node, kind="stable")
     begin = np.searchsorted(node[by_node], np.arange(node.max() + 2))
-    one, other = box_pairs(np.tile(points[tips], 2), np.tile(points[tips], 2), CONTOUR_GAP)
+    one, other = box_pairs(np.tile(points[tips], 2), np.tile(points[tips], 2), longest)
     tip, row = np.concatenate([tip, one]), np.concatenate([row, tips[other] // 2])
     fraction = np.concatenate([fraction, tips[other] % 2])
     target = np.concatenate([target, points[tips[other]]])
@@ -69,7 +67,7 @@ def closing_links(ends: F64, bulge: F64) -> F64:
     first = np.searchsorted(tip[order], np.arange(len(tips) + 1))
     linked = _choose_links(
         tips, first, row[order], fraction[order], target[order], to_end[order], points,
-        arc.length(start, end, bulge), node, by_node, begin,
+        arc.length(start, end, bulge), node, by_node, begin, longest,
     )  # fmt: skip
     link_rows = order[linked]
     links = np.stack([points[tips[tip[link_rows]]], target[link_rows]], axis=1)
@@ -85,7 +83,7 @@ def closing_links(ends: F64, bulge: F64) -> F64:
 def _choose_links(
     tips: I64_1, first: I64_1, row: I64_1, fraction: F64_1, target: F64_2, to_end: Bool_1,
     points: F64_2, length: F64_1,
-    node: I64_1, by_node: I64_1, begin: I64_1,
+    node: I64_1, by_node: I64_1, begin: I64_1, longest: float,
 ) -> Any:  # fmt: skip
     """Return the mask of the candidates that become links, (k,).
 
@@ -104,6 +102,8 @@ def _choose_links(
     node, by_node, begin
         Vertex of each end, ends sorted by vertex, and index in ``by_node`` of each vertex's first
         end.
+    longest : mm
+        Greatest length of a link.
     """
     linked = np.zeros(len(row), np.bool_)
     reached_from = np.full(len(length), -1, np.int64)
@@ -113,7 +113,7 @@ def _choose_links(
     for number in range(len(tips)):
         tip = tips[number]
         half, walked = tip, 0.0
-        while walked <= _CHAIN_FACTOR * CONTOUR_GAP and reached_from[half // 2] != number:
+        while walked <= _CHAIN_FACTOR * longest and reached_from[half // 2] != number:
             edge = half // 2
             reached_from[edge], along_chain[edge], back[edge] = number, walked, half % 2 == 1
             walked += length[edge]
@@ -122,10 +122,10 @@ def _choose_links(
                 break
             one, other = by_node[begin[vertex]], by_node[begin[vertex] + 1]
             half = other if one == half ^ 1 else one
-        nearest, best = CONTOUR_GAP, -1
+        nearest, best = longest, -1
         for k in range(first[number], first[number + 1]):
             gap = math.hypot(target[k, 0] - points[tip, 0], target[k, 1] - points[tip, 1])
-            if gap <= JOIN or gap > CONTOUR_GAP:
+            if gap <= JOIN or gap > longest:
                 continue
             if not _far_along_chain(
                 row[k], fraction[k], gap, number, reached_from, along_chain, back, length

@@ -83,6 +83,7 @@ verify.groove-arc                  checks.groove_check
 verify.groove-past-ends            checks.groove_check
 verify.groove-shallower            checks.groove_check
 verify.groove-shifted              checks.groove_check
+verify.hanging-piece               checks.work_order
 verify.head-not-located            checks.carriage_check
 verify.heads-too-near              checks.carriage_check
 verify.idle-head-low               checks.carriage_check
@@ -102,6 +103,7 @@ verify.off-curve                   checks.check_base, checks.milling_check
 verify.off-line                    checks.check_base
 verify.oscillation-on              checks.motion_checks
 verify.other-placement             verify
+verify.outline-begun               checks.work_order
 verify.output                      checks.output_checks
 verify.output-off                  checks.motion_checks
 verify.pass-alone                  checks.milling_check

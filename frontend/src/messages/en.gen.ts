@@ -3687,6 +3687,10 @@ export const TEXTS = {
     "text": "The V-groove was shifted by {distance:.2f} mm, so that its flank does not cut through the cut beside it.",
     "hint": "If the fold must not move, move the cut, or set groove_shift in the board file to 0."
   },
+  "verify.hanging-piece": {
+    "text": "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board that hangs on bridges or narrow necks only since line {line} of the program, so this part of the board may move.",
+    "hint": "Process this edge before the cut that leaves only the bridges or necks."
+  },
   "verify.head-not-located": {
     "text": "A carriage moves along the gantry while the position of {other} is unknown.",
     "hint": "Park all carriages at the start of the program."
@@ -3770,6 +3774,10 @@ export const TEXTS = {
   "verify.other-placement": {
     "text": "The program places the drawing at X{x:.4f} Y{y:.4f} on the sheet, but the job places it at X{job_x:.4f} Y{job_y:.4f}.",
     "hint": "Compile the job again, or verify the program with the position X{x:.4f} Y{y:.4f} of the drawing."
+  },
+  "verify.outline-begun": {
+    "text": "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board whose outline the program begins to cut in line {line}, before this edge is made.",
+    "hint": "Make creases, grooves, half-cuts and perforations before the outline of their part."
   },
   "verify.output": {
     "text": "output {output} (M65 P{output})",

@@ -71,13 +71,46 @@ def test_gaps_at_corners_and_in_the_middle_are_closed(gap: float) -> None:
 
 
 def test_a_corner_is_closed_unless_the_gap_is_too_wide() -> None:
-    for gap, layer in ((1.5, 1), (2.0, 0)):
+    for gap, layer in ((1.5, 1), (3.0, 1), (3.5, 0)):
         blank = edges(
             ((0, 0), (100 - gap, 0)), ((100, gap), (100, 100)), ((100, 100), (0, 100)),
             ((0, 100), (0, 0)),
         )  # fmt: skip
         assert layers(blank, box(20, 20, 10, 10)) == [[0], [layer]]
     assert CONTOUR_GAP == 2.2
+
+
+def frame(neck: float) -> F64:
+    """Return four slits round a square of 80 mm, with a neck between each slit and the next one."""
+    low, high = 100.0, 180.0
+    return edges(
+        ((low, low), (high - neck, low)), ((high, low), (high, high - neck)),
+        ((high, high), (low + neck, high)), ((low, high), (low, low + neck)),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(("neck", "before"), [(3.0, True), (4.2, True), (4.6, False)])
+def test_the_inside_of_a_piece_on_necks_comes_before_the_cuts_round_it(
+    neck: float, before: bool
+) -> None:
+    panel, hole, beside = box(0, 0, 300, 300), box(130, 130, 20, 20), box(230, 130, 20, 20)
+    found = layers(panel, hole, beside, frame(neck))
+    assert found == [[0], [2] if before else [1], [1], [1]]
+
+
+def test_slits_near_each_other_are_one_layer() -> None:
+    slits = edges(
+        *(((20 + 40 * (j % 2), 20 + 2.5 * j), (60, 20 + 2.5 * j)) for j in range(0, 20, 2))
+    )
+    assert layers(box(0, 0, 110, 110), slits) == [[0], [1]]
+
+
+def test_a_wide_gap_in_an_outline_is_a_neck() -> None:
+    blank = edges(
+        ((0, 0), (100, 0)), ((100, 0), (100, 48)), ((100, 52), (100, 100)), ((100, 100), (0, 100)),
+        ((0, 100), (0, 0)),
+    )  # fmt: skip
+    assert layers(blank, box(20, 20, 10, 10), box(150, 20, 10, 10)) == [[0], [1], [0]]
 
 
 def test_an_end_short_of_the_middle_of_an_edge_closes_a_contour() -> None:
@@ -100,13 +133,13 @@ def test_two_close_outlines_with_gaps_are_both_closed() -> None:
 
 def test_an_end_is_not_linked_to_its_own_corner() -> None:
     hook = edges(((0, 0), (50, 0)), ((50, 0), (50, 0.8)))
-    assert len(closing_links(hook, np.zeros(2))) == 0
+    assert len(closing_links(hook, np.zeros(2), CONTOUR_GAP)) == 0
 
 
 def test_dense_ends_have_few_links() -> None:
     y = 0.3 * np.arange(400)
     comb = np.stack([np.stack([0.0 * y, y], axis=1), np.stack([20.0 + 0 * y, y], axis=1)], axis=1)
-    assert len(closing_links(comb, np.zeros(400))) <= 4 * 400
+    assert len(closing_links(comb, np.zeros(400), CONTOUR_GAP)) <= 4 * 400
 
 
 def test_a_line_between_two_parts_comes_before_their_outline() -> None:

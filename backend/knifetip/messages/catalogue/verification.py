@@ -243,6 +243,15 @@ MESSAGES: Final[Entries] = {
         "If the fold must not move, move the cut, or set groove_shift in the board file to 0.",
         distance="number",
     ),
+    "verify.hanging-piece": entry(
+        "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board "
+        "that hangs on bridges or narrow necks only since line {line} of the program, so this part "
+        "of the board may move.",
+        "Process this edge before the cut that leaves only the bridges or necks.",
+        x="number",
+        y="number",
+        line="count",
+    ),
     "verify.head-not-located": entry(
         "A carriage moves along the gantry while the position of {other} is unknown.",
         "Park all carriages at the start of the program.",
@@ -378,6 +387,14 @@ MESSAGES: Final[Entries] = {
         y="number",
         job_x="number",
         job_y="number",
+    ),
+    "verify.outline-begun": entry(
+        "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board "
+        "whose outline the program begins to cut in line {line}, before this edge is made.",
+        "Make creases, grooves, half-cuts and perforations before the outline of their part.",
+        x="number",
+        y="number",
+        line="count",
     ),
     "verify.output": entry("output {output} (M65 P{output})", output="count"),
     "verify.output-off": entry(

@@ -55,7 +55,7 @@ class CutFaces:
     """
 
     curve: F64  #: (p, 6)
-    edge: I64  #: (p,) the cut, -1 for a link
+    edge: I64  #: (p,) the cut; -1 - i for a piece of link i
     begin: F64  #: (p,) mm from the start of the cut
     face: I64  #: (p, 2) left and right face; of duplicates in any order
     count: int  #: number of faces, f
@@ -79,10 +79,18 @@ def find_cut_faces(cuts: Edges) -> CutFaces:
     """Return the faces into which cuts divide the sheet, after small gaps between the cuts are
     closed.
     """
-    links = _gap_links(cuts)
+    return faces_between(cuts, gap_links(cuts, GAP_LENGTH))
+
+
+def faces_between(cuts: Edges, links: F64) -> CutFaces:
+    """Return the faces into which cuts and links divide the sheet.
+
+    ``links`` are the straight lines that close gaps, as rows of six numbers (see
+    ``curves.curve``), (k, 6).
+    """
     curve = np.concatenate([cuts.curve, links])
     piece, edge, begin = split_curves(curve)
-    edge = np.where(edge < len(cuts), edge, -1)
+    edge = np.where(edge < len(cuts), edge, len(cuts) - 1 - edge)
     unique, twin, first = without_duplicates(edges_from_curves(piece))
     cycle, swept, component = face_cycles(unique)
     face = np.empty((len(piece), 2), np.int64)
@@ -93,8 +101,9 @@ def find_cut_faces(cuts: Edges) -> CutFaces:
     return CutFaces(piece, edge, begin, face, count, unique.row.astype(np.int64))
 
 
-def _gap_links(cuts: Edges) -> F64:
-    """Return k straight lines that close gaps in the contours of the cuts, (k, 6).
+def gap_links(cuts: Edges, longest: float) -> F64:
+    """Return k straight lines that close gaps of at most ``longest`` mm in the contours of the
+    cuts, (k, 6).
 
     The lines, called links, are rows of six numbers (see ``curves.curve``).  An end of a cut is
     dangling if it touches no other cut.  Each link leads from a dangling end to a nearby cut or to
@@ -111,9 +120,9 @@ def _gap_links(cuts: Edges) -> F64:
     loose[touches.curve[touches.curve // 2 != touches.edge]] = False
     tips = np.flatnonzero(loose)
     points = cuts.ends[tips]
-    near = find_overlaps(line_curves(points, points), cuts.curve, nothing, size, GAP_LENGTH)
+    near = find_overlaps(line_curves(points, points), cuts.curve, nothing, size, longest)
     tip, edge, place = near.curve.astype(np.int64), near.edge.astype(np.int64), near.place[:, 0]
-    one, other = pairs_within(points, points, GAP_LENGTH)
+    one, other = pairs_within(points, points, longest)
     kept = one != other
     one, other = one[kept], other[kept]
     kept = np.argsort(one, kind="stable")
@@ -139,7 +148,7 @@ def _gap_links(cuts: Edges) -> F64:
     along = np.where(begins, inner, strung.length[strung.path[own]] - inner)
     far_along = (strung.path[edge] != strung.path[own]) | (along >= _DETOUR_RATIO * gap)
     keep = np.flatnonzero(
-        (gap > JOIN_DISTANCE) & (gap <= GAP_LENGTH) & far_along & (to_end | (edge != own))
+        (gap > JOIN_DISTANCE) & (gap <= longest) & far_along & (to_end | (edge != own))
     )
     keep = keep[np.lexsort((gap[keep], to_end[keep], tip[keep]))]
     new = np.append(True, np.diff(tip[keep]) != 0)[: len(keep)]

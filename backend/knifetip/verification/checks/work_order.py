@@ -1,4 +1,4 @@
-"""Check that no tool cuts or creases a piece of board that earlier cuts have released.
+"""Check that a program works the inside of a piece of board before the cuts that release the piece.
 
 The cuts divide the sheet into faces (see ``cut_faces``).  A piece of a cut is complete at the
 program line that finishes it; until then the two faces beside it are connected.  A face is released
@@ -9,7 +9,12 @@ outside::
                  min over the pieces that the path crosses of complete(piece)
 
 Joining the faces with a union-find in descending order of ``complete`` gives this line for all
-faces.  A tip path in a face after that line is a finding.
+faces.  A tip path in a face after that line is a finding.  The same calculation gives two more
+lines.  With links across necks, and cuts that are complete up to their bridges, it gives the line
+from which a piece hangs on necks and bridges only; a contour inside the piece must not be cut
+later.  With the first cut of each border between two faces in place of ``complete``, it gives the
+line that begins the outline of a face; no crease, groove, half-cut or perforation in the face may
+follow.
 """
 
 from __future__ import annotations
@@ -24,50 +29,47 @@ from knifetip.kernels import F64_1, I64_1, I64_2, kernel
 from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import Knife
-from knifetip.verification.checks.check_context import DEPTH_TOLERANCE, CheckContext
-from knifetip.verification.checks.cut_faces import GAP_LENGTH, CutFaces, find_cut_faces
-from knifetip.verification.columns import F64, I32, I64, Bool
+from knifetip.verification.checks.check_context import CheckContext
+from knifetip.verification.checks.cut_faces import GAP_LENGTH, CutFaces, faces_between, gap_links
+from knifetip.verification.checks.neck_faces import NECK_WIDTH, cut_components, find_neck_faces
+from knifetip.verification.checks.worked_spans import (
+    MIN_LENGTH,
+    WorkedSpans,
+    completing_lines,
+    find_worked_spans,
+    first_lines,
+    new_spans,
+)
+from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import line_curves, point_at
-from knifetip.verification.curves.intervals import add_interval
 from knifetip.verification.curves.overlap import find_overlaps
-from knifetip.verification.expectation.cutter_paths import cutter_paths
 from knifetip.verification.expectation.edges import (
     TOUCH_DISTANCE,
     Edges,
     without_duplicates,
 )
-from knifetip.verification.expectation.outline import find_outlines
 from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.kinematics import TipPaths
-from knifetip.verification.tools import OperationKind, expected_tool
 
 #: Line types that no tool makes.
 _NO_WORK: Final = (LineType.UNCLASSIFIED, LineType.IGNORED)
-
-
-#: A shorter overlap with an edge is a crossing (mm).
-_MIN_LENGTH: Final = 0.1
-
-
-#: Beside a corner of 28° a cutter leaves this many radii of either edge untouched.
-_CORNER_RATIO: Final = 4.0
 
 
 #: Sampled positions on other tip paths, as fractions of their length.
 _PROBES: Final = (0.1, 0.5, 0.9)
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class _WorkedSpans:
-    """k stretches of cuts that the tools have cut, sorted by edge and by program line."""
+#: A knife stops before a bridge, and starts after it, at most this far from its ends (mm).
+_STOP_LENGTH: Final = 1.0
 
-    edge: I64  #: (k,)
-    low: F64  #: (k,) mm along the edge
-    high: F64  #: (k,)
-    line: I64  #: (k,)
-    through: Bool  #: (k,) the work goes through the board
-    path: I64  #: (k,) row of the tip path
-    reach: float  #: mm, the radius of the widest cutter, 0 for knives
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Rule:
+    """A program line for each face of the sheet, after which a face must not be worked."""
+
+    faces: CutFaces
+    line: F64  #: one per face, infinite if the face may always be worked
+    code: str  #: code of the message about work after this line
 
 
 def check_work_order(context: CheckContext, work: TipPaths) -> None:
@@ -79,23 +81,36 @@ def check_work_order(context: CheckContext, work: TipPaths) -> None:
     cuts, _, _ = without_duplicates(context.edges.with_types(LineType.CUT))
     if len(cuts) == 0 or len(work.z) == 0:
         return
-    faces = find_cut_faces(cuts)
-    spans = _worked_spans(context, work, cuts)
-    complete = _completing_lines(
-        faces.edge, faces.begin, faces.begin + faces.curve[:, 5],
-        spans.edge, spans.low, spans.high,
-        np.where(spans.through, spans.line, -1), len(cuts), spans.reach,
-    )  # fmt: skip
+    links = gap_links(cuts, NECK_WIDTH)
+    faces = faces_between(cuts, links[links[:, 5] <= GAP_LENGTH])
+    spans = find_worked_spans(context, work, cuts)
+    rest = 0.0 if spans.reach > 0.0 else GAP_LENGTH
+    complete = completing_lines(faces, spans, len(cuts), rest)
+    loose = _Rule(faces, _release_lines(faces, complete), "verify.loose-piece")
+    necks = find_neck_faces(cuts, faces, links)
+    bridge = context.board.bridge_width + 2.0 * max(spans.reach, _STOP_LENGTH)
+    complete = completing_lines(necks, spans, len(cuts), max(NECK_WIDTH, bridge))
+    hanging = _Rule(necks, _release_lines(necks, complete), "verify.hanging-piece")
+    begun = _release_lines(faces, first_lines(faces, spans, len(cuts)))
+    reported = _check_cuts(context, cuts, loose, spans)
+    _check_contours(context, cuts, hanging, spans, reported)
+    _check_other_edges(
+        context, cuts, work, spans, (loose, hanging, _Rule(faces, begun, "verify.outline-begun"))
+    )
+
+
+def _release_lines(faces: CutFaces, complete: F64) -> F64:
+    """Return the program line that releases each face from the sheet, one per face.
+
+    ``complete`` is the program line that completes each piece of a cut and each link, (p,).
+    """
     order = np.argsort(-complete, kind="stable")
-    free = _freeing_lines(order, complete, faces.face, faces.count)
-    _check_cuts(context, cuts, faces, spans, free)
-    _check_other_edges(context, cuts, faces, work, spans, free)
+    result: F64 = _freeing_lines(order, complete, faces.face, faces.count)
+    return result
 
 
-def _check_cuts(
-    context: CheckContext, cuts: Edges, faces: CutFaces, spans: _WorkedSpans, free: F64
-) -> None:
-    """Add a finding for each cut that is made on loose board.
+def _check_cuts(context: CheckContext, cuts: Edges, loose: _Rule, spans: WorkedSpans) -> I64:
+    """Add a finding for each cut that is made on loose board; return the indices of these cuts.
 
     A long cut consists of several pieces, each beside its own faces of the sheet.  The board under
     a cut stretch counts as loose once all pieces on which the stretch lies are released.  Pieces
@@ -103,34 +118,83 @@ def _check_cuts(
 
     Parameters
     ----------
-    cuts, faces
-        All cuts, and the faces into which they divide the sheet.
+    cuts
+        All cuts.
+    loose
+        The faces into which the cuts divide the sheet, and the line that releases each face.
     spans
         Stretches of cuts that the tools have cut.
-    free
-        Program line that releases each face from the sheet, one per face.
     """
+    faces = loose.faces
     pieces = np.flatnonzero(faces.edge >= 0)
     first = np.searchsorted(faces.edge[pieces], np.arange(len(cuts) + 1))
-    face_lines = free[faces.face[pieces]].max(axis=1)
+    face_lines = loose.line[faces.face[pieces]].max(axis=1)
     begin = faces.begin[pieces]
     release_line = _held_until(
         spans.edge, spans.low, spans.high, first, begin, begin + faces.curve[pieces, 5], face_lines
     )
-    late = spans.line > release_line
-    if spans.reach == 0.0:
+    return _report_late_cuts(context, cuts, loose, spans, release_line)
+
+
+def _check_contours(
+    context: CheckContext, cuts: Edges, hanging: _Rule, spans: WorkedSpans, reported: I64
+) -> None:
+    """Add a finding for each contour or slit that is cut in a piece of board that hangs on necks.
+
+    Cuts that are connected with each other count as one: they may be cut until the last of the
+    pieces beside them hangs on necks only.
+
+    Parameters
+    ----------
+    cuts
+        All cuts.
+    hanging
+        The faces into which the cuts and links across necks divide the sheet, and the line from
+        which each face hangs on necks or bridges only.
+    spans
+        Stretches of cuts that the tools have cut.
+    reported
+        Indices of the cuts that get no further finding.
+    """
+    faces = hanging.faces
+    component = cut_components(cuts, faces)
+    pieces = np.flatnonzero(faces.edge >= 0)
+    held_until = np.full(len(cuts), -math.inf)
+    np.maximum.at(
+        held_until,
+        component[faces.edge[pieces]],
+        hanging.line[faces.face[pieces]].max(axis=1),
+    )
+    limit = held_until[component]
+    limit[reported] = math.inf
+    _report_late_cuts(context, cuts, hanging, spans, limit[spans.edge])
+
+
+def _report_late_cuts(
+    context: CheckContext, cuts: Edges, rule: _Rule, spans: WorkedSpans, limit: F64
+) -> I64:
+    """Add a finding for the first stretch of each cut that is made after its limit; return the
+    indices of these cuts.
+
+    ``limit`` is the last program line at which each of the k stretches ``spans`` may be cut, (k,);
+    ``rule`` contains the code of the message.
+    """
+    late = spans.line > limit
+    if spans.reach == 0.0 and late.any():
         # The overrun of a knife may lie on a cut that is already made.
         overrun = _longest_overrun(context)
-        late &= _new_spans(spans.edge, spans.low, spans.high) | (spans.high - spans.low > overrun)
+        late &= new_spans(spans.edge, spans.low, spans.high) | (spans.high - spans.low > overrun)
     late_rows = np.flatnonzero(late)
-    for k in late_rows[np.unique(spans.edge[late_rows], return_index=True)[1]][:MAX_FINDINGS]:
+    late_cuts, first = np.unique(spans.edge[late_rows], return_index=True)
+    for k in late_rows[first][:MAX_FINDINGS]:
         edge = int(spans.edge[k])
         place = point_at(
             cuts.curve[edge : edge + 1], np.array([0.5 * (spans.low[k] + spans.high[k])])
         )
         _add_finding(
-            context, int(cuts.row[edge]), place[0], int(spans.line[k]), int(release_line[k])
+            context, rule, int(cuts.row[edge]), place[0], (int(spans.line[k]), int(limit[k]))
         )
+    return late_cuts
 
 
 def _longest_overrun(context: CheckContext) -> float:
@@ -152,27 +216,27 @@ def _longest_overrun(context: CheckContext) -> float:
 def _check_other_edges(
     context: CheckContext,
     cuts: Edges,
-    faces: CutFaces,
     work: TipPaths,
-    spans: _WorkedSpans,
-    free: F64,
+    spans: WorkedSpans,
+    rules: tuple[_Rule, ...],
 ) -> None:
-    """Add a finding for each crease, groove, half-cut or perforation that is made on loose board.
+    """Add a finding for each crease, groove, half-cut or perforation that is made too late.
 
     Parameters
     ----------
-    cuts, faces
-        All cuts, and the faces into which they divide the sheet.
+    cuts
+        All cuts.
     work
         All tip paths.
     spans
         Stretches of cuts that the tools have cut; their tip paths are skipped here.
-    free
-        Program line that releases each face from the sheet, one per face.
+    rules
+        The program lines after which the faces must not be worked.  Of several rules that a path
+        breaks the first one is reported.
     """
-    after_release = work.line > free.min()
-    after_release[spans.path] = False
-    rows = np.flatnonzero(after_release)
+    checked = work.line > min(rule.line.min() for rule in rules)
+    checked[spans.path] = False
+    rows = np.flatnonzero(checked)
     kinds = (kind for kind in LineType if kind not in (LineType.CUT, *_NO_WORK))
     edges = context.edges.with_types(*kinds)
     near = find_overlaps(
@@ -181,168 +245,53 @@ def _check_other_edges(
     # Drop crossings; a path without length is a pressed crease and stays.
     size = np.diff(near.along)[:, 0]
     long = np.flatnonzero(
-        near.best & (size >= np.minimum(_MIN_LENGTH, work.curve[rows[near.curve], 5]))
+        near.best & (size >= np.minimum(MIN_LENGTH, work.curve[rows[near.curve], 5]))
     )
     path, along = rows[near.curve[long]], near.along[long]
-    release_line = np.full(len(long), math.inf)
-    place = np.zeros((len(long), 2))
-    for fraction in _PROBES:
-        points = point_at(work.curve[path], along @ (1.0 - fraction, fraction))
-        overlaps = find_overlaps(
-            line_curves(points, points),
-            cuts.curve,
-            np.zeros(len(cuts)),
-            cuts.curve[:, 5],
-            TOUCH_DISTANCE,
-        )
-        face_lines = free[faces.locate(points)]
-        face_lines[overlaps.curve] = math.inf
-        sooner = face_lines < release_line
-        release_line[sooner], place[sooner] = face_lines[sooner], points[sooner]
-    late = np.flatnonzero(work.line[path] > release_line)
-    late = late[np.unique(path[late], return_index=True)[1]]
-    for k in late[:MAX_FINDINGS]:
-        row = int(edges.row[near.edge[long[k]]])
-        _add_finding(context, row, place[k], int(work.line[path[k]]), int(release_line[k]))
+    line = work.line[path]
+    probes = [
+        point_at(work.curve[path], along @ (1.0 - fraction, fraction)) for fraction in _PROBES
+    ]
+    on_cut = [_touches(points, cuts) for points in probes]
+    reported = np.zeros(len(work.line), np.bool_)
+    for rule in rules:
+        limit, place = np.full(len(path), math.inf), np.zeros((len(path), 2))
+        for points, touching in zip(probes, on_cut, strict=True):
+            face_lines = np.where(touching, math.inf, rule.line[rule.faces.locate(points)])
+            sooner = face_lines < limit
+            limit[sooner], place[sooner] = face_lines[sooner], points[sooner]
+        late = np.flatnonzero((line > limit) & ~reported[path])
+        late = late[np.unique(path[late], return_index=True)[1]]
+        reported[path[late]] = True
+        for k in late[:MAX_FINDINGS]:
+            row = int(edges.row[near.edge[long[k]]])
+            _add_finding(context, rule, row, place[k], (int(line[k]), int(limit[k])))
 
 
-def _add_finding(context: CheckContext, edge: int, place: F64, line: int, closed: int) -> None:
+def _touches(points: F64, cuts: Edges) -> Bool:
+    """Return the mask of the points, (m, 2) mm, that lie on a cut, (m,)."""
+    overlaps = find_overlaps(
+        line_curves(points, points),
+        cuts.curve,
+        np.zeros(len(cuts)),
+        cuts.curve[:, 5],
+        TOUCH_DISTANCE,
+    )
+    result = np.zeros(len(points), np.bool_)
+    result[overlaps.curve] = True
+    return result
+
+
+def _add_finding(
+    context: CheckContext, rule: _Rule, edge: int, place: F64, lines: tuple[int, int]
+) -> None:
+    """Add a finding about an edge that is worked at a point, (2,) mm, in the first program line of
+    ``lines``, after the second one.
+    """
+    line, limit = lines
     context.findings.add(
-        "order",
-        Message("verify.loose-piece", x=place[0], y=place[1], line=closed),
-        0.0,
-        edge=edge,
-        line=line,
+        "order", Message(rule.code, x=place[0], y=place[1], line=limit), 0.0, edge=edge, line=line
     )
-
-
-def _worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> _WorkedSpans:
-    """Return the stretches of the edges ``cuts`` that the tools have cut.
-
-    ``work`` are all tip paths.  The path of a knife's tip lies on its cut; the path of a cutter's
-    centre lies beside its cut.
-    """
-    size = cuts.curve[:, 5]
-    knife = np.flatnonzero(work.operation == OperationKind.CUT)
-    near = find_overlaps(
-        work.curve[knife], cuts.curve, np.zeros(len(cuts)), size, context.tolerance
-    )
-    keep = near.best
-    columns: list[tuple[I32 | I64, F64, F64, I64, Bool]] = [
-        (near.edge[keep], near.place[keep].min(axis=1), near.place[keep].max(axis=1),
-         knife[near.curve[keep]], np.ones(int(keep.sum()), np.bool_)),
-    ]  # fmt: skip
-    mill = work.operation == OperationKind.MILL
-    bounds = find_outlines(cuts) if mill.any() else None
-    widest = 0.0
-    for index in np.unique(work.station[mill]):
-        station = context.machine.stations[int(index)]
-        assert bounds is not None
-        tool = expected_tool(station.tool)
-        assert tool.disc is not None
-        deflection = next(
-            (one for one in context.board.deflection if one.tool == station.name), None
-        )
-        reach = np.full(2, tool.disc.radius) - ((deflection.x, deflection.y) if deflection else 0.0)
-        widest = max(widest, float(reach.max()))
-        beside = cutter_paths(bounds, reach)
-        rows = np.flatnonzero(mill & (work.station == index))
-        length = beside.curve[:, 5]
-        near = find_overlaps(
-            work.curve[rows], beside.curve, np.zeros(len(length)), length, context.tolerance
-        )
-        low, high = beside.edge_intervals(near.edge, near.place)
-        deep = context.board.caliper - work.z[rows[near.curve]]
-        planned = tool.through_depth(context.board.caliper, context.machine.into_mat)
-        is_through = deep >= planned - DEPTH_TOLERANCE
-        columns.append((beside.edge[near.edge], low, high, rows[near.curve], is_through))
-    edge, low, high, path, is_through = (np.concatenate(one) for one in zip(*columns, strict=True))
-    # Drop paths that only cross a cut or touch its end.
-    long = np.flatnonzero(high - low >= np.minimum(_MIN_LENGTH, 0.5 * size[edge]))
-    long = long[np.lexsort((work.line[path[long]], edge[long]))]
-    path = path[long].astype(np.int64)
-    return _WorkedSpans(
-        edge[long].astype(np.int64), low[long], high[long], work.line[path].astype(np.int64),
-        is_through[long], path, widest,
-    )  # fmt: skip
-
-
-@kernel
-def _completing_lines(
-    owner: I64_1, begin: F64_1, end: F64_1, edge: I64_1, low: F64_1, high: F64_1,
-    line: I64_1, count: int, reach: float,
-) -> Any:  # fmt: skip
-    """Return the program line that completes each of p pieces of cuts and links, (p,).
-
-    A link is a straight line that closes a small gap between cuts.  A piece of a cut is complete
-    when every length of it that remains uncut is too short to hold the part, such as a length
-    beside an inner corner that the disc of a cutter cannot reach.  The line is infinite for a piece
-    that is never completed, and -1 for a link.  If the machine has a cutter, the line is 0 for a
-    piece that no tool touches: such a piece is out of the disc's reach and does not hold the part.
-
-    Parameters
-    ----------
-    owner, begin, end : (p,)
-        Index of the cut of each piece (-1 for a link), and the piece's start and end on it (mm).
-    edge, low, high : (k,)
-        Index of the cut of each of k stretches that tools have cut, sorted, and the stretch's start
-        and end on it (mm).
-    line : (k,)
-        Program line of each stretch, -1 if the stretch is not cut through the board.
-    count
-        Number of cuts.
-    reach : mm
-        Radius of the widest cutter, 0 if there are only knives.
-    """
-    first = np.searchsorted(edge, np.arange(count + 1))
-    complete = np.full(len(owner), 0.0 if reach > 0.0 else math.inf)
-    for p in range(len(owner)):
-        if owner[p] < 0:
-            complete[p] = -1.0
-            continue
-        a, b = begin[p], end[p]
-        permitted = _CORNER_RATIO * reach if reach > 0.0 else min(GAP_LENGTH, 0.5 * (b - a))
-        covered = np.empty((first[owner[p] + 1] - first[owner[p]] + 1, 2))
-        many = 0
-        for k in range(first[owner[p]], first[owner[p] + 1]):
-            left, right = max(low[k], a), min(high[k], b)
-            if right <= left:
-                continue
-            complete[p] = math.inf
-            if line[k] < 0:
-                continue
-            many, _ = add_interval(covered, many, left, right)
-            uncovered, position = 0.0, a
-            for j in range(many):
-                uncovered = max(uncovered, covered[j, 0] - position)
-                position = covered[j, 1]
-            if max(uncovered, b - position) <= permitted:
-                complete[p] = line[k]
-                break
-    return complete
-
-
-@kernel
-def _new_spans(edge: I64_1, low: F64_1, high: F64_1) -> Any:
-    """Return the mask of the stretches of cuts that are not repetitions of earlier stretches, (k,).
-
-    A stretch is no repetition if earlier stretches of its cut cover at most half of it.  ``edge``,
-    ``low`` and ``high`` are the index of the cut of each of k stretches, and the stretch's start
-    and end on it (mm), sorted by cut and then by program line.
-    """
-    fresh = np.zeros(len(edge), np.bool_)
-    begin = 0
-    while begin < len(edge):
-        end = begin
-        while end < len(edge) and edge[end] == edge[begin]:
-            end += 1
-        covered = np.empty((end - begin + 1, 2))
-        many = 0
-        for k in range(begin, end):
-            many, gained = add_interval(covered, many, low[k], high[k])
-            fresh[k] = gained >= 0.5 * (high[k] - low[k])
-        begin = end
-    return fresh
 
 
 @kernel
@@ -377,7 +326,7 @@ def _held_until(
             for p in range(first[edge[k]], first[edge[k] + 1]):
                 shared = min(high[k], end[p]) - max(low[k], begin[p])
                 if (
-                    shared >= min(_MIN_LENGTH, 0.5 * (end[p] - begin[p]))
+                    shared >= min(MIN_LENGTH, 0.5 * (end[p] - begin[p]))
                     and end[p] - begin[p] > least
                 ):
                     line[k] = max(line[k], release_line[p])

@@ -93,7 +93,7 @@ def face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
     bend = np.where(straight, 0.0, curve[:, 0] / np.where(straight, 1.0, curve[:, 3]))
     bend = np.where(back, -bend, bend)
     order = np.lexsort((bend, leaves, node))
-    cycle, swept = _trace_cycles(order, node[order], _swept_areas(edges))
+    cycle, swept = _trace_cycles(order, node[order], swept_areas(edges))
     component = lowest_connected(
         np.concatenate([node, np.arange(2 * count)]),
         np.concatenate([np.arange(2 * count), np.arange(2 * count) ^ 1]),
@@ -118,7 +118,7 @@ def lowest_connected(one: I64, other: I64, count: int) -> I64:
 @kernel
 def _lowest_names(one: I64_1, other: I64_1, count: int) -> Any:
     """Return the lowest index of each set of connected indices, (count,); see
-    ``_lowest_connected``.
+    ``lowest_connected``.
     """
     name = np.arange(count)
     for k in range(len(one)):
@@ -139,7 +139,7 @@ def _lowest_names(one: I64_1, other: I64_1, count: int) -> Any:
     return name
 
 
-def _swept_areas(edges: Edges) -> F64:
+def swept_areas(edges: Edges) -> F64:
     """Return twice the signed area between each of n edges and a common origin, (n,) mm².
 
     The area is swept by the straight line from the origin to a point that moves along the edge.  It

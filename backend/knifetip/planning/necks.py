@@ -1,0 +1,204 @@
+"""necks: order cuts so that no tool cuts a piece of board that hangs on necks only.
+
+A neck is board at most ``NECK`` mm wide between a dangling end of a cut and another cut.  A
+straight link across each neck encloses the pieces of board that hang on necks once the cuts round
+them are made.  The cuts inside such a piece are made before the last cut round it.  A piece that is
+not wider than ``MIN_WIDTH``, such as a strip between two slits, is not regarded as hanging.
+
+Cuts that are connected with each other are one unit of work.  A unit may be made last if board that
+is held lies beside any of its stretches; once it is regarded as not yet made, it holds the board
+beside all of them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+
+from knifetip.geometry import arc
+from knifetip.geometry.chain import number_vertices
+from knifetip.geometry.columns import F64, I64, Bool
+from knifetip.geometry.tolerance import JOIN
+from knifetip.geometry.union_find import flatten, union
+from knifetip.kernels import I64_1, kernel
+from knifetip.topology.noding import split_at_crossings
+from knifetip.topology.planar_graph import connected_components
+from knifetip.topology.subdivision import subdivide
+
+#: Greatest width of a neck (mm).  The verifier's limit is 4 mm.
+NECK: Final = 4.4
+#: Least mean width of a piece of board that hangs on necks (mm): 2 area / perimeter, which is the
+#: width of a long strip, and half the side of a square.  The verifier's limit is 12 mm.
+MIN_WIDTH: Final = 3.0
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Stretches:
+    """The m stretches into which n cuts and links across gaps are split where they meet."""
+
+    ends: F64  #: (m, 2, 2) mm
+    row: I64  #: (m,) index of the cut; n and more for a link
+    face: I64  #: (m, 2) faces beside the stretch; 0 is the plane outside
+
+
+def layers_at_necks(ends: F64, bulge: F64, layer: I64, stretches: Stretches, links: F64) -> I64:
+    """Return new layers of n cuts, (n,), in which the cuts inside a piece that hangs on necks have
+    a higher layer than the last cut round it; the cuts of higher layers are made first.
+
+    Cuts of different layers remain in their order.  If there is no such piece, ``layer`` is
+    returned.
+
+    Parameters
+    ----------
+    ends, bulge : (n, 2, 2) mm and (n,)
+        Start and end points, and bulges, of the cuts.
+    layer : (n,)
+        Layers of the cuts from ``layers``.
+    stretches
+        Stretches of the cuts and of the links across gaps.
+    links : (k, 2, 2) mm
+        Links of at most ``NECK`` between dangling ends of cuts and other cuts.  The shorter ones
+        among them are the links across gaps.
+    """
+    own = stretches.row < len(ends)
+    if stretches.row.max() + 1 == len(ends) + len(links):
+        return layer
+    component = _components(stretches.ends[own], stretches.row[own], len(ends))
+    pieces, bent, row = split_at_crossings(
+        np.concatenate([ends, links]), np.concatenate([bulge, np.zeros(len(links))])
+    )
+    subdivision = subdivide(pieces, bent)
+    face = subdivision.merged[subdivision.face] + 1
+    is_link = row >= len(ends)
+    length = np.hypot(*(links[:, 1] - links[:, 0]).T)
+    link = row[is_link] - len(ends)
+    while True:
+        narrow = _face_widths(pieces, bent, face, int(face.max()) + 1) < MIN_WIDTH
+        removed = _superfluous(face[is_link], narrow, link, length[link])
+        if not removed.any():
+            break
+        beside = face[is_link][removed].T.copy()
+        face = _merged_faces(beside[0], beside[1], len(narrow))[face]
+    if (face[is_link, 0] == face[is_link, 1]).all():
+        return layer
+    key = component * (int(layer.max()) + 1) + layer
+    unit = np.unique(key, return_inverse=True)[1].ravel()
+    unit_layer = np.zeros(int(unit.max()) + 1, np.int64)
+    unit_layer[unit] = layer
+    result: I64 = _number_units(unit[row[~is_link]], face[~is_link], unit_layer)[unit]
+    return result
+
+
+def _superfluous(face: I64, narrow: Bool, link: I64, length: F64) -> Bool:
+    """Return the mask of the pieces of links that are removed, (p,): those of the longest link
+    beside each narrow face.
+
+    Several links may cross one neck.  Of the narrow faces between them each loses one link, so that
+    at least one link remains across the neck.
+
+    Parameters
+    ----------
+    face : (p, 2)
+        Faces beside each of p pieces of links.
+    narrow : (f,)
+        Mask of the faces that are narrower than ``MIN_WIDTH``.
+    link, length : (p,) and (p,) mm
+        Index of the link of each piece, and the length of that link.
+    """
+    divides = face[:, 0] != face[:, 1]
+    piece = np.repeat(np.arange(len(face)), 2)
+    beside = np.where(divides[:, None], face, 0).ravel()
+    order = np.lexsort((link[piece], length[piece], beside))
+    last = np.append(np.diff(beside[order]) != 0, True)[: len(order)]
+    longest = np.full(len(narrow), -1, np.int64)
+    longest[beside[order[last]]] = link[piece[order[last]]]
+    lost = narrow[beside] & (link[piece] == longest[beside])
+    result: Bool = lost.reshape(-1, 2).any(axis=1) & divides
+    return result
+
+
+def _number_units(unit: I64, face: I64, layer: I64) -> I64:
+    """Return the new layer of each of u units of work, (u,).
+
+    Parameters
+    ----------
+    unit, face : (m,) and (m, 2)
+        Unit of each of m stretches, and the faces beside the stretch; 0 is the plane outside.
+    layer : (u,)
+        Layer of each unit.  Units of a higher layer get higher new layers.
+    """
+    result = np.full(len(layer), -1, np.int64)
+    held = np.zeros(int(face.max()) + 1, np.bool_)
+    held[0] = True
+    by_layer = np.argsort(layer[unit], kind="stable")
+    bounds = np.flatnonzero(np.diff(layer[unit][by_layer])) + 1
+    number = 0
+    for rows in np.split(by_layer, bounds):
+        left = rows
+        while len(left):
+            ready = unit[left[held[face[left]].any(axis=1)]]
+            # Nothing holds a piece that only links enclose: make all of its cuts together.
+            result[ready if len(ready) else unit[left]] = number
+            made = result[unit[left]] == number
+            held[face[left[made]]] = True
+            left = left[~made]
+            number += 1
+    return result
+
+
+def _components(ends: F64, row: I64, count: int) -> I64:
+    """Return the connected component of each of ``count`` cuts, (count,).
+
+    ``ends`` and ``row`` are the ends of m stretches of cuts (m, 2, 2) mm, which meet only at their
+    ends, and the index of the cut of each stretch (m,).
+    """
+    points = ends.reshape(-1, 2)
+    vertex = number_vertices(points)
+    position = np.empty((int(vertex.max()) + 1, 2))
+    position[vertex] = points
+    found, _ = connected_components(position, vertex[::2].copy(), vertex[1::2].copy())
+    component = np.zeros(count, np.int64)
+    component[row] = found
+    return component
+
+
+def _face_widths(ends: F64, bulge: F64, face: I64, count: int) -> F64:
+    """Return the mean width of each face, (count,) mm: 2 area / perimeter; infinite for face 0.
+
+    Parameters
+    ----------
+    ends, bulge : (m, 2, 2) mm and (m,)
+        Start and end points, and bulges, of the stretches between the faces.
+    face : (m, 2)
+        Face on the left and on the right of each stretch; 0 is the plane outside.
+    """
+    start, end = ends[:, 0] - ends[0, 0], ends[:, 1] - ends[0, 0]
+    sweep = arc.sweep(bulge)
+    bent = np.abs(sweep) > 1e-6
+    radius = np.where(bent, arc.radius(start, end, np.where(bent, bulge, 1.0)), 0.0)
+    swept = 0.5 * (
+        start[:, 0] * end[:, 1] - start[:, 1] * end[:, 0] + radius**2 * (sweep - np.sin(sweep))
+    )
+    area, perimeter = np.zeros(count), np.zeros(count)
+    np.add.at(area, face[:, 0], swept)
+    np.subtract.at(area, face[:, 1], swept)
+    size = np.where(face[:, 0] != face[:, 1], arc.length(start, end, bulge), 0.0)
+    for side in range(2):
+        np.add.at(perimeter, face[:, side], size)
+    result = 2.0 * area / np.maximum(perimeter, JOIN)
+    result[0] = np.inf
+    return result
+
+
+@kernel
+def _merged_faces(one: I64_1, other: I64_1, count: int) -> Any:
+    """Return the number of each of ``count`` faces after the faces ``one`` and ``other`` of each of
+    k pairs, (k,) each, were merged, (count,); it is the least number of the merged faces.
+    """
+    parent = np.arange(count)
+    for k in range(len(one)):
+        union(parent, one[k], other[k])
+    flatten(parent)
+    return parent

@@ -1,0 +1,252 @@
+"""Find the stretches of cuts that a program has cut, and when each piece of a cut is complete."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+
+from knifetip.kernels import F64_1, I64_1, kernel
+from knifetip.verification.checks.check_context import DEPTH_TOLERANCE, CheckContext
+from knifetip.verification.checks.cut_faces import GAP_LENGTH, CutFaces
+from knifetip.verification.columns import F64, I32, I64, Bool
+from knifetip.verification.curves.intervals import add_interval
+from knifetip.verification.curves.overlap import find_overlaps
+from knifetip.verification.expectation.cutter_paths import cutter_paths
+from knifetip.verification.expectation.edges import Edges
+from knifetip.verification.expectation.outline import find_outlines
+from knifetip.verification.kinematics import TipPaths
+from knifetip.verification.tools import OperationKind, expected_tool
+
+#: A shorter overlap with an edge is a crossing (mm).
+MIN_LENGTH: Final = 0.1
+
+
+#: Beside a corner of 28° a cutter leaves this many radii of either edge untouched.
+_CORNER_RATIO: Final = 4.0
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class WorkedSpans:
+    """k stretches of cuts that the tools have cut, sorted by edge and by program line."""
+
+    edge: I64  #: (k,)
+    low: F64  #: (k,) mm along the edge
+    high: F64  #: (k,)
+    line: I64  #: (k,)
+    through: Bool  #: (k,) the work goes through the board
+    path: I64  #: (k,) row of the tip path
+    reach: float  #: mm, the radius of the widest cutter, 0 for knives
+
+
+def find_worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> WorkedSpans:
+    """Return the stretches of the edges ``cuts`` that the tools have cut.
+
+    ``work`` are all tip paths.  The path of a knife's tip lies on its cut; the path of a cutter's
+    centre lies beside its cut.
+    """
+    size = cuts.curve[:, 5]
+    knife = np.flatnonzero(work.operation == OperationKind.CUT)
+    near = find_overlaps(
+        work.curve[knife], cuts.curve, np.zeros(len(cuts)), size, context.tolerance
+    )
+    keep = near.best
+    columns: list[tuple[I32 | I64, F64, F64, I64, Bool]] = [
+        (near.edge[keep], near.place[keep].min(axis=1), near.place[keep].max(axis=1),
+         knife[near.curve[keep]], np.ones(int(keep.sum()), np.bool_)),
+    ]  # fmt: skip
+    mill = work.operation == OperationKind.MILL
+    bounds = find_outlines(cuts) if mill.any() else None
+    widest = 0.0
+    for index in np.unique(work.station[mill]):
+        station = context.machine.stations[int(index)]
+        assert bounds is not None
+        tool = expected_tool(station.tool)
+        assert tool.disc is not None
+        deflection = next(
+            (one for one in context.board.deflection if one.tool == station.name), None
+        )
+        reach = np.full(2, tool.disc.radius) - ((deflection.x, deflection.y) if deflection else 0.0)
+        widest = max(widest, float(reach.max()))
+        beside = cutter_paths(bounds, reach)
+        rows = np.flatnonzero(mill & (work.station == index))
+        length = beside.curve[:, 5]
+        near = find_overlaps(
+            work.curve[rows], beside.curve, np.zeros(len(length)), length, context.tolerance
+        )
+        low, high = beside.edge_intervals(near.edge, near.place)
+        deep = context.board.caliper - work.z[rows[near.curve]]
+        planned = tool.through_depth(context.board.caliper, context.machine.into_mat)
+        is_through = deep >= planned - DEPTH_TOLERANCE
+        columns.append((beside.edge[near.edge], low, high, rows[near.curve], is_through))
+    edge, low, high, path, is_through = (np.concatenate(one) for one in zip(*columns, strict=True))
+    # Drop paths that only cross a cut or touch its end.
+    long = np.flatnonzero(high - low >= np.minimum(MIN_LENGTH, 0.5 * size[edge]))
+    long = long[np.lexsort((work.line[path[long]], edge[long]))]
+    path = path[long].astype(np.int64)
+    return WorkedSpans(
+        edge[long].astype(np.int64), low[long], high[long], work.line[path].astype(np.int64),
+        is_through[long], path, widest,
+    )  # fmt: skip
+
+
+def completing_lines(faces: CutFaces, spans: WorkedSpans, count: int, rest: float) -> F64:
+    """Return the program line that completes each of p pieces of cuts and links, (p,).
+
+    A link is a straight line that closes a small gap between cuts.  A piece of a cut is complete
+    when every length of it that remains uncut is too short to hold the part, such as a length
+    beside an inner corner that the disc of a cutter cannot reach.  The line is infinite for a piece
+    that is never completed, and -1 for a link.  If the machine has a cutter, the line is 0 for a
+    piece that no tool touches: such a piece is out of the disc's reach and does not hold the part.
+
+    Parameters
+    ----------
+    faces
+        The pieces and the faces beside them.
+    spans
+        Stretches of cuts that the tools have cut.
+    count
+        Number of cuts.
+    rest : mm
+        Longest uncut length that does not hold the part.
+    """
+    begin = faces.begin
+    line = np.where(spans.through, spans.line, -1)
+    reach = spans.reach
+    result: F64 = _completing_lines(
+        faces.edge, begin, begin + faces.curve[:, 5],
+        spans.edge, spans.low, spans.high, line, count, rest, reach,
+    )  # fmt: skip
+    return result
+
+
+def first_lines(faces: CutFaces, spans: WorkedSpans, count: int) -> F64:
+    """Return the program line with which the cut between two faces begins, for each of p pieces of
+    cuts and links, (p,).
+
+    All pieces between the same two faces have the same line.  It is infinite if no tool cuts any of
+    them, and -1 for a link.  A knife's overrun begins no cut: a stretch counts if it is at least
+    ``GAP_LENGTH`` mm or half a piece long.  The parameters are those of ``completing_lines``.
+    """
+    begun: F64 = _first_lines(
+        faces.edge, faces.begin, faces.begin + faces.curve[:, 5],
+        spans.edge, spans.low, spans.high, spans.line, count,
+    )  # fmt: skip
+    face = np.sort(faces.face, axis=1)
+    border = np.unique(face[:, 0] * faces.count + face[:, 1], return_inverse=True)[1].ravel()
+    first = np.full(len(border), math.inf)
+    cuts = faces.edge >= 0
+    np.minimum.at(first, border[cuts], begun[cuts])
+    return np.where(cuts, first[border], -1.0)
+
+
+@kernel
+def _first_lines(
+    owner: I64_1, begin: F64_1, end: F64_1, edge: I64_1, low: F64_1, high: F64_1,
+    line: I64_1, count: int,
+) -> Any:  # fmt: skip
+    """Return the program line of the first stretch that lies on each of p pieces of cuts, (p,).
+
+    The line is infinite for a piece that no tool touches, and for a link, whose cut is -1.
+
+    Parameters
+    ----------
+    owner, begin, end : (p,)
+        Index of the cut of each piece (-1 for a link), and the piece's start and end on it (mm).
+    edge, low, high : (k,)
+        Index of the cut of each of k stretches that tools have cut, sorted, and the stretch's start
+        and end on it (mm).
+    line : (k,)
+        Program line of each stretch; ascending for each cut.
+    count
+        Number of cuts.
+    """
+    first = np.searchsorted(edge, np.arange(count + 1))
+    begun = np.full(len(owner), math.inf)
+    for p in range(len(owner)):
+        if owner[p] < 0:
+            continue
+        least = min(GAP_LENGTH, 0.5 * (end[p] - begin[p]))
+        for k in range(first[owner[p]], first[owner[p] + 1]):
+            if min(high[k], end[p]) - max(low[k], begin[p]) >= least:
+                begun[p] = line[k]
+                break
+    return begun
+
+
+@kernel
+def _completing_lines(
+    owner: I64_1, begin: F64_1, end: F64_1, edge: I64_1, low: F64_1, high: F64_1,
+    line: I64_1, count: int, rest: float, reach: float,
+) -> Any:  # fmt: skip
+    """Return the program line that completes each of p pieces of cuts and links, (p,).
+
+    See ``completing_lines`` for the line of a piece that is never completed or never touched.
+
+    Parameters
+    ----------
+    owner, begin, end : (p,)
+        Index of the cut of each piece (-1 for a link), and the piece's start and end on it (mm).
+    edge, low, high : (k,)
+        Index of the cut of each of k stretches that tools have cut, sorted, and the stretch's start
+        and end on it (mm).
+    line : (k,)
+        Program line of each stretch, -1 if the stretch is not cut through the board.
+    count
+        Number of cuts.
+    rest : mm
+        Longest uncut length that does not hold the part.
+    reach : mm
+        Radius of the widest cutter, 0 if there are only knives.
+    """
+    first = np.searchsorted(edge, np.arange(count + 1))
+    complete = np.full(len(owner), 0.0 if reach > 0.0 else math.inf)
+    for p in range(len(owner)):
+        if owner[p] < 0:
+            complete[p] = -1.0
+            continue
+        a, b = begin[p], end[p]
+        permitted = max(rest, _CORNER_RATIO * reach) if reach > 0.0 else min(rest, 0.5 * (b - a))
+        covered = np.empty((first[owner[p] + 1] - first[owner[p]] + 1, 2))
+        many = 0
+        for k in range(first[owner[p]], first[owner[p] + 1]):
+            left, right = max(low[k], a), min(high[k], b)
+            if right <= left:
+                continue
+            complete[p] = math.inf
+            if line[k] < 0:
+                continue
+            many, _ = add_interval(covered, many, left, right)
+            uncovered, position = 0.0, a
+            for j in range(many):
+                uncovered = max(uncovered, covered[j, 0] - position)
+                position = covered[j, 1]
+            if max(uncovered, b - position) <= permitted:
+                complete[p] = line[k]
+                break
+    return complete
+
+
+@kernel
+def new_spans(edge: I64_1, low: F64_1, high: F64_1) -> Any:
+    """Return the mask of the stretches of cuts that are not repetitions of earlier stretches, (k,).
+
+    A stretch is no repetition if earlier stretches of its cut cover at most half of it.  ``edge``,
+    ``low`` and ``high`` are the index of the cut of each of k stretches, and the stretch's start
+    and end on it (mm), sorted by cut and then by program line.
+    """
+    fresh = np.zeros(len(edge), np.bool_)
+    begin = 0
+    while begin < len(edge):
+        end = begin
+        while end < len(edge) and edge[end] == edge[begin]:
+            end += 1
+        covered = np.empty((end - begin + 1, 2))
+        many = 0
+        for k in range(begin, end):
+            many, gained = add_interval(covered, many, low[k], high[k])
+            fresh[k] = gained >= 0.5 * (high[k] - low[k])
+        begin = end
+    return fresh
