@@ -36,7 +36,7 @@ from knifetip.geometry.points_on_segments import find_points_on_segments
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import ANGLE, CONTOUR_GAP, JOIN
 from knifetip.model.dieline import LineType
-from knifetip.topology.contour_gaps import closing_links
+from knifetip.topology.contour_gaps import closing_links, find_dangling_ends
 from knifetip.topology.noding import split_at_crossings
 from knifetip.topology.subdivision import Subdivision, subdivide
 
@@ -188,7 +188,7 @@ def _find_contours(ends: F64, bulge: F64, folds: tuple[F64, F64]) -> tuple[_Cont
         The bounding boxes of more than five million pairs of cuts overlap.
     """
     exact = _with_doubts(*split_at_crossings(ends, bulge)[:2], folds)
-    links = closing_links(ends, bulge, CONTOUR_GAP)
+    links = closing_links(ends, bulge, find_dangling_ends(ends, bulge), CONTOUR_GAP)
     links = links[np.hypot(*(links[:, 1] - links[:, 0]).T) <= _NEAR]
     if len(links) == 0:
         return exact, exact

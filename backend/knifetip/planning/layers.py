@@ -23,8 +23,8 @@ from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.tolerance import CONTOUR_GAP
 from knifetip.kernels import F64_1, I64_1, I64_2, OutI64_1, kernel
-from knifetip.planning.necks import NECK, Stretches, layers_at_necks
-from knifetip.topology.contour_gaps import closing_links
+from knifetip.planning.necks import Stretches, layers_at_necks
+from knifetip.topology.contour_gaps import closing_links, find_dangling_ends
 from knifetip.topology.noding import split_at_crossings
 from knifetip.topology.subdivision import subdivide
 
@@ -50,8 +50,8 @@ def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
     count = len(ends)
     if count == 0:
         return np.zeros(0, np.int64)
-    links = closing_links(ends, bulge, NECK)
-    closing = links[np.hypot(*(links[:, 1] - links[:, 0]).T) <= CONTOUR_GAP]
+    tips = find_dangling_ends(ends, bulge)
+    closing = closing_links(ends, bulge, tips, CONTOUR_GAP)
     pieces, bent, row = split_at_crossings(
         np.concatenate([ends, closing]), np.concatenate([bulge, np.zeros(len(closing))])
     )
@@ -73,7 +73,8 @@ def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
         owner = np.where(row < count, row, -1)
         layer, _ = _assign_layers(face, owner, size, by_face // 2, first, count)
     result: I64 = layer[work]
-    return layers_at_necks(ends, bulge, result, Stretches(pieces, row, face), links)
+    stretches = Stretches(pieces, bent, row, face)
+    return layers_at_necks(ends, bulge, result, stretches, closing, tips)
 
 
 @kernel

@@ -20,9 +20,10 @@ import numpy as np
 from knifetip.geometry import arc
 from knifetip.geometry.chain import number_vertices
 from knifetip.geometry.columns import F64, I64, Bool
-from knifetip.geometry.tolerance import JOIN
+from knifetip.geometry.tolerance import CONTOUR_GAP, JOIN
 from knifetip.geometry.union_find import flatten, union
 from knifetip.kernels import I64_1, kernel
+from knifetip.topology.contour_gaps import closing_links
 from knifetip.topology.noding import split_at_crossings
 from knifetip.topology.planar_graph import connected_components
 from knifetip.topology.subdivision import subdivide
@@ -32,6 +33,9 @@ NECK: Final = 4.4
 #: Least mean width of a piece of board that hangs on necks (mm): 2 area / perimeter, which is the
 #: width of a long strip, and half the side of a square.  The verifier's limit is 12 mm.
 MIN_WIDTH: Final = 3.0
+#: Necks are sought in faces that extend at least this far along X and along Y (mm).  A smaller face
+#: contains no piece with a mean width of 12 mm.
+MIN_EXTENT: Final = 11.0
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -39,11 +43,14 @@ class Stretches:
     """The m stretches into which n cuts and links across gaps are split where they meet."""
 
     ends: F64  #: (m, 2, 2) mm
+    bulge: F64  #: (m,)
     row: I64  #: (m,) index of the cut; n and more for a link
     face: I64  #: (m, 2) faces beside the stretch; 0 is the plane outside
 
 
-def layers_at_necks(ends: F64, bulge: F64, layer: I64, stretches: Stretches, links: F64) -> I64:
+def layers_at_necks(
+    ends: F64, bulge: F64, layer: I64, stretches: Stretches, closing: F64, tips: I64
+) -> I64:
     """Return new layers of n cuts, (n,), in which the cuts inside a piece that hangs on necks have
     a higher layer than the last cut round it; the cuts of higher layers are made first.
 
@@ -58,13 +65,18 @@ def layers_at_necks(ends: F64, bulge: F64, layer: I64, stretches: Stretches, lin
         Layers of the cuts from ``layers``.
     stretches
         Stretches of the cuts and of the links across gaps.
-    links : (k, 2, 2) mm
-        Links of at most ``NECK`` between dangling ends of cuts and other cuts.  The shorter ones
-        among them are the links across gaps.
+    closing : (k, 2, 2) mm
+        Links across gaps of up to ``CONTOUR_GAP``.
+    tips : (t,)
+        Indices of the dangling ends of the cuts; cut i has the ends 2i and 2i + 1.
     """
-    own = stretches.row < len(ends)
-    if stretches.row.max() + 1 == len(ends) + len(links):
+    links = closing_links(ends, bulge, _tips_in_wide_faces(stretches, tips, len(ends)), NECK)
+    links = links[np.hypot(*(links[:, 1] - links[:, 0]).T) > CONTOUR_GAP]
+    if len(links) == 0:
         return layer
+    links = np.concatenate([closing, links])
+    length = np.hypot(*(links[:, 1] - links[:, 0]).T)
+    own = stretches.row < len(ends)
     component = _components(stretches.ends[own], stretches.row[own], len(ends))
     pieces, bent, row = split_at_crossings(
         np.concatenate([ends, links]), np.concatenate([bulge, np.zeros(len(links))])
@@ -72,7 +84,6 @@ def layers_at_necks(ends: F64, bulge: F64, layer: I64, stretches: Stretches, lin
     subdivision = subdivide(pieces, bent)
     face = subdivision.merged[subdivision.face] + 1
     is_link = row >= len(ends)
-    length = np.hypot(*(links[:, 1] - links[:, 0]).T)
     link = row[is_link] - len(ends)
     while True:
         narrow = _face_widths(pieces, bent, face, int(face.max()) + 1) < MIN_WIDTH
@@ -88,6 +99,31 @@ def layers_at_necks(ends: F64, bulge: F64, layer: I64, stretches: Stretches, lin
     unit_layer = np.zeros(int(unit.max()) + 1, np.int64)
     unit_layer[unit] = layer
     result: I64 = _number_units(unit[row[~is_link]], face[~is_link], unit_layer)[unit]
+    return result
+
+
+def _tips_in_wide_faces(stretches: Stretches, tips: I64, count: int) -> I64:
+    """Return those of the dangling ends ``tips`` whose cut borders a face that extends at least
+    ``MIN_EXTENT`` along X and along Y, (s,).
+
+    ``stretches`` are stretches of ``count`` cuts, and of links.
+    """
+    if len(tips) == 0:
+        return tips
+    face = stretches.face
+    box = arc.bounding_boxes(stretches.ends[:, 0], stretches.ends[:, 1], stretches.bulge)
+    low = np.full((2, int(face.max()) + 1), np.inf)
+    high = -low
+    for axis in range(2):
+        for side in range(2):
+            np.minimum.at(low[axis], face[:, side], box[:, axis])
+            np.maximum.at(high[axis], face[:, side], box[:, 2 + axis])
+    wide = (high - low >= MIN_EXTENT).all(axis=0)
+    wide[0] = True
+    own = stretches.row < count
+    borders = np.zeros(count, np.bool_)
+    borders[stretches.row[own & wide[face].any(axis=1)]] = True
+    result: I64 = tips[borders[tips // 2]]
     return result
 
 

@@ -24,7 +24,7 @@ import numpy as np
 
 from knifetip.geometry import arc
 from knifetip.geometry.chain import number_vertices
-from knifetip.geometry.columns import F64
+from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.points_on_segments import find_points_on_segments
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import JOIN
@@ -34,22 +34,35 @@ from knifetip.kernels import F64_1, F64_2, I64_1, Bool_1, kernel
 _CHAIN_FACTOR: Final = 3.0
 
 
-def closing_links(ends: F64, bulge: F64, longest: float) -> F64:
+def find_dangling_ends(ends: F64, bulge: F64) -> I64:
+    """Return the indices of the dangling ends of n cuts, (t,); cut i has the ends 2i and 2i + 1.
+
+    The parameters are those of ``closing_links``.
+    """
+    own = np.repeat(np.arange(len(ends), dtype=np.int32), 2)
+    on_cut = find_points_on_segments(ends.reshape(-1, 2), own, ends[:, 0], ends[:, 1], bulge, JOIN)
+    return np.flatnonzero(~on_cut)
+
+
+def closing_links(ends: F64, bulge: F64, tips: I64, longest: float) -> F64:
     """Return straight links that close gaps of at most ``longest`` mm in contours, (k, 2, 2) mm.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
         Start and end points, and bulges, of the cuts, in any order and direction.
+    tips : (t,)
+        Indices of the dangling ends at which links may start; cut i has the ends 2i and 2i + 1.
     """
     points = ends.reshape(-1, 2)
     start, end = ends[:, 0], ends[:, 1]
-    own = np.repeat(np.arange(len(ends), dtype=np.int32), 2)
-    loose = ~find_points_on_segments(points, own, start, end, bulge, JOIN)
-    tips = np.flatnonzero(loose)
-    if len(tips) == 0:
+    around = np.tile(points[tips], 2)
+    tip, row = box_pairs(around, arc.bounding_boxes(start, end, bulge), longest)
+    one, other = box_pairs(around, around, longest)
+    others, apart = row != tips[tip] // 2, one != other
+    tip, row, one, other = tip[others], row[others], one[apart], other[apart]
+    if len(tip) + len(one) == 0:
         return np.zeros((0, 2, 2))
-    tip, row = box_pairs(np.tile(points[tips], 2), arc.bounding_boxes(start, end, bulge), longest)
     fraction = arc.nearest_fraction(start[row], end[row], bulge[row], points[tips[tip]])
     target = arc.point_at(start[row], end[row], bulge[row], fraction)
     for side in range(2):
@@ -58,7 +71,6 @@ def closing_links(ends: F64, bulge: F64, longest: float) -> F64:
     node = number_vertices(points).astype(np.int64)
     by_node = np.argsort(node, kind="stable")
     begin = np.searchsorted(node[by_node], np.arange(node.max() + 2))
-    one, other = box_pairs(np.tile(points[tips], 2), np.tile(points[tips], 2), longest)
     tip, row = np.concatenate([tip, one]), np.concatenate([row, tips[other] // 2])
     fraction = np.concatenate([fraction, tips[other] % 2])
     target = np.concatenate([target, points[tips[other]]])
@@ -135,7 +147,7 @@ def _choose_links(
                 linked[k] = not _has_end_between(
                     k, gap, first[number], first[number + 1], target, to_end, points[tip]
                 )
-            elif row[k] != tip // 2 and gap <= nearest:
+            elif gap <= nearest:
                 nearest, best = gap, k
         if best >= 0:
             linked[best] = True

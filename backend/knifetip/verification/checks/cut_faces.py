@@ -79,7 +79,7 @@ def find_cut_faces(cuts: Edges) -> CutFaces:
     """Return the faces into which cuts divide the sheet, after small gaps between the cuts are
     closed.
     """
-    return faces_between(cuts, gap_links(cuts, GAP_LENGTH))
+    return faces_between(cuts, gap_links(cuts, find_dangling_ends(cuts), GAP_LENGTH))
 
 
 def faces_between(cuts: Edges, links: F64) -> CutFaces:
@@ -101,14 +101,9 @@ def faces_between(cuts: Edges, links: F64) -> CutFaces:
     return CutFaces(piece, edge, begin, face, count, unique.row.astype(np.int64))
 
 
-def gap_links(cuts: Edges, longest: float) -> F64:
-    """Return k straight lines that close gaps of at most ``longest`` mm in the contours of the
-    cuts, (k, 6).
-
-    The lines, called links, are rows of six numbers (see ``curves.curve``).  An end of a cut is
-    dangling if it touches no other cut.  Each link leads from a dangling end to a nearby cut or to
-    another dangling end.  Two dangling ends are not linked to each other if a third dangling end is
-    nearer to each of the two than they are to each other.
+def find_dangling_ends(cuts: Edges) -> I64:
+    """Return the indices of the ends that touch no other cut, (t,); cut i has the ends 2i and
+    2i + 1.
     """
     a, b = cuts.near_ends(JOIN_DISTANCE)
     size, nothing = cuts.curve[:, 5], np.zeros(len(cuts))
@@ -118,13 +113,29 @@ def gap_links(cuts: Edges, longest: float) -> F64:
     loose = np.ones(len(cuts.ends), np.bool_)
     loose[a[a // 2 != b // 2]] = False
     loose[touches.curve[touches.curve // 2 != touches.edge]] = False
-    tips = np.flatnonzero(loose)
+    return np.flatnonzero(loose)
+
+
+def gap_links(cuts: Edges, tips: I64, longest: float) -> F64:
+    """Return k straight lines that close gaps of at most ``longest`` mm in the contours of the
+    cuts, (k, 6).
+
+    The lines, called links, are rows of six numbers (see ``curves.curve``).  Each link leads from
+    one of the dangling ends ``tips``, (t,), to a nearby cut or to another of these ends.  Two
+    dangling ends are not linked to each other if a third dangling end is nearer to each of the two
+    than they are to each other.
+    """
+    size, nothing = cuts.curve[:, 5], np.zeros(len(cuts))
     points = cuts.ends[tips]
     near = find_overlaps(line_curves(points, points), cuts.curve, nothing, size, longest)
-    tip, edge, place = near.curve.astype(np.int64), near.edge.astype(np.int64), near.place[:, 0]
+    others = np.flatnonzero(near.edge != tips[near.curve] // 2)
+    tip, edge = near.curve[others].astype(np.int64), near.edge[others].astype(np.int64)
+    place = near.place[others, 0]
     one, other = pairs_within(points, points, longest)
     kept = one != other
     one, other = one[kept], other[kept]
+    if len(tip) + len(one) == 0:
+        return line_curves(points[:0], points[:0])
     kept = np.argsort(one, kind="stable")
     one, other = one[kept], other[kept]
     kept = _neighbour_mask(one, other, points, np.searchsorted(one, np.arange(len(tips) + 1)))
@@ -138,7 +149,7 @@ def gap_links(cuts: Edges, longest: float) -> F64:
     tip = np.concatenate([tip, one])
     edge = np.concatenate([edge, tips[other] // 2])
     place = np.concatenate([place, ends_at])
-    to_end = np.repeat([False, True], [len(near.curve), len(one)])
+    to_end = np.repeat([False, True], [len(others), len(one)])
     gap = np.hypot(*(target - points[tip]).T)
     # An end is always near to the chain that it ends; that is not a gap.
     strung = edge_paths(cuts, joined_ends(cuts))
@@ -147,9 +158,7 @@ def gap_links(cuts: Edges, longest: float) -> F64:
     begins = strung.first[strung.path[own]] == tips[tip]
     along = np.where(begins, inner, strung.length[strung.path[own]] - inner)
     far_along = (strung.path[edge] != strung.path[own]) | (along >= _DETOUR_RATIO * gap)
-    keep = np.flatnonzero(
-        (gap > JOIN_DISTANCE) & (gap <= longest) & far_along & (to_end | (edge != own))
-    )
+    keep = np.flatnonzero((gap > JOIN_DISTANCE) & (gap <= longest) & far_along)
     keep = keep[np.lexsort((gap[keep], to_end[keep], tip[keep]))]
     new = np.append(True, np.diff(tip[keep]) != 0)[: len(keep)]
     keep = keep[to_end[keep] | new]

@@ -12,8 +12,8 @@ from typing import Final
 
 import numpy as np
 
-from knifetip.verification.checks.cut_faces import GAP_LENGTH, CutFaces, faces_between
-from knifetip.verification.columns import F64, I64
+from knifetip.verification.checks.cut_faces import GAP_LENGTH, CutFaces, faces_between, gap_links
+from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import point_at
 from knifetip.verification.expectation.edges import (
     JOIN_DISTANCE,
@@ -31,7 +31,7 @@ NECK_WIDTH: Final = 4.0
 MIN_WIDTH: Final = 12.0
 
 
-def find_neck_faces(cuts: Edges, faces: CutFaces, links: F64) -> CutFaces:
+def find_neck_faces(cuts: Edges, faces: CutFaces, gaps: F64, tips: I64) -> CutFaces:
     """Return the faces into which cuts and links across necks divide the sheet.
 
     Parameters
@@ -40,12 +40,16 @@ def find_neck_faces(cuts: Edges, faces: CutFaces, links: F64) -> CutFaces:
         All cuts.
     faces
         The faces of the cuts with links across gaps only.  They are returned if there are no necks.
-    links : (k, 6)
-        Links of at most ``NECK_WIDTH`` between dangling ends of cuts and other cuts, as rows of six
-        numbers (see ``curves.curve``).
+    gaps : (k, 6)
+        The links across gaps, as rows of six numbers (see ``curves.curve``).
+    tips : (t,)
+        Indices of the dangling ends of the cuts; cut i has the ends 2i and 2i + 1.
     """
-    if (links[:, 5] <= GAP_LENGTH).all():
+    links = gap_links(cuts, tips[_borders_large_face(faces, len(cuts))[tips // 2]], NECK_WIDTH)
+    links = links[links[:, 5] > GAP_LENGTH]
+    if len(links) == 0:
         return faces
+    links = np.concatenate([gaps, links])
     divided = faces_between(cuts, links)
     removed = _removed_links(cuts, divided, links)
     while len(removed):
@@ -53,6 +57,34 @@ def find_neck_faces(cuts: Edges, faces: CutFaces, links: F64) -> CutFaces:
         divided = replace(divided, face=name[divided.face])
         removed = _removed_links(cuts, divided, links)
     return divided
+
+
+def _borders_large_face(faces: CutFaces, count: int) -> Bool:
+    """Return the mask of the ``count`` cuts beside the outside or beside a face in which a piece
+    with a mean width of ``MIN_WIDTH`` has room, (count,).
+
+    The perimeter of a piece is at least twice the diagonal of its bounding box.  Therefore its mean
+    width, 2 area / perimeter, is at most the area of the box over the diagonal.
+    """
+    curve = faces.curve
+    extreme = _curve_ends(curve).reshape(-1, 2, 2)
+    reach = np.where(curve[:, 0] == 0.0, 0.0, curve[:, 3])[:, None]
+    middle = np.where(reach > 0.0, curve[:, 1:3], extreme[:, 0])
+    low = np.minimum(extreme.min(axis=1), middle - reach)
+    high = np.maximum(extreme.max(axis=1), middle + reach)
+    size = np.zeros((faces.count, 2))
+    for axis in range(2):
+        least, greatest = np.full(faces.count, np.inf), np.full(faces.count, -np.inf)
+        for side in range(2):
+            np.minimum.at(least, faces.face[:, side], low[:, axis])
+            np.maximum.at(greatest, faces.face[:, side], high[:, axis])
+        size[:, axis] = greatest - least
+    large = size.prod(axis=1) >= MIN_WIDTH * np.hypot(*size.T)
+    large[0] = True
+    result = np.zeros(count, np.bool_)
+    own = faces.edge >= 0
+    result[faces.edge[own & large[faces.face].any(axis=1)]] = True
+    return result
 
 
 def _removed_links(cuts: Edges, faces: CutFaces, links: F64) -> I64:

@@ -30,7 +30,13 @@ from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import Knife
 from knifetip.verification.checks.check_context import CheckContext
-from knifetip.verification.checks.cut_faces import GAP_LENGTH, CutFaces, faces_between, gap_links
+from knifetip.verification.checks.cut_faces import (
+    GAP_LENGTH,
+    CutFaces,
+    faces_between,
+    find_dangling_ends,
+    gap_links,
+)
 from knifetip.verification.checks.neck_faces import NECK_WIDTH, cut_components, find_neck_faces
 from knifetip.verification.checks.worked_spans import (
     MIN_LENGTH,
@@ -81,13 +87,14 @@ def check_work_order(context: CheckContext, work: TipPaths) -> None:
     cuts, _, _ = without_duplicates(context.edges.with_types(LineType.CUT))
     if len(cuts) == 0 or len(work.z) == 0:
         return
-    links = gap_links(cuts, NECK_WIDTH)
-    faces = faces_between(cuts, links[links[:, 5] <= GAP_LENGTH])
+    tips = find_dangling_ends(cuts)
+    gaps = gap_links(cuts, tips, GAP_LENGTH)
+    faces = faces_between(cuts, gaps)
     spans = find_worked_spans(context, work, cuts)
     rest = 0.0 if spans.reach > 0.0 else GAP_LENGTH
     complete = completing_lines(faces, spans, len(cuts), rest)
     loose = _Rule(faces, _release_lines(faces, complete), "verify.loose-piece")
-    necks = find_neck_faces(cuts, faces, links)
+    necks = find_neck_faces(cuts, faces, gaps, tips)
     bridge = context.board.bridge_width + 2.0 * max(spans.reach, _STOP_LENGTH)
     complete = completing_lines(necks, spans, len(cuts), max(NECK_WIDTH, bridge))
     hanging = _Rule(necks, _release_lines(necks, complete), "verify.hanging-piece")
@@ -237,6 +244,8 @@ def _check_other_edges(
     checked = work.line > min(rule.line.min() for rule in rules)
     checked[spans.path] = False
     rows = np.flatnonzero(checked)
+    if len(rows) == 0:
+        return
     kinds = (kind for kind in LineType if kind not in (LineType.CUT, *_NO_WORK))
     edges = context.edges.with_types(*kinds)
     near = find_overlaps(
