@@ -68,6 +68,7 @@ verify.cleaning-type               checks.cleaning_check
 verify.comes-out-anywhere          checks.track_ends
 verify.comes-out-past              checks.track_ends
 verify.comes-out-short             checks.track_ends
+verify.contour-unreached           checks.milling_shortfalls
 verify.crease-meets-cuts           checks.crease_check
 verify.crease-stops-at-cut         checks.crease_check
 verify.crease-too-short            checks.crease_check
