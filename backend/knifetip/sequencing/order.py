@@ -17,10 +17,11 @@ from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.model.tool import Reversal
 from knifetip.sequencing.improve import improve_tour
 from knifetip.sequencing.nearest import find_neighbours, nearest_neighbour, nearest_walk
+from knifetip.sequencing.tour import Tracks
 
 #: Number of neighbours beside which a better position of a track is tried.
 _NEIGHBOURS: Final = 6
-#: Random swaps per track, and limit for all of them.
+#: Greatest number of random swaps per track, and of all of them.
 _TRIALS: Final = 5
 _MOST_TRIALS: Final = 3_000
 
@@ -104,7 +105,8 @@ def short_order(
     fastest = np.array([pace[0, :2].max(), pace[1, :2].max()])
     least_time = _travel_times(far / math.sqrt(2.0), fastest[0], fastest[1])
     trials = min(_TRIALS * count, _MOST_TRIALS)
-    improve_tour(tour, side, ends, rates, int(reversal), near, least_time, trials)
+    tracks = Tracks(ends, rates, int(reversal), near, least_time)
+    improve_tour(tour, side, tracks, trials)
     return tour[1:], side[1:].astype(np.bool_)
 
 
