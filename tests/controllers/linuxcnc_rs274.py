@@ -127,7 +127,7 @@ def read_program(program: bytes, tools: Mapping[int, TipTool] | None = None) -> 
         + "\n"
         for number, tool in stations.items()
     )
-    program = re.sub(rb"V(?=-?\d)", b"B", program)
+    program = re.sub(rb"[Vv](?=[ \t]*[-+.\d])", b"B", program)
     with tempfile.TemporaryDirectory() as folder:
         directory = Path(folder)
         (directory / "program.ngc").write_bytes(program)
