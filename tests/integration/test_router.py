@@ -21,7 +21,7 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
 from knifetip.model.tool import Cutter
 from knifetip.model.toolpath import Motion
-from knifetip.model.verdict import Acceptance, Verdict
+from knifetip.model.verdict import Acceptance, Severity, Verdict
 from knifetip.verification.verify import verify
 from tests.support.modules import original
 from tests.support.shapes import closed, dieline, edges
@@ -91,6 +91,30 @@ def test_a_deflection_of_the_board_is_accepted_and_its_opposite_is_refused(
         radius, "shift_centres", lambda paths, side, x, y: right(paths, -side, x, y)
     )
     assert has_faults(verdict(soft))
+
+
+def test_a_cutter_stays_out_of_a_neck_between_its_two_reaches(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    # The mean reach, 2.96 mm, fits into the neck of the notch; along X the cutter reaches 3 mm.
+    notch = dieline(
+        (
+            LineType.CUT,
+            closed((100, 100), (200, 100), (200, 150), (155.95, 150), (155.95, 130), (165, 130),
+                   (165, 110), (141, 110), (141, 130), (150, 130), (150, 150), (100, 150)),
+        )
+    )  # fmt: skip
+    soft = replace(BOARD, deflection=(Deflection("Router", 0.0, 0.08),))
+    found = verdict_of(notch, soft)
+    assert {one.kind for one in found.findings} == {"unreached"}
+    equal = replace(BOARD, deflection=(Deflection("Router", 0.04, 0.04),))
+    assert not has_faults(verdict_of(notch, equal))
+    # A path through the neck enters both walls, which the verifier refuses.
+    monkeypatch.setattr(radius, "_crosses_itself", lambda _paths: False)
+    gouges = [one for one in verdict_of(notch, soft).findings if one.kind == "overcut"]
+    assert {one.edge for one in gouges} >= {3, 9}
+    assert max(one.measure for one in gouges) == pytest.approx(0.05, abs=0.001)
+    assert all(one.severity is Severity.FAULT for one in gouges)
 
 
 def verdict_of(

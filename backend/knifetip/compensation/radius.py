@@ -17,6 +17,7 @@ corner that the cutter goes round, all others begin in the middle of a segment.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Final
 
 import numpy as np
@@ -41,7 +42,8 @@ from knifetip.messages import Message
 from knifetip.model.operation import Operation
 from knifetip.model.tool import DiscTool
 from knifetip.model.toolpath import Motion, Toolpath
-from knifetip.offset.offset_paths import offset_paths
+from knifetip.offset.offset_paths import OffsetPaths, offset_paths
+from knifetip.offset.self_contact import find_self_contact
 
 #: Number of points on a lead at which the distance to contours is checked.
 _LEAD_CHECKS: Final = 8
@@ -91,33 +93,7 @@ def centre_paths(operation: Operation) -> CentrePaths:
     inserted = np.zeros(len(segment), np.bool_)
     notes: tuple[Message, ...] = ()
     if operation.side != 0:
-        kind, k = select_corner_types(operation)
-        common, rest = _split_deflection(operation, cutter)
-        # Open paths are offset one by one: the side beyond their ends is undefined.
-        group = np.where(paths.closed, 0, 1 + np.arange(len(paths)))
-        try:
-            offset = offset_paths(
-                paths, cutter.radius - common, operation.side,
-                corner=kind, k=k, interference=operation.interference, group=group,
-            )  # fmt: skip
-        except (CompensationError, GeometryError) as reason:
-            edges = [str(operation.source[int(row)]) for row in reason.source]
-            message = reason.message
-            if message.code == "offset.interference":
-                message = Message(
-                    "cutter.interference",
-                    diameter=2.0 * cutter.radius,
-                    edge=edges[0],
-                    other=edges[1],
-                    depth=message.arguments["depth"],
-                )
-            elif edges:
-                message = Message("error.at-edges", edges=edges, error=message)
-            raise CompensationError(message, source=edges) from None
-        notes = replaced_corner_notes(operation, kind, offset.replaced)
-        paths, segment, unreached = offset.paths, offset.source, offset.unreached
-        paths, rows = shift_centres(paths, operation.side, *rest)
-        segment, inserted = segment[rows], offset.inserted[rows]
+        paths, segment, inserted, unreached, notes = _offset_contours(operation, cutter)
     if operation.side == 0 or cutter.approach >= 0.0 or len(operation.bridges):
         # Paths with bridges have no leads.
         approach = np.full(len(paths), cutter.approach)
@@ -132,25 +108,92 @@ def centre_paths(operation: Operation) -> CentrePaths:
     return CentrePaths(paths, segment[turned][rows], unreached, approach, notes)
 
 
-def _split_deflection(operation: Operation, cutter: DiscTool) -> tuple[float, tuple[float, float]]:
-    """Return the mean of the deflections along X and Y, and what they differ from it (mm).
+def _offset_contours(
+    operation: Operation, cutter: DiscTool
+) -> tuple[Paths, I32, Bool, F64, tuple[Message, ...]]:
+    """Return the offset of an operation's contours, with the cutter's deflection compensated.
 
     A deflection that is equal along X and Y acts like a smaller radius of the cutter, which the
-    offset takes into account exactly where the cutter fits and where it does not.  Only the
-    differences from the mean are left for ``shift_centres``.
+    offset takes into account exactly where the cutter fits and where it does not.  So the mean of
+    both deflections is subtracted from the radius, and ``shift_centres`` compensates the rest.  If
+    the shifted path crosses itself, as in a neck between the smaller and the larger reach, the
+    smaller deflection is subtracted instead of the mean: then the cutter does not enter the neck.
+
+    Returns
+    -------
+    paths : Paths
+        Centre paths with n segments.
+    segment, inserted : (n,), (n,)
+        Segment of the operation that each segment belongs to, and whether it belongs to the
+        transition at a corner.
+    unreached : (p,) mm²
+        Area beside each path of the operation that the cutter cannot reach.
+    notes
+        What the offset changes as planned.
 
     Raises
     ------
     CompensationError
-        A deflection is as large as the cutter's radius.
+        A deflection is as large as the cutter's radius, or the contours have no offset.
     """
     x, y = operation.deflection
     if max(x, y) > 0.0 and max(x, y) >= cutter.radius:
         raise CompensationError(
             "deflection.exceeds-radius", radius=cutter.radius, deflection=max(x, y)
         )
-    mean = 0.5 * (x + y)
-    return mean, (x - mean, y - mean)
+    kind, k = select_corner_types(operation)
+    mean, least = 0.5 * (x + y), min(x, y)
+    offset = _offset(operation, cutter.radius - mean, kind, k)
+    paths, rows = shift_centres(offset.paths, operation.side, x - mean, y - mean)
+    if x != y and _crosses_itself(paths):
+        other = _offset(operation, cutter.radius - least, kind, k)
+        moved, kept = shift_centres(other.paths, operation.side, x - least, y - least)
+        if not _crosses_itself(moved):
+            offset, paths, rows = other, moved, kept
+    notes = replaced_corner_notes(operation, kind, offset.replaced)
+    return paths, offset.source[rows], offset.inserted[rows], offset.unreached, notes
+
+
+def _offset(operation: Operation, distance: float, kind: U8, k: F64) -> OffsetPaths:
+    """Return the contours of an operation, offset by a distance in mm.
+
+    ``kind`` and ``k`` are the corner type at the start of each segment and its parameter.
+
+    Raises
+    ------
+    CompensationError
+        The contours have no offset; the message has the edges.
+    """
+    paths = operation.paths
+    # Open paths are offset one by one: the side beyond their ends is undefined.
+    group = np.where(paths.closed, 0, 1 + np.arange(len(paths)))
+    try:
+        return offset_paths(
+            paths, distance, operation.side,
+            corner=kind, k=k, interference=operation.interference, group=group,
+        )  # fmt: skip
+    except (CompensationError, GeometryError) as reason:
+        edges = [str(operation.source[int(row)]) for row in reason.source]
+        message = reason.message
+        if message.code == "offset.interference":
+            assert isinstance(operation.tool, DiscTool)
+            message = Message(
+                "cutter.interference",
+                diameter=2.0 * operation.tool.radius,
+                edge=edges[0],
+                other=edges[1],
+                depth=message.arguments["depth"],
+            )
+        elif edges:
+            message = Message("error.at-edges", edges=edges, error=message)
+        raise CompensationError(message, source=edges) from None
+
+
+def _crosses_itself(paths: Paths) -> bool:
+    """Return whether any of the paths touches or crosses itself, except between neighbours."""
+    bounds = pairwise(paths.first.tolist())
+    segments = paths.start, paths.end, paths.bulge
+    return any(find_self_contact(*segments, low, high)[0] >= 0 for low, high in bounds)
 
 
 def _starts_behind_corners(

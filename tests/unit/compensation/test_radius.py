@@ -325,7 +325,7 @@ def test_a_hole_too_small_for_the_cutter_is_left_out_or_refused() -> None:
     assert len(compensate(hole)) == 0
     with pytest.raises(CompensationError, match=r"does not fit beside edge 0") as refused:
         compensate(replace(hole, interference="refuse"))
-    assert "interference to 'trim'" in refused.value.hint
+    assert "interference 'trim'" in refused.value.hint
 
 
 def test_the_cutter_does_not_enter_a_neighbour_nearer_than_its_diameter() -> None:
