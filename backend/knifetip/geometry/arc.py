@@ -78,9 +78,13 @@ def length_from_chord(chord: F64, bulge: F64) -> F64:
 
 def _rotate(vectors: F64, angle: F64) -> F64:
     """Return n vectors, (n, 2), each rotated counter-clockwise by its own angle, (n,) radians."""
-    cos, sin = np.cos(angle), np.sin(angle)
-    x, y = vectors[..., 0], vectors[..., 1]
-    return np.stack([x * cos - y * sin, x * sin + y * cos], axis=-1)
+    result = vectors.copy()
+    turned = np.flatnonzero(angle)
+    if len(turned):
+        cos, sin = np.cos(angle[turned]), np.sin(angle[turned])
+        x, y = vectors[turned, 0], vectors[turned, 1]
+        result[turned, 0], result[turned, 1] = x * cos - y * sin, x * sin + y * cos
+    return result
 
 
 def tangents(start: F64, end: F64, bulge: F64) -> tuple[F64, F64]:
@@ -101,11 +105,14 @@ def point_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
     distance of the point from the start along the segment, as a fraction of the segment's length, 0
     … 1.
     """
-    theta = sweep(bulge)
-    # Half-angle form: the chord from start to the point is r·2·sin(fθ/2), turned by (f-1)θ/2.
-    half = theta / 2.0
-    ratio = fraction * np.sinc(fraction * half / np.pi) / np.sinc(half / np.pi)
-    result: F64 = start + _rotate(end - start, (fraction - 1.0) * half) * ratio[..., None]
+    result: F64 = start + (end - start) * fraction[:, None]
+    bent = np.flatnonzero(bulge)
+    if len(bent):
+        start, end, fraction = start[bent], end[bent], fraction[bent]
+        # Half-angle form: the chord from start to the point is r·2·sin(fθ/2), turned by (f-1)θ/2.
+        half = sweep(bulge[bent]) / 2.0
+        ratio = fraction * np.sinc(fraction * half / np.pi) / np.sinc(half / np.pi)
+        result[bent] = start + _rotate(end - start, (fraction - 1.0) * half) * ratio[:, None]
     return result
 
 
@@ -128,7 +135,9 @@ def nearest_fraction(start: F64, end: F64, bulge: F64, point: F64) -> F64:
     per segment.
     """
     chord = end - start
-    position: F64 = ((point - start) * chord).sum(axis=1) / (chord**2).sum(axis=1)
+    along, square = (point - start) * chord, chord**2
+    # By column, since sums of rows of two numbers are slow.
+    position: F64 = (along[:, 0] + along[:, 1]) / (square[:, 0] + square[:, 1])
     straight = np.abs(bulge) < BULGE
     if not straight.all():
         middle, theta = centre(start, end, bulge), sweep(bulge)

@@ -18,8 +18,9 @@ from knifetip.geometry.azimuth import unit_vectors
 from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.geometry.path import Paths
 from knifetip.geometry.tolerance import ANGLE, GAP, JOIN
-from knifetip.geometry.union_find import flatten, union
-from knifetip.kernels import F64_2, I64_1, I64_2, OutI64_1, kernel
+from knifetip.geometry.unique_rows import unique_rows
+from knifetip.geometry.vertices import number_vertices, sort_by_vertex
+from knifetip.kernels import F64_2, I64_1, kernel
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -71,20 +72,6 @@ def outward_directions(ends: F64, bulge: F64) -> F64:
     return np.stack([unit_vectors(ahead), -unit_vectors(last)], axis=1)
 
 
-def number_vertices(points: F64, gap: float = JOIN) -> I32:
-    """Return the vertex number of each point, (n,), counted from 0, for points (n, 2) mm.
-
-    Points nearer than ``gap`` mm belong to the same vertex.  So do points that are farther apart
-    but connected by a series of points in which neighbours are nearer than ``gap``.
-    """
-    if len(points) == 0:
-        return np.zeros(0, np.int32)
-    cell = np.floor((points - points.min(axis=0)) / gap).astype(np.int64)
-    order = np.lexsort((cell[:, 1], cell[:, 0]))
-    labels: I32 = _cluster_points(points, cell, order, gap)
-    return np.unique(labels, return_inverse=True)[1].astype(np.int32)
-
-
 def chain(
     ends: F64, bulge: F64, max_turn: float = 180.0, gap: float = JOIN, group: I64 | None = None
 ) -> Chains:
@@ -118,10 +105,8 @@ def chain(
         return Chains(np.zeros(0, np.int32), np.zeros(0, np.bool_), np.zeros(1, np.int32))
     node = number_vertices(ends.reshape(-1, 2), gap)
     if group is not None:
-        own = np.column_stack([node, np.repeat(group, 2)])
-        node = np.unique(own, axis=0, return_inverse=True)[1].astype(np.int32).ravel()
-    by_node = np.argsort(node, kind="stable")
-    bounds = np.searchsorted(node[by_node], np.arange(node.max() + 2))
+        node = unique_rows(node, np.repeat(group, 2))[1].astype(np.int32)
+    by_node, bounds = sort_by_vertex(node)
     link = _link_ends(
         outward_directions(ends, bulge).reshape(-1, 2),
         by_node,
@@ -152,56 +137,11 @@ def continues_straight(
     if len(points) == 0:
         return np.zeros(0, np.bool_)
     node = number_vertices(points, gap)
-    by_node = np.argsort(node, kind="stable")
-    bounds = np.searchsorted(node[by_node], np.arange(node.max() + 2))
+    by_node, bounds = sort_by_vertex(node)
     result: Bool = _continues_straight(
         directions, by_node, bounds, np.cos(np.radians(angle)) - 1e-12
     )
     return result
-
-
-@kernel
-def _cluster_points(points: F64_2, cell: I64_2, order: OutI64_1, gap: float) -> Any:
-    """Return for each point the least index of all points of its cluster, (n,).
-
-    Points within ``gap`` of each other are merged into clusters by union-find.  Near points are
-    found in a grid of cells, by bisection in ``order``.  No argument is changed.
-
-    Parameters
-    ----------
-    points : (n, 2) mm
-        The points.
-    cell : (n, 2)
-        Column and row of the grid cell of each point; cells are ``gap`` mm wide.
-    order : (n,)
-        Indices of the points, sorted by cell.
-    gap : mm
-        Largest distance of points that are merged.
-    """
-    n = len(points)
-    parent = np.arange(n)
-    column = cell[order, 0]
-    row = cell[order, 1]
-    for place in range(n):
-        i = order[place]
-        for dx in range(2):
-            # Cells of the same column that come later, and of the next column: each pair is tested
-            # once.
-            key = cell[i, 0] + dx
-            low = place + 1
-            if dx == 1:
-                low = np.searchsorted(column, key)
-                high = np.searchsorted(column, key + 1)
-                low = low + np.searchsorted(row[low:high], cell[i, 1] - 1)
-            while low < n and column[low] == key and row[low] <= cell[i, 1] + 1:
-                j = order[low]
-                x = points[i, 0] - points[j, 0]
-                y = points[i, 1] - points[j, 1]
-                if x * x + y * y <= gap * gap:
-                    union(parent, i, j)
-                low += 1
-    flatten(parent)
-    return parent.astype(np.int32)
 
 
 @kernel

@@ -15,11 +15,11 @@ from typing import Any
 import numpy as np
 
 from knifetip.geometry.azimuth import unit_vectors
-from knifetip.geometry.chain import number_vertices
 from knifetip.geometry.columns import F64, I32, I64
 from knifetip.geometry.path import Paths
 from knifetip.geometry.points_on_segments import find_points_on_segments
 from knifetip.geometry.tolerance import BULGE, COLLINEAR, GAP, JOIN
+from knifetip.geometry.vertices import number_vertices
 from knifetip.kernels import F64_1, I64_1, Bool_1, kernel
 from knifetip.planning.creases import find_cut_crossings
 

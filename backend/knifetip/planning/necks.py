@@ -18,10 +18,10 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.geometry import arc
-from knifetip.geometry.chain import number_vertices
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.tolerance import CONTOUR_GAP, JOIN
 from knifetip.geometry.union_find import flatten, union
+from knifetip.geometry.vertices import number_vertices
 from knifetip.kernels import I64_1, kernel
 from knifetip.topology.contour_gaps import closing_links
 from knifetip.topology.noding import split_at_crossings

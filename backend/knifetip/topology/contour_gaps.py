@@ -23,12 +23,12 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.geometry import arc
-from knifetip.geometry.chain import number_vertices
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.points_on_segments import find_points_on_segments
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import JOIN
-from knifetip.kernels import F64_1, F64_2, I64_1, Bool_1, kernel
+from knifetip.geometry.vertices import number_vertices, sort_by_vertex
+from knifetip.kernels import F64_1, F64_2, I32_1, I64_1, Bool_1, kernel
 
 #: Least ratio of the path along a chain to the gap that closes it.
 _CHAIN_FACTOR: Final = 3.0
@@ -68,9 +68,8 @@ def closing_links(ends: F64, bulge: F64, tips: I64, longest: float) -> F64:
     for side in range(2):
         there = np.hypot(*(target - ends[row, side]).T) <= JOIN
         target[there], fraction[there] = ends[row[there], side], float(side)
-    node = number_vertices(points).astype(np.int64)
-    by_node = np.argsort(node, kind="stable")
-    begin = np.searchsorted(node[by_node], np.arange(node.max() + 2))
+    node = number_vertices(points)
+    by_node, begin = sort_by_vertex(node)
     tip, row = np.concatenate([tip, one]), np.concatenate([row, tips[other] // 2])
     fraction = np.concatenate([fraction, tips[other] % 2])
     target = np.concatenate([target, points[tips[other]]])
@@ -95,7 +94,7 @@ def closing_links(ends: F64, bulge: F64, tips: I64, longest: float) -> F64:
 def _choose_links(
     tips: I64_1, first: I64_1, row: I64_1, fraction: F64_1, target: F64_2, to_end: Bool_1,
     points: F64_2, length: F64_1,
-    node: I64_1, by_node: I64_1, begin: I64_1, longest: float,
+    node: I32_1, by_node: I64_1, begin: I64_1, longest: float,
 ) -> Any:  # fmt: skip
     """Return the mask of the candidates that become links, (k,).
 

@@ -11,9 +11,9 @@ from typing import Final
 
 import numpy as np
 
-from knifetip.geometry.chain import number_vertices
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.tolerance import JOIN
+from knifetip.geometry.vertices import number_vertices
 from knifetip.topology.exact_nesting import find_enclosing_faces, find_half_edges_below
 from knifetip.topology.faces import trace_sides
 from knifetip.topology.planar_graph import connected_components

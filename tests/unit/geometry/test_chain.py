@@ -6,8 +6,9 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from knifetip.geometry.chain import Chains, chain, continues_straight, number_vertices
+from knifetip.geometry.chain import Chains, chain, continues_straight
 from knifetip.geometry.tolerance import ANGLE
+from knifetip.geometry.vertices import number_vertices
 from tests.support.shapes import closed, edges
 
 SQUARE = closed((0, 0), (100, 0), (100, 100), (0, 100))
