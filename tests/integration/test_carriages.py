@@ -277,7 +277,8 @@ def test_a_clamp_between_two_parked_carriages_is_not_in_the_way_of_a_change() ->
     text = program(clamped)
     # The carriage in use goes over the clamp to its parking position.
     assert text.count("G0 Z27.0000") == 1
-    assert faults(text, clamped) == []
+    # The clamp is higher than the travel height, so only the first moves are below its top.
+    assert set(faults(text, clamped)) == {"verify.unknown-beside-zone"}
 
 
 def test_a_laser_on_the_second_carriage_is_switched_with_its_own_letters() -> None:

@@ -3899,6 +3899,10 @@ export const TEXTS = {
     "text": "The edge has no line type (such as cut or crease), so the required tool is not known.",
     "hint": "Give the edge a line type."
   },
+  "verify.unknown-beside-zone": {
+    "text": "The head moves from an unknown position, and its tip is below {top:g} mm, the top of the keep-out zone {zone}, or at an unknown height. Its way may lead through the zone.",
+    "hint": "Lift Z above the zone before the first move of X or Y."
+  },
   "verify.unknown-position": {
     "text": "The program line moves the head from or to a position that the program has not set.",
     "hint": "Give X, Y, Z and C before this program line."

@@ -72,6 +72,19 @@ def test_a_lowered_turn_through_a_zone_is_refused_at_its_line() -> None:
     assert "verify.in-zone" in codes(text, through)
 
 
+@pytest.mark.parametrize("text", [LINUXCNC, GRBLHAL], ids=["linuxcnc", "grblhal"])
+def test_the_first_move_must_be_above_all_zones(text: bytes) -> None:
+    far = Zone("far", 500.0, 500.0, 30.0, 20.0, 15.0)
+    first = re.search(rb"G0 Z20.0000\n", text)
+    assert first is not None
+    assert codes(text, far) == []
+    low = text.replace(first[0], b"G0 Z5.0000\n", 1)
+    none = text.replace(first[0], b"", 1)
+    assert "verify.unknown-beside-zone" in codes(low, far)
+    assert "verify.unknown-beside-zone" in codes(none, far)
+    assert "verify.unknown-beside-zone" not in codes(low)
+
+
 def test_lines_enter_a_grown_zone_as_their_sampled_points_do() -> None:
     random = np.random.default_rng(5)
     zone = Zone("box", -1.0, -2.0, 3.0, 5.0, 9.0)

@@ -613,6 +613,13 @@ MESSAGES: Final[Entries] = {
         "The edge has no line type (such as cut or crease), so the required tool is not known.",
         "Give the edge a line type.",
     ),
+    "verify.unknown-beside-zone": entry(
+        "The head moves from an unknown position, and its tip is below {top:g} mm, the top of the "
+        "keep-out zone {zone}, or at an unknown height. Its way may lead through the zone.",
+        "Lift Z above the zone before the first move of X or Y.",
+        zone="text",
+        top="number",
+    ),
     "verify.unknown-position": entry(
         "The program line moves the head from or to a position that the program has not set.",
         "Give X, Y, Z and C before this program line.",

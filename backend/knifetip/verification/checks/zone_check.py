@@ -33,8 +33,9 @@ _SAGITTA: Final = 1e-3
 def check_zones(moves: Moves, machine: Machine, findings: Findings) -> None:
     """Add a finding for each move in which a station touches a keep-out zone.
 
-    A move from an unknown position is checked at its end.  If its height is unknown, or the program
-    does not move Z, the tool is taken to be below the top of every zone.
+    A move whose height is unknown, or a program that does not move Z, is taken to be below the top
+    of every zone.  A move from an unknown position may lead across every zone, so it must be above
+    them; if the program does not move Z, such a move is checked at its end only.
     """
     if not machine.zones or len(moves.line) == 0:
         return
@@ -44,10 +45,12 @@ def check_zones(moves: Moves, machine: Machine, findings: Findings) -> None:
     )
     start = moves.start[:, :3] - datum[moves.station]
     end = moves.end[:, :3] - datum[moves.station]
-    start = np.where(np.isnan(start[:, :2]).any(axis=1)[:, None], end, start)
     lowest = np.minimum(start[:, 2], end[:, 2])
-    if "Z" not in moves.programmed:
+    if "Z" in moves.programmed:
+        _check_unknown_starts(moves, start, end, machine, findings)
+    else:
         lowest = np.full(len(lowest), -np.inf)
+    start = np.where(np.isnan(start[:, :2]).any(axis=1)[:, None], end, start)
     for zone in machine.zones:
         low = ~(lowest >= zone.top) & ~np.isnan(end[:, :2]).any(axis=1)
         rows = np.flatnonzero(low & _may_meet(moves, start, end, radius[moves.station], zone))
@@ -63,6 +66,30 @@ def check_zones(moves: Moves, machine: Machine, findings: Findings) -> None:
             depth = zone.top - lowest[row] if np.isfinite(lowest[row]) else zone.top
             message = Message("verify.in-zone", station=number, zone=zone.name, depth=depth)
             findings.add("travel", message, depth, line=moves.line[row])
+
+
+def _check_unknown_starts(
+    moves: Moves, start: F64, end: F64, machine: Machine, findings: Findings
+) -> None:
+    """Add a finding for moves from an unknown position below the top of the highest zone.
+
+    A move sideways must be above the top all the way.  A move of Z alone may begin at an unknown
+    height, if it ends above the top: the tool is taken to rise.
+
+    Parameters
+    ----------
+    start, end : (n, 3) mm
+        Positions of the tip before and after each of n moves; NaN where unknown.
+    """
+    highest = max(machine.zones, key=lambda zone: zone.top)
+    unknown = np.isnan(start[:, :2]) | np.isnan(end[:, :2])
+    moved = (start != end) & ~np.isnan(end)
+    sideways = moved[:, :2].any(axis=1)
+    lowest = np.where(sideways, np.minimum(start[:, 2], end[:, 2]), end[:, 2])
+    low = unknown.any(axis=1) & moved.any(axis=1) & ~(lowest >= highest.top)
+    for row in np.flatnonzero(low)[:MAX_FINDINGS]:
+        message = Message("verify.unknown-beside-zone", zone=highest.name, top=highest.top)
+        findings.add("travel", message, 0.0, line=moves.line[row])
 
 
 def _may_meet(moves: Moves, start: F64, end: F64, radius: F64, zone: Zone) -> Bool:
