@@ -30,7 +30,6 @@ from knifetip.verification.checks.check_context import (
 from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.curves.curve import azimuth_at, left_distance, point_at
 from knifetip.verification.curves.intervals import SHORT, Overlaps, uncovered_curves
-from knifetip.verification.curves.overlap import find_overlaps
 from knifetip.verification.expectation.edges import Edges, angle_between
 from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.kinematics import TipPaths
@@ -154,7 +153,7 @@ class StationCheck(ABC):
 
         An overlap is a stretch of a tip path within the tolerance of an edge.
         """
-        return find_overlaps(self.curve, self.edges.curve, self.low, self.high, self.tolerance)
+        return self.edges.find_overlaps(self.curve, self.tolerance, (self.low, self.high))
 
     def check_position(
         self, overlaps: Overlaps, final: Bool | None = None, wide: F64 | None = None

@@ -16,8 +16,6 @@ from knifetip.verification.checks.check_base import StationCheck
 from knifetip.verification.checks.check_context import CURVED_DEPTH_TOLERANCE
 from knifetip.verification.checks.stray_work import check_stray_work
 from knifetip.verification.columns import F64, I32, Bool
-from knifetip.verification.curves.curve import line_curves
-from knifetip.verification.curves.overlap import find_overlaps
 from knifetip.verification.expectation.crease_depth import depth_range
 from knifetip.verification.expectation.crease_lines import (
     concatenate_edges,
@@ -57,9 +55,12 @@ class CreaseCheck(StationCheck):
         single, crossings = split_at_cuts(
             concatenate_edges(self.edges, between), self.context.edges.with_types(LineType.CUT)
         )
-        all_creases, _ = split_at_cuts(
-            concatenate_edges(all_creases, between), self.context.edges.with_types(LineType.CUT)
-        )
+        if all_creases is self.edges:
+            all_creases = single
+        else:
+            all_creases, _ = split_at_cuts(
+                concatenate_edges(all_creases, between), self.context.edges.with_types(LineType.CUT)
+            )
         parts = ends_at(single, crossings)
         self._note_junctions(single, crossings)
         many = 2 if pair > 0.0 else 1
@@ -126,9 +127,7 @@ class CreaseCheck(StationCheck):
         ``crossings``, (k, 2) mm, at which cuts cross them.
         """
         points, size = self.context.edges.with_types(LineType.CUT).ends, creases.curve[:, 5]
-        met = find_overlaps(
-            line_curves(points, points), creases.curve, np.zeros(len(creases)), size, TOUCH_DISTANCE
-        )
+        met = creases.touched_by_points(points, TOUCH_DISTANCE)
         place = met.place.mean(axis=1)
         inner = (place > TOUCH_DISTANCE) & (place < size[met.edge] - TOUCH_DISTANCE)
         inner[pairs_within(points[met.curve], crossings, 2.0 * TOUCH_DISTANCE)[0]] = False

@@ -106,10 +106,7 @@ def find_dangling_ends(cuts: Edges) -> I64:
     2i + 1.
     """
     a, b = cuts.near_ends(JOIN_DISTANCE)
-    size, nothing = cuts.curve[:, 5], np.zeros(len(cuts))
-    touches = find_overlaps(
-        line_curves(cuts.ends, cuts.ends), cuts.curve, nothing, size, JOIN_DISTANCE
-    )
+    touches = cuts.touched_by_points(cuts.ends, JOIN_DISTANCE)
     loose = np.ones(len(cuts.ends), np.bool_)
     loose[a[a // 2 != b // 2]] = False
     loose[touches.curve[touches.curve // 2 != touches.edge]] = False
@@ -125,9 +122,9 @@ def gap_links(cuts: Edges, tips: I64, longest: float) -> F64:
     dangling ends are not linked to each other if a third dangling end is nearer to each of the two
     than they are to each other.
     """
-    size, nothing = cuts.curve[:, 5], np.zeros(len(cuts))
+    size = cuts.curve[:, 5]
     points = cuts.ends[tips]
-    near = find_overlaps(line_curves(points, points), cuts.curve, nothing, size, longest)
+    near = cuts.touched_by_points(points, longest)
     others = np.flatnonzero(near.edge != tips[near.curve] // 2)
     tip, edge = near.curve[others].astype(np.int64), near.edge[others].astype(np.int64)
     place = near.place[others, 0]

@@ -19,7 +19,6 @@ from knifetip.verification.checks.groove_check import GrooveCheck
 from knifetip.verification.checks.knife_check import KnifeCheck
 from knifetip.verification.checks.milling_check import CentrePaths, check_milling
 from knifetip.verification.columns import I64
-from knifetip.verification.curves.overlap import find_overlaps
 from knifetip.verification.expectation.edges import Edges, without_duplicates
 from knifetip.verification.expectation.expected_work import WORKED_TYPES
 from knifetip.verification.kinematics import TipPaths
@@ -76,9 +75,7 @@ def _edge_stations(work: TipPaths, rows: I64, edges: Edges, tolerance: float) ->
     stations = np.unique(work.station[rows])
     if len(stations) < 2:
         return np.full(len(edges), stations[0] if len(stations) else -1, np.int64)
-    near = find_overlaps(
-        work.curve[rows], edges.curve, np.zeros(len(edges)), edges.curve[:, 5], tolerance
-    )
+    near = edges.find_overlaps(work.curve[rows], tolerance)
     # A wheel that presses one point covers no length; count it with a small one.
     size = np.abs(near.place[:, 1] - near.place[:, 0]) + 1e-6
     column = np.searchsorted(stations, work.station[rows][near.curve])

@@ -98,9 +98,7 @@ def _report_stray(
     nothing = np.zeros(len(check.edges))
     touches = find_overlaps(curve, check.edges.curve, nothing, check.size, check.tolerance)
     near = find_overlaps(curve, check.edges.curve, nothing, check.size, NEAR_EDGE)
-    other = find_overlaps(
-        curve, all_edges.curve, np.zeros(len(all_edges)), all_edges.curve[:, 5], TOUCH_DISTANCE
-    )
+    other = all_edges.find_overlaps(curve, TOUCH_DISTANCE)
     clear = check.context.board.end_clearance if check.operation == OperationKind.CREASE else 0.0
     tool = check.operation.tool
     for k, group in enumerate(bad):

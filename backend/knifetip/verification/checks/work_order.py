@@ -47,8 +47,7 @@ from knifetip.verification.checks.worked_spans import (
     new_spans,
 )
 from knifetip.verification.columns import F64, I64, Bool
-from knifetip.verification.curves.curve import line_curves, point_at
-from knifetip.verification.curves.overlap import find_overlaps
+from knifetip.verification.curves.curve import point_at
 from knifetip.verification.expectation.edges import (
     TOUCH_DISTANCE,
     Edges,
@@ -248,9 +247,7 @@ def _check_other_edges(
         return
     kinds = (kind for kind in LineType if kind not in (LineType.CUT, *_NO_WORK))
     edges = context.edges.with_types(*kinds)
-    near = find_overlaps(
-        work.curve[rows], edges.curve, np.zeros(len(edges)), edges.curve[:, 5], TOUCH_DISTANCE
-    )
+    near = edges.find_overlaps(work.curve[rows], TOUCH_DISTANCE)
     # Drop crossings; a path without length is a pressed crease and stays.
     size = np.diff(near.along)[:, 0]
     long = np.flatnonzero(
@@ -279,15 +276,8 @@ def _check_other_edges(
 
 def _touches(points: F64, cuts: Edges) -> Bool:
     """Return the mask of the points, (m, 2) mm, that lie on a cut, (m,)."""
-    overlaps = find_overlaps(
-        line_curves(points, points),
-        cuts.curve,
-        np.zeros(len(cuts)),
-        cuts.curve[:, 5],
-        TOUCH_DISTANCE,
-    )
     result = np.zeros(len(points), np.bool_)
-    result[overlaps.curve] = True
+    result[cuts.touched_by_points(points, TOUCH_DISTANCE).curve] = True
     return result
 
 

@@ -49,9 +49,7 @@ def find_worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> Wor
     """
     size = cuts.curve[:, 5]
     knife = np.flatnonzero(work.operation == OperationKind.CUT)
-    near = find_overlaps(
-        work.curve[knife], cuts.curve, np.zeros(len(cuts)), size, context.tolerance
-    )
+    near = cuts.find_overlaps(work.curve[knife], context.tolerance)
     keep = near.best
     columns: list[tuple[I32 | I64, F64, F64, I64, Bool]] = [
         (near.edge[keep], near.place[keep].min(axis=1), near.place[keep].max(axis=1),

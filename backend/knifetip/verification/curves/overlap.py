@@ -45,20 +45,47 @@ def find_overlaps(curves: F64, edges: F64, low: F64, high: F64, limit: float) ->
     """
     if len(curves) == 0 or len(edges) == 0:
         return Overlaps.none()
-    curves, edges = np.ascontiguousarray(curves), np.ascontiguousarray(edges)
-    corner, size, shape = grid_layout(edges, limit)
+    return search_overlaps(curves, list_edges(edges, limit), low, high, limit)
+
+
+def search_overlaps(curves: F64, grid: EdgeGrid, low: F64, high: F64, limit: float) -> Overlaps:
+    """Return the stretches of n curves that lie within ``limit`` of the m edges of a grid.
+
+    The other arguments are those of ``find_overlaps``.
+    """
+    if len(curves) == 0:
+        return Overlaps.none()
+    curves = np.ascontiguousarray(curves)
     pairs, spans = _search_grid(
-        curves,
-        edges,
-        np.ascontiguousarray(low),
-        np.ascontiguousarray(high),
-        limit,
-        corner,
-        size,
-        shape[0],
-        shape[1],
+        curves, grid, np.ascontiguousarray(low), np.ascontiguousarray(high), limit
     )
     return sort_overlaps(pairs, spans, curves)
+
+
+class EdgeGrid(NamedTuple):
+    """A grid of square cells over m ≥ 1 edges, with the edges of each cell."""
+
+    edges: F64_2  #: (m, 6) rows as in ``curves.curve``
+    corner: F64_1  #: (2,) mm, lower left corner of the grid
+    size: float  #: width of the cells, mm
+    wide: int  #: number of columns
+    tall: int  #: number of rows
+    first: I32_1  #: as in ``CellLists``
+    listed: I32_1
+
+
+def list_edges(edges: F64, limit: float) -> EdgeGrid:
+    """Return a grid of m ≥ 1 edges for searches with limits that are not much greater than
+    ``limit``.
+
+    ``edges`` are lines and arcs as rows of six numbers (see ``curves.curve``), (m, 6); the limit is
+    a distance in mm.
+    """
+    edges = np.ascontiguousarray(edges)
+    corner, size, (wide, tall) = grid_layout(edges, limit)
+    usable = np.ones(len(edges), np.bool_)
+    cells = list_by_cell(edges, usable, 0.0, corner, size, wide, tall)
+    return EdgeGrid(edges, corner, size, wide, tall, *cells)
 
 
 def grid_layout(edges: F64, limit: float) -> tuple[F64, float, tuple[int, int]]:
@@ -274,39 +301,33 @@ def _enter_cells(
     return len(curves), used, 0
 
 
-@kernel
-def _compared_parts(edges: F64_2, low: F64_1, high: F64_1, limit: float) -> Any:
-    """Return boxes outside of which no curve overlaps an edge, and the mask of the edges with a
-    part to compare.
+class _ComparedParts(NamedTuple):
+    """The parts of m edges that are compared with curves."""
 
-    A box is low x, low y, high x and high y, (m, 4) mm.  ``low`` and ``high`` are the start and
-    end of the part of each edge that is compared, (m,) mm.
+    low: F64_1  #: (m,) mm, start of the part
+    high: F64_1  #: (m,) mm, its end; no part if high < low
+    boxes: F64_2  #: (m, 4) mm, box outside of which no curve overlaps the part
+
+
+@kernel
+def _enclose_parts(edges: F64_2, low: F64_1, high: F64_1, limit: float) -> Any:
+    """Return boxes outside of which no curve overlaps an edge, (m, 4) mm.
+
+    A box is low x, low y, high x and high y; it is empty for an edge without a part to compare.
+    ``low`` and ``high`` are the start and end of the part of each edge that is compared, (m,) mm.
     """
     boxes = np.empty((len(edges), 4))
-    usable = np.empty(len(edges), np.bool_)
     # A point may lie up to the limit beside an edge and up to the limit past its end.
     margin = 2.0 * limit + 1e-6
     for edge in range(len(edges)):
-        usable[edge] = not high[edge] < low[edge]
+        if high[edge] < low[edge]:
+            boxes[edge, 0] = boxes[edge, 1] = math.inf
+            boxes[edge, 2] = boxes[edge, 3] = -math.inf
+            continue
         box = _curve_box(edges, edge, low[edge], high[edge])
         boxes[edge, 0], boxes[edge, 1] = box[0] - margin, box[1] - margin
         boxes[edge, 2], boxes[edge, 3] = box[2] + margin, box[3] + margin
-    return boxes, usable
-
-
-class _EdgeGrid(NamedTuple):
-    """Edges in a grid of square cells, and the parts of them that are compared with curves."""
-
-    edges: F64_2  #: (m, 6) rows as in ``curves.curve``
-    low: F64_1  #: (m,) mm, start of the compared part
-    high: F64_1  #: (m,) mm, its end
-    boxes: F64_2  #: (m, 4) mm, see ``_compared_parts``
-    corner: F64_1  #: (2,) mm, lower left corner of the grid
-    size: float  #: width of the cells, mm
-    wide: int  #: number of columns
-    tall: int  #: number of rows
-    first: I32_1  #: as in ``CellLists``
-    listed: I32_1
+    return boxes
 
 
 class _Found(NamedTuple):
@@ -321,28 +342,18 @@ class _Found(NamedTuple):
 
 
 @kernel
-def _search_grid(
-    curves: F64_2,
-    edges: F64_2,
-    low: F64_1,
-    high: F64_1,
-    limit: float,
-    corner: F64_1,
-    size: float,
-    wide: int,
-    tall: int,
-) -> Any:
-    boxes, usable = _compared_parts(edges, low, high, limit)
-    first, listed = list_by_cell(edges, usable, 0.0, corner, size, wide, tall)
-    grid = _EdgeGrid(edges, low, high, boxes, corner, size, wide, tall, first, listed)
+def _search_grid(curves: F64_2, grid: EdgeGrid, low: F64_1, high: F64_1, limit: float) -> Any:
+    """Return the pairs of a curve and an edge that overlap, and their spans; see ``_Found``."""
+    parts = _ComparedParts(low, high, _enclose_parts(grid.edges, low, high, limit))
     pairs = np.empty((max(256, 2 * len(curves)), 2), np.int32)
     spans = np.empty((len(pairs), 5))
     cells = np.empty(64, np.int32)
-    met, hits, near = np.full(len(edges), -1, np.int32), np.empty((16, 5)), np.empty((8, 2))
+    met = np.full(len(grid.edges), -1, np.int32)
+    hits, near = np.empty((16, 5)), np.empty((8, 2))
     curve, used = 0, 0
     while True:
         found = _Found(pairs, spans, cells, met, hits, near)
-        curve, used, room = _search_from(curves, curve, limit, grid, found, used)
+        curve, used, room = _search_from(curves, curve, limit, grid, parts, found, used)
         if curve == len(curves):
             return pairs[:used], spans[:used]
         # One of the arrays was too small for this curve.
@@ -358,14 +369,20 @@ def _search_grid(
 
 @kernel(allocates=False)
 def _search_from(
-    curves: F64_2, begin: int, limit: float, grid: _EdgeGrid, found: _Found, used: int
+    curves: F64_2,
+    begin: int,
+    limit: float,
+    grid: EdgeGrid,
+    parts: _ComparedParts,
+    found: _Found,
+    used: int,
 ) -> Any:
     """Write the overlaps of the curves from row ``begin`` on to ``found``, after ``used`` rows.
 
     Returns the number of curves that are finished, the number of overlaps, and the number of cells
     near the last curve.  The search ends early if an array of ``found`` is too small for a curve.
     """
-    boxes, met, listed = grid.boxes, found.met, grid.listed
+    boxes, met, listed = parts.boxes, found.met, grid.listed
     for curve in range(begin, len(curves)):
         many = cells_near_curve(
             curves, curve, limit, grid.corner, grid.size, grid.wide, grid.tall, found.cells
@@ -390,8 +407,8 @@ def _search_from(
                 hit_count = _overlap_pair(
                     curves[curve],
                     grid.edges[edge],
-                    grid.low[edge],
-                    grid.high[edge],
+                    parts.low[edge],
+                    parts.high[edge],
                     limit,
                     found.near,
                     found.hits,

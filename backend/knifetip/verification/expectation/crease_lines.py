@@ -24,6 +24,7 @@ from knifetip.verification.expectation.edges import (
     TOUCH_DISTANCE,
     Edges,
     angle_between,
+    edges_from_curves,
     pairs_within,
 )
 
@@ -40,7 +41,7 @@ def split_at_cuts(edges: Edges, cuts: Edges) -> tuple[Edges, F64]:
     """Return the creases ``edges``, split where cuts cross them, and the crossing points, (k, 2)
     mm.
     """
-    crease, position = _cut_crossings(edges.curve, cuts)
+    crease, position = _cut_crossings(edges, cuts)
     crossings = point_at(edges.curve[crease], position)
     is_inner = (position > TOUCH_DISTANCE) & (position < edges.curve[crease, 5] - TOUCH_DISTANCE)
     crease, position = crease[is_inner], position[is_inner]
@@ -55,23 +56,21 @@ def split_at_cuts(edges: Edges, cuts: Edges) -> tuple[Edges, F64]:
     return _sub_edges(edges, row[long_enough], low[long_enough], high[long_enough]), crossings
 
 
-def _cut_crossings(curve: F64, cuts: Edges) -> tuple[I64, F64]:
-    """Return the k points at which cuts cross curves.
+def _cut_crossings(lines: Edges, cuts: Edges) -> tuple[I64, F64]:
+    """Return the k points at which cuts cross lines and arcs.
 
-    The result is the index of the curve of each point, (k,), and the position of the point along
-    that curve, (k,) mm.  A cut crosses a curve if the curve meets the cut between the cut's ends.
-    Cuts that end on a curve at one point cross it there if they leave the curve on both sides.
+    The result is the index of the line of each point, (k,), and the position of the point along
+    that line, (k,) mm.  A cut crosses a line if the line meets the cut between the cut's ends.
+    Cuts that end on a line at one point cross it there if they leave the line on both sides.
     """
-    overlaps = find_overlaps(curve, cuts.curve, np.zeros(len(cuts)), cuts.curve[:, 5], ON_DISTANCE)
+    overlaps = cuts.find_overlaps(lines.curve, ON_DISTANCE)
     position, place = overlaps.along.mean(axis=1), overlaps.place.mean(axis=1)
     is_inner = (place > TOUCH_DISTANCE) & (place < cuts.curve[overlaps.edge, 5] - TOUCH_DISTANCE)
     is_inner &= np.diff(overlaps.along)[:, 0] < CROSSING_LENGTH
-    touch = find_overlaps(
-        line_curves(cuts.ends, cuts.ends), curve, np.zeros(len(curve)), curve[:, 5], TOUCH_DISTANCE
-    )
+    touch = lines.touched_by_points(cuts.ends, TOUCH_DISTANCE)
     row, touch_position = touch.edge.astype(np.int64), touch.place[:, 0]
     side = np.sin(
-        np.radians(cuts.outward[touch.curve] + 180.0 - azimuth_at(curve[row], touch_position))
+        np.radians(cuts.outward[touch.curve] + 180.0 - azimuth_at(lines.curve[row], touch_position))
     )
     side[np.abs(side) * cuts.curve[touch.curve // 2, 5] <= TOUCH_DISTANCE] = 0.0
     order = np.lexsort((touch_position, row))
@@ -136,13 +135,12 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> E
     plain = np.flatnonzero((edges.curve[:, 0] == 0.0) & (edges.line_type == LineType.CREASE))
     dash = edges.select(plain)
     near, far = _facing_ends(dash)
-    points = line_curves(dash.ends, dash.ends)
     touched = np.zeros(len(dash.ends), np.bool_)
-    slots = find_overlaps(points, cuts.curve, np.zeros(len(cuts)), cuts.curve[:, 5], TOUCH_DISTANCE)
-    touched[slots.curve] = True
+    touched[cuts.touched_by_points(dash.ends, TOUCH_DISTANCE).curve] = True
     near, far = near[~(touched[near] | touched[far])], far[~(touched[near] | touched[far])]
     unparted = np.ones(len(near), np.bool_)
-    unparted[_cut_crossings(line_curves(dash.ends[near], dash.ends[far]), cuts)[0]] = False
+    gaps = edges_from_curves(line_curves(dash.ends[near], dash.ends[far]))
+    unparted[_cut_crossings(gaps, cuts)[0]] = False
     near, far = near[unparted], far[unparted]
     if len(near) == 0:
         return edges.select(np.zeros(0, np.int64))
@@ -170,7 +168,7 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> E
     run = name[near // 2]
     rolled = np.zeros(len(dash), np.bool_)
     rolled[run[overlaps.edge[follows]]] = True
-    met = find_overlaps(wheel_paths, dash.curve, np.zeros(len(dash)), dash.curve[:, 5], limit).edge
+    met = dash.find_overlaps(wheel_paths, limit).edge
     rolled |= np.bincount(name[np.unique(met)], minlength=len(dash)) == 1
     near, far, curve = near[rolled[run]], far[rolled[run]], curve[rolled[run]]
     heading = azimuth_at(curve, np.zeros(len(curve)))
@@ -192,13 +190,7 @@ def _facing_ends(dash: Edges) -> tuple[I64, I64]:
     """
     ahead = np.radians(dash.outward)
     step = (MAX_DASH_GAP + 1.0) * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
-    overlaps = find_overlaps(
-        line_curves(dash.ends, dash.ends + step),
-        dash.curve,
-        np.zeros(len(dash)),
-        dash.curve[:, 5],
-        TOUCH_DISTANCE,
-    )
+    overlaps = dash.find_overlaps(line_curves(dash.ends, dash.ends + step), TOUCH_DISTANCE)
     end = overlaps.curve.astype(np.int64)
     turn = angle_between(dash.outward[end], dash.chord[overlaps.edge], 180.0)
     distance = overlaps.along[:, 0]
@@ -227,6 +219,8 @@ def _facing_ends(dash: Edges) -> tuple[I64, I64]:
 
 def concatenate_edges(edges: Edges, more: Edges) -> Edges:
     """Return one record that contains all edges of ``edges``, followed by all edges of ``more``."""
+    if len(more) == 0:
+        return edges
     return Edges(
         *(
             np.concatenate([getattr(edges, name), getattr(more, name)])

@@ -12,7 +12,9 @@ from knifetip.errors import GeometryError
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.verification.columns import F64, I32, I64
 from knifetip.verification.curves.curve import arc_curves, azimuth_at, line_curves, point_at
+from knifetip.verification.curves.intervals import Overlaps
 from knifetip.verification.curves.near_points import near_points
+from knifetip.verification.curves.overlap import find_overlaps, list_edges, search_overlaps
 
 Result = TypeVar("Result")
 
@@ -22,6 +24,10 @@ JOIN_DISTANCE: Final = 0.002
 
 #: Ends within this distance touch (mm).
 TOUCH_DISTANCE: Final = 0.05
+
+
+#: Searches up to this distance share one grid of the edges (mm).
+_GRID_LIMIT: Final = TOUCH_DISTANCE
 
 
 #: Greatest turn of edges that continue straight (degrees).
@@ -70,6 +76,36 @@ class Edges:
         return self.remembered(
             f"ends within {distance}", lambda: pairs_within(self.ends, self.ends, distance)
         )
+
+    def find_overlaps(
+        self, curves: F64, limit: float, part: tuple[F64, F64] | None = None
+    ) -> Overlaps:
+        """Return the stretches of k curves that lie within ``limit`` mm of the edges.
+
+        Parameters
+        ----------
+        curves : (k, 6)
+            Lines and arcs as rows of six numbers (see ``curves.curve``).  A curve of length 0 is a
+            point; it may lie up to ``limit`` past the ends of an edge.
+        limit : mm
+            Greatest distance of a stretch from the edge.
+        part : (n,) and (n,) mm
+            Start and end of the part of each edge that is compared; no part if the end is less than
+            the start.  None for the whole edges.
+        """
+        if len(self) == 0:
+            return Overlaps.none()
+        low, high = (np.zeros(len(self)), self.curve[:, 5]) if part is None else part
+        if limit > _GRID_LIMIT:
+            return find_overlaps(curves, self.curve, low, high, limit)
+        grid = self.remembered("grid", lambda: list_edges(self.curve, _GRID_LIMIT))
+        return search_overlaps(curves, grid, low, high, limit)
+
+    def touched_by_points(self, points: F64, limit: float) -> Overlaps:
+        """Return the points, (n, 2) mm, that lie within ``limit`` mm of the edges, as overlaps of
+        curves of length 0.
+        """
+        return self.find_overlaps(line_curves(points, points), limit)
 
     def remembered(self, name: str, compute: Callable[[], Result]) -> Result:
         """Return the result of ``compute``, which is called only once for each ``name``.

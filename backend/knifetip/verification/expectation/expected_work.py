@@ -24,7 +24,6 @@ from knifetip.model.dieline import LineType
 from knifetip.model.tool import CreaseWheel
 from knifetip.verification.columns import F64, Bool
 from knifetip.verification.curves.curve import azimuth_at, line_curves, point_at
-from knifetip.verification.curves.overlap import find_overlaps
 from knifetip.verification.expectation.crease_depth import depth_towards
 from knifetip.verification.expectation.edge_paths import EdgePaths, edge_paths, link_ends
 from knifetip.verification.expectation.edges import (
@@ -146,13 +145,7 @@ def _continued_ends(edges: Edges, all_creases: Edges) -> Bool:
     ahead = np.radians(edges.outward)
     step = _CONTINUATION_PROBE * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
     probe = line_curves(edges.ends, edges.ends + step)
-    overlaps = find_overlaps(
-        probe,
-        all_creases.curve,
-        np.zeros(len(all_creases)),
-        all_creases.curve[:, 5],
-        TOUCH_DISTANCE,
-    )
+    overlaps = all_creases.find_overlaps(probe, TOUCH_DISTANCE)
     own = edges.row[overlaps.curve // 2] == all_creases.row[overlaps.edge]
     turn = angle_between(
         edges.outward[overlaps.curve],
@@ -204,13 +197,7 @@ def knife_ends(
     count = len(edges)
     link, _ = link_ends(edges, 180.0, ring)
     paths = edge_paths(edges, link)
-    overlaps = find_overlaps(
-        line_curves(edges.ends, edges.ends),
-        cuts.curve,
-        np.zeros(len(cuts)),
-        cuts.curve[:, 5],
-        TOUCH_DISTANCE,
-    )
+    overlaps = cuts.touched_by_points(edges.ends, TOUCH_DISTANCE)
     own = edges.row[overlaps.curve // 2] == cuts.row[overlaps.edge]
     # A cut that ends here from the same side is a duplicate.
     near = np.where(overlaps.place[:, 0] < 0.5 * cuts.curve[overlaps.edge, 5], 0, 1)
