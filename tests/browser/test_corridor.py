@@ -6,6 +6,7 @@ import base64
 import re
 from itertools import pairwise
 from pathlib import Path
+from urllib.parse import urljoin
 
 import pytest
 from playwright.sync_api import FloatRect, Page, expect
@@ -451,3 +452,79 @@ def test_the_inspector_shows_the_section_of_a_groove(page: Page, screenshots: Pa
     expect(tip).to_contain_text(re.compile(r"2\.60\smm at the top"))
     expect(tip).to_contain_text(re.compile(r"Board thickness under groove\s*0\.70\smm"))
     page.screenshot(path=screenshots / "router-4-groove.png")
+
+
+def test_the_shortfalls_of_an_earlier_job_are_accepted_again_in_one_action(
+    page: Page, screenshots: Path
+) -> None:
+    lines = [text.line(*a, *b, (8, "CUT")) for a, b in pairwise(PART)]
+    drop(page, "slotted.dxf", text.dxf(*lines, units=4))
+    on_router(page, "Greyboard 3.0 mm")
+    expect(page.get_by_test_id("accept-reason")).to_have_value("")
+    expect(page.get_by_test_id("earlier-exceptions")).to_be_hidden()
+    accept_shortfalls(page, "the slot is cut by hand")
+    expect(page.get_by_test_id("job-state")).to_have_text("Ready to send")
+    before = str(page.get_by_test_id("program").get_attribute("href"))
+
+    page.get_by_test_id("compile").click()
+    expect(page.get_by_test_id("program")).not_to_have_attribute("href", before)
+    # The acceptance belongs to the first job.
+    expect(page.get_by_test_id("job-state")).to_have_text("Refused", timeout=60_000)
+    expect(page.get_by_test_id("earlier-exceptions")).to_contain_text("Ada accepted 3 of these")
+    expect(page.get_by_test_id("accept-reason")).to_have_value("the slot is cut by hand")
+    button = page.get_by_test_id("accept-shortfalls")
+    expect(button).to_have_text("Accept the same 3 shortfalls as before")
+    page.get_by_test_id("accept-by").fill("")
+    expect(button).to_be_disabled()
+    page.get_by_test_id("accept-by").fill("Grace")
+    page.screenshot(path=screenshots / "accept-again.png")
+    button.click()
+    expect(page.get_by_test_id("job-state")).to_have_text("Ready to send")
+    expect(page.get_by_test_id("acceptance").first).to_contain_text(
+        "Grace: the slot is cut by hand"
+    )
+
+
+#: Colour of the outline of a sheet.
+SHEET = (0xC9, 0xB4, 0x8A)
+
+
+def nearest(colour: tuple[int, int, int], shown: set[tuple[int, int, int]]) -> int:
+    """Return the least difference of a colour from those on the canvas: thin lines are blended."""
+    return min(max(abs(a - b) for a, b in zip(colour, one, strict=True)) for one in shown)
+
+
+def test_a_sheet_cut_to_size_and_the_least_lift_are_chosen_for_a_job(
+    page: Page, screenshots: Path
+) -> None:
+    outline = [(0, 0), (300, 0), (300, 200), (0, 200), (0, 0)]
+    cuts = [text.line(*a, *b, (8, "CUT")) for a, b in pairwise(outline)]
+    grooves = [text.line(0, y, 300, y, (8, "V-GROOVE")) for y in range(30, 180, 30)]
+    drop(page, "grooved.dxf", text.dxf(*cuts, *grooves, units=4))
+    page.get_by_test_id("sheet-select").click()
+    page.get_by_role("option", name="Cut to a rectangle").click()
+    expect(page.get_by_test_id("sheet-width")).to_have_value("300")
+    small = page.get_by_test_id("sheet-small")
+    expect(small).to_be_hidden()
+    before = nearest(SHEET, colours(page))
+    page.get_by_test_id("sheet-margin").fill("20")
+    expect(small).to_contain_text("320.0 × 220.0")
+    page.get_by_test_id("sheet-width").fill("320")
+    page.get_by_test_id("sheet-height").fill("185")
+    expect(small).to_be_visible()
+    page.wait_for_timeout(300)
+    # The upper edge of the sheet is drawn across the drawing.
+    page.screenshot(path=screenshots / "sheet-1-chosen.png")
+    assert nearest(SHEET, colours(page)) < 45 < before
+    page.get_by_test_id("sheet-margin").fill("0")
+    page.get_by_test_id("sheet-width").fill("300")
+    page.get_by_test_id("sheet-height").fill("200")
+    expect(small).to_be_hidden()
+    page.get_by_test_id("least-lift").check()
+    compile_on(page, "Greyboard 2.0 mm")
+    expect(page.get_by_test_id("verdict")).to_have_attribute("data-accepted", "true")
+    page.screenshot(path=screenshots / "sheet-2-compiled.png")
+    href = page.get_by_test_id("program").get_attribute("href")
+    assert href is not None
+    program = page.request.get(urljoin(page.url, href)).text()
+    assert "(sheet 300 x 200 margin 0)" in program

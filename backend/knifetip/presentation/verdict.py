@@ -222,13 +222,15 @@ def refusal(findings: Sequence[Finding]) -> Message | None:
     """Return the message about a refused program; None if no finding refuses the program.
 
     The message contains the first findings that refuse the program, and the number of the others.
+    If none of them is a fault, its hint names the acceptance of shortfalls.
     """
     reasons = [finding for finding in findings if finding.refuses]
     if not reasons:
         return None
     shown, more = reasons[:_MAX_FINDINGS], len(reasons) - _MAX_FINDINGS
+    is_faulty = any(finding.severity is Severity.FAULT for finding in reasons)
     return Message(
-        "job.program-refused",
+        "job.program-refused" if is_faulty else "job.program-has-shortfalls",
         findings=[finding.located_message for finding in shown],
         more=Message("finding.more", count=more) if more > 0 else None,
     )

@@ -2235,6 +2235,10 @@ export const TEXTS = {
     "text": "Job {job} needs the board {board}, but the confirmation names the board {given}.",
     "hint": "Put a sheet of {board} on the table, then confirm the job again."
   },
+  "job.program-has-shortfalls": {
+    "text": "The tools cannot make every line as it is drawn: {findings: }{more}",
+    "hint": "Accept these shortfalls for this job, or change the drawing, the line types of its edges, the tools or the board."
+  },
   "job.program-refused": {
     "text": "The program does not match the drawing, so nothing was cut: {findings: }{more}",
     "hint": "Change the drawing, the line types of its edges or the board."

@@ -9,13 +9,13 @@ import { useEarlierExceptions } from "../state/queries";
 import { useUiStore } from "../state/store";
 import verdictCss from "./verdict.module.css";
 
-/** What a shortfall means, by its kind; other kinds are shown as they are. */
-const TITLES: Readonly<Record<string, string>> = {
-  unreached: "cannot be reached by the tool",
-  kerf: "become as wide as the tool",
-  fold: "do not fold far enough",
-  uncut: "cannot be made over their whole length",
-  deviation: "differ from the drawn curve",
+/** What shortfalls of a kind mean, for one line and for several lines. */
+const TITLES: Readonly<Record<string, readonly [string, string]>> = {
+  unreached: ["cannot be reached by the tool", "cannot be reached by the tool"],
+  kerf: ["becomes as wide as the tool", "become as wide as the tool"],
+  fold: ["does not fold far enough", "do not fold far enough"],
+  uncut: ["cannot be made over its whole length", "cannot be made over their whole length"],
+  deviation: ["differs from the drawn curve", "differ from the drawn curve"],
 };
 /** Key of the user's name in the local storage of the browser. */
 const NAME = "knifetip.accepted-by";
@@ -68,7 +68,7 @@ export function AcceptForm({ job, findings }: { job: Job; findings: readonly Fin
           size="xs"
           checked={!left.has(kind)}
           onChange={() => toggle(kind)}
-          label={`${pluralize(open.filter((finding) => finding.kind === kind).length, "line")} ${TITLES[kind] ?? kind}`}
+          label={kindText(kind, open.filter((finding) => finding.kind === kind).length)}
         />
       ))}
       <TextInput
@@ -112,6 +112,10 @@ export function AcceptForm({ job, findings }: { job: Job; findings: readonly Fin
     </form>
   );
 }
+
+/** What `count` shortfalls of a kind mean; a kind without a title is shown as it is. */
+const kindText = (kind: string, count: number): string =>
+  `${pluralize(count, "line")} ${TITLES[kind]?.[count === 1 ? 0 : 1] ?? kind}`;
 
 /** Who accepted which of the shortfalls for an earlier job of the same drawing. */
 function Earlier({ exceptions }: { exceptions: EarlierExceptions }) {

@@ -72,6 +72,7 @@ export function CornersForm() {
         <SegmentedControl
           size="xs"
           fullWidth
+          orientation="vertical"
           aria-labelledby={fit}
           data={[
             { value: "trim", label: "Leave this part uncut" },
@@ -157,10 +158,9 @@ interface SizeSliderProps {
 
 function SizeSlider({ label, value, onChange }: SizeSliderProps) {
   return (
-    <div className={cornerCss.cornerRow}>
-      <span style={{ flex: 1 }}>{label}</span>
+    <div className={cornerCss.cornerSize}>
+      <span>{label}</span>
       <Slider
-        style={{ flex: 1 }}
         size="sm"
         min={0.05}
         max={0.95}

@@ -150,8 +150,8 @@ function Outcome({ job }: { job: Job }) {
       </div>
     );
   }
-  // ConfirmationCard shows what the job waits for.
-  if (job.waiting_for !== "") return null;
+  // ConfirmationCard shows what the job waits for, and VerdictCard the shortfalls of its program.
+  if (job.waiting_for !== "" || job.actions.includes("accept")) return null;
   const fallback = job.state === "cancelled" ? "The job was cancelled." : "";
   const text = job.message === null ? fallback : renderText(job.message);
   if (text === "") return null;

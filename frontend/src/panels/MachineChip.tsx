@@ -36,7 +36,9 @@ export function MachineChip() {
           {lost ? "Server not reachable" : machine?.title || machine?.name || "…"}
         </span>
         {!lost && machine !== undefined && (
-          <span>{there ? (machine.job === null ? "free" : "busy") : "not connected"}</span>
+          <span className={css.detail}>
+            {there ? (machine.job === null ? "free" : "busy") : "not connected"}
+          </span>
         )}
       </span>
     </Tooltip>

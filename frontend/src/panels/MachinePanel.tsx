@@ -1,6 +1,7 @@
 /** The machine: connection, carriages if there are several, and the tool in each station. */
 
 import type { Machine } from "../api/client";
+import { CANVAS } from "../state/palette";
 import { useMachines } from "../state/queries";
 import { useUiStore } from "../state/store";
 import jobCss from "./job.module.css";
@@ -25,11 +26,14 @@ const dimensionText = ({ dimensions }: Machine["stations"][number]["tool"]): str
     .map(([name, value]) => `${DIMENSIONS[name]} ${value}${ANGLES.has(name) ? "°" : "\u202fmm"}`)
     .join(" · ");
 
-const carriageText = ({ number, letters, park }: Machine["carriages"][number]): string =>
-  `Carriage ${number}: axes ${[...letters].join(", ")} · parks at ${letters[1]} ${park}\u202fmm`;
+/** A number with a minus sign that is as wide as a plus sign. */
+const signed = (value: number): string => value.toLocaleString("en").replace("-", "\u2212");
 
-const zoneText = ({ name, x, y, width, height, top }: Machine["zones"][number]): string =>
-  `Keep-out zone ${name}: X ${x} to ${x + width}, Y ${y} to ${y + height}, ${top}\u202fmm high`;
+const carriageText = ({ number, letters, park }: Machine["carriages"][number]): string =>
+  `Carriage ${number}: axes ${[...letters].join(", ")} · parks at ${letters[1]} ${signed(park)}\u202fmm`;
+
+const zoneText = ({ x, y, width, height, top }: Machine["zones"][number]): string =>
+  `X ${signed(x)} to ${signed(x + width)} · Y ${signed(y)} to ${signed(y + height)} · ${top}\u202fmm high`;
 
 export function MachinePanel() {
   const { data: machines } = useMachines();
@@ -60,15 +64,18 @@ export function MachinePanel() {
         </div>
       ))}
       {machine.zones.length > 0 && (
-        <ul
-          className={css.note}
-          style={{ margin: 0, padding: "4px 8px", listStyle: "none" }}
-          data-testid="zones"
-        >
+        <div data-testid="zones">
+          <div style={{ padding: "4px 8px 2px" }} className={css.note}>
+            Keep-out zones, which no tool may touch
+          </div>
           {machine.zones.map((zone) => (
-            <li key={`${zone.name} ${zone.x} ${zone.y}`}>{zoneText(zone)}</li>
+            <div key={`${zone.name} ${zone.x} ${zone.y}`} className={jobCss.station}>
+              <span className={jobCss.zone} style={{ color: CANVAS.zone }} />
+              <span>{zone.name}</span>
+              <span className={jobCss.stationTool}>{zoneText(zone)}</span>
+            </div>
           ))}
-        </ul>
+        </div>
       )}
     </Section>
   );

@@ -2,6 +2,7 @@
 
 import { NumberInput, Select } from "@mantine/core";
 import type { Sheet } from "../api/client";
+import { formatSize } from "../state/format";
 import { OUTLINE_SHEET, sheetSize } from "../state/sheet";
 import { useUiStore } from "../state/store";
 import css from "./panels.module.css";
@@ -17,6 +18,9 @@ const choiceOf = (sheet: Sheet | null): string => {
   return sheetSize(sheet) === null ? "outline" : "size";
 };
 
+/** Greatest rounding of the size of a drawing (mm). */
+const ROUNDING = 0.005;
+
 const FIELDS = [
   { name: "width", label: "Width (mm)", min: 1 },
   { name: "height", label: "Height (mm)", min: 1 },
@@ -27,6 +31,9 @@ const FIELDS = [
 export function SheetForm({ width, height }: { width: number; height: number }) {
   const sheet = useUiStore((ui) => ui.sheet);
   const set = useUiStore((ui) => ui.set);
+  const isSmall = (name: string): boolean =>
+    (name === "width" && (sheet?.width ?? width) < width + (sheet?.margin ?? 0) - ROUNDING) ||
+    (name === "height" && (sheet?.height ?? height) < height + (sheet?.margin ?? 0) - ROUNDING);
   const choose = (choice: string | null) => {
     if (choice === "outline") set({ sheet: OUTLINE_SHEET });
     else if (choice === "size") set({ sheet: { ...OUTLINE_SHEET, width, height } });
@@ -52,11 +59,23 @@ export function SheetForm({ width, height }: { width: number; height: number }) 
               max={10000}
               decimalScale={2}
               value={sheet[name] ?? min}
+              error={isSmall(name)}
               onChange={(value) => set({ sheet: { ...sheet, [name]: Number(value) || min } })}
               data-testid={`sheet-${name}`}
             />
           ))}
         </div>
+      )}
+      {(isSmall("width") || isSmall("height")) && (
+        <p
+          className={css.note}
+          style={{ margin: 0, color: "var(--bad)" }}
+          role="alert"
+          data-testid="sheet-small"
+        >
+          The drawing with its margin does not fit on the sheet: it needs{" "}
+          {formatSize(width + (sheet?.margin ?? 0), height + (sheet?.margin ?? 0))}.
+        </p>
       )}
       {sheet !== null && (
         <p className={css.note} style={{ margin: 0 }}>

@@ -2,7 +2,8 @@
 
 import {
   IconAlertOctagonFilled,
-  IconMapPin,
+  IconAlertTriangleFilled,
+  IconInfoCircle,
   IconRosetteDiscountCheckFilled,
   IconRulerMeasure,
   IconStopwatch,
@@ -39,6 +40,7 @@ export function VerdictCard({ job }: { job: Job }) {
     <article
       className={verdictCss.verdict}
       data-accepted={verdict.accepted}
+      data-faulty={isFaulty(verdict, findings)}
       data-testid="verdict"
       aria-label="Result of the program check"
     >
@@ -46,8 +48,10 @@ export function VerdictCard({ job }: { job: Job }) {
         <span className={verdictCss.verdictIcon} style={{ display: "flex" }}>
           {verdict.accepted ? (
             <IconRosetteDiscountCheckFilled size={22} aria-hidden />
-          ) : (
+          ) : isFaulty(verdict, findings) ? (
             <IconAlertOctagonFilled size={22} aria-hidden />
+          ) : (
+            <IconAlertTriangleFilled size={22} aria-hidden />
           )}
         </span>
         <span className={verdictCss.verdictTitle}>{title(verdict, findings)}</span>
@@ -101,10 +105,22 @@ function title(verdict: VerdictSummary, findings: readonly Finding[]): string {
     return verdict.exceptions === 0
       ? "Program matches the drawing"
       : `Program matches the drawing, except for ${pluralize(verdict.exceptions, "accepted shortfall")}`;
-  return findings.length === 0 || findings.some((finding) => finding.severity === "fault")
+  return isFaulty(verdict, findings)
     ? "Program has errors and cannot be sent"
     : "Tool cannot make every line as drawn";
 }
+
+/** Whether a program is refused for more than shortfalls. */
+const isFaulty = (verdict: VerdictSummary, findings: readonly Finding[]): boolean =>
+  !verdict.accepted &&
+  (findings.length === 0 || findings.some((finding) => finding.severity === "fault"));
+
+/** Icon and name of each severity. */
+const SEVERITIES: Readonly<Record<Finding["severity"], { icon: ReactNode; name: string }>> = {
+  fault: { icon: <IconAlertOctagonFilled size={15} aria-hidden />, name: "Error" },
+  shortfall: { icon: <IconAlertTriangleFilled size={15} aria-hidden />, name: "Shortfall" },
+  note: { icon: <IconInfoCircle size={15} aria-hidden />, name: "Note" },
+};
 
 /** Edges that the tool cannot reach. */
 function UnreachedEdges({ verdict }: { verdict: VerdictSummary }) {
@@ -232,8 +248,10 @@ function Row({ finding }: { finding: Finding }) {
       data-severity={finding.severity}
       data-testid="finding"
     >
-      <IconMapPin size={15} style={{ flex: "none", marginTop: 1 }} aria-hidden />
+      <span className={verdictCss.severity}>{SEVERITIES[finding.severity].icon}</span>
       <span>
+        <b className={verdictCss.severity}>{SEVERITIES[finding.severity].name}</b>
+        {" · "}
         {place(finding)}
         {renderText(finding)}
         {finding.acceptance && (

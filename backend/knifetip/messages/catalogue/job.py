@@ -226,6 +226,13 @@ MESSAGES: Final[Entries] = {
         board="text",
         given="text",
     ),
+    "job.program-has-shortfalls": entry(
+        "The tools cannot make every line as it is drawn: {findings: }{more}",
+        "Accept these shortfalls for this job, or change the drawing, the line types of its edges, "
+        "the tools or the board.",
+        findings="messages",
+        more="message?",
+    ),
     "job.program-refused": entry(
         "The program does not match the drawing, so nothing was cut: {findings: }{more}",
         "Change the drawing, the line types of its edges or the board.",
