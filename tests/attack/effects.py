@@ -37,6 +37,9 @@ class Effect:
 
     contacts: list[Contact] = field(default_factory=list)
     dangers: list[str] = field(default_factory=list)
+    #: corners that the controller rounds by more than the tolerance: what, which station, and
+    #: where the tip is
+    rounded: list[tuple[str, int, F64]] = field(default_factory=list)
 
 
 def effect(run: Run, machine: Machine, board: Board, *, tooled: bool) -> Effect:
@@ -70,6 +73,7 @@ def effect(run: Run, machine: Machine, board: Board, *, tooled: bool) -> Effect:
         result.contacts.append(Contact(motion.line, motion.station, track, points))
     if tooled:
         result.dangers += _overlaps(run.motions, depths, machine)
+        result.rounded += _rounded(run.motions, depths, machine)
     return result
 
 
@@ -284,6 +288,24 @@ def _switching_danger(switching: Switching, machine: Machine, board: Board) -> s
     return ""
 
 
+def _rounded(
+    motions: list[Motion], inside: list[bool], machine: Machine
+) -> list[tuple[str, int, F64]]:
+    """Return the corners in the board that LinuxCNC rounds beyond the tolerance.
+
+    Each is (what happens, station, place of the tip).
+    """
+    return [
+        (
+            f"line {other.line}: the corner is rounded by {other.blending:g} mm",
+            other.station,
+            _tip_poses(other, machine)[0],
+        )
+        for (one, other), within in zip(pairwise(motions), inside[1:], strict=True)
+        if within and min(one.blending, other.blending) > TOLERANCE
+    ]
+
+
 def _overlaps(motions: list[Motion], inside: list[bool], machine: Machine) -> list[str]:
     """Return the pairs of moves that LinuxCNC overlaps so that the tip or its heading is wrong.
 
@@ -291,9 +313,6 @@ def _overlaps(motions: list[Motion], inside: list[bool], machine: Machine) -> li
     """
     faults = []
     for k, (one, other) in enumerate(pairwise(motions)):
-        if inside[k + 1] and min(one.blending, other.blending) > TOLERANCE:
-            faults.append(f"line {other.line}: the corner is rounded by {other.blending:g} mm")
-            continue
         if other.stops_before or not one.code or not other.code or not (inside[k] or inside[k + 1]):
             continue
         (length, turn, speed), (length_b, turn_b, speed_b) = (

@@ -70,7 +70,8 @@ class Oracle:
     def base(self) -> Effect:
         """The effect of the correct program, which has no danger."""
         base = self.effect_of(self.subject.text)
-        assert not base.dangers, (self.subject.name, base.dangers[:5])
+        dangers = base.dangers + base.rounded
+        assert not dangers, (self.subject.name, dangers[:5])
         assert base.contacts, self.subject.name
         return base
 
@@ -98,6 +99,9 @@ class Oracle:
                 return difference
         if mutant.dangers:
             return mutant.dangers[0]
+        for corner, station, tip in mutant.rounded:
+            if not self._in_waste(tip, self._milling.get(station, 0.0)):
+                return corner
         if reason := self._misplaced(mutant):
             return reason
         return self._released_early(mutant)
@@ -202,10 +206,10 @@ class Oracle:
             return f"mills otherwise by {moved.max():.4f} mm at ({x:.2f}, {y:.2f})"
         return ""
 
-    def _in_waste(self, where: F64) -> bool:
-        """Return whether a point is in the waste outside all parts, away from every cut."""
+    def _in_waste(self, where: F64, radius: float = 0.0) -> bool:
+        """Return whether a tool of a radius (mm) is outside all parts, away from every cut."""
         spot = shapely.Point(where[0], where[1])
-        return bool(shapely.union_all(self._faces).distance(spot) > _MARGIN)
+        return bool(shapely.union_all(self._faces).distance(spot) > radius + _MARGIN)
 
     # --- order -------------------------------------------------------------------------------
 

@@ -38,6 +38,7 @@ def _named(name: str) -> Subject:
         ("crease, linuxcnc", b"M64 P1", b"M64 P2", "beside [2]"),
         ("V-groove, grblhal", b"C0.0000", b"C2.0000", "is off by"),
         ("router B, linuxcnc", b"S18000", b"S9000", "spindle at 9000"),
+        ("router B, linuxcnc", b"G64 P0.0050", b"G64 P0.0500", "rounded by 0.05 mm"),
         ("flat cutter, hpgl", b"FS12;", b"FS30;", "force 30"),
     ],
 )
@@ -57,3 +58,14 @@ def test_a_reversed_blade_does_no_harm_within_its_slit(end: bytes, harm: str) ->
     back = last + b"G0 C90.0000\nG1 Z-0.3000 F6000\nG1 " + end + b" F24000\nG1 Z4.0000 F6000\n"
     found = Oracle(subject).harm(subject.text.replace(last, back, 1))
     assert found.startswith("station 0 " + harm) if harm else found == ""
+
+
+def test_a_corner_may_be_rounded_in_the_waste_only() -> None:
+    subject = _named("router B, linuxcnc")
+    oracle = Oracle(subject)
+    before, found, lead = subject.text.rpartition(b"G1 Y95.5000")
+    assert found
+    assert oracle.harm(before + b"G64 P0.5 Q0.5\n" + found + lead) == ""
+    line = before.rindex(b"G1 Y143.0000")
+    rounded = before[:line] + b"G64 P0.5 Q0.5\n" + before[line:] + found + lead
+    assert "rounded by 0.5 mm" in oracle.harm(rounded)
