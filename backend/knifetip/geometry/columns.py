@@ -40,3 +40,9 @@ def freeze(values: ArrayLike, dtype: DTypeLike, *shape: int) -> NDArray[Any]:
         array = array.copy()
         array.flags.writeable = False
     return array
+
+
+def hand_over(array: NDArray[Any]) -> NDArray[Any]:
+    """Return a new array after making it read-only, so that a record takes it without a copy."""
+    array.flags.writeable = False
+    return array

@@ -19,9 +19,9 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.errors import CompensationError
-from knifetip.geometry.columns import F64, Bool
+from knifetip.geometry.columns import F64, Bool, hand_over
 from knifetip.geometry.path import Paths
-from knifetip.kernels import F64_1, F64_2, kernel
+from knifetip.kernels import F64_1, F64_2, Bool_1, kernel
 from knifetip.model.machine import Machine
 from knifetip.model.tool import TipCircle
 from knifetip.model.toolpath import Motion, Toolpath
@@ -169,27 +169,50 @@ def with_full_retracts(toolpath: Toolpath, machine: Machine) -> Toolpath:
     The source in the module's docstring lifts the head in this way.  The result is only used to
     compare its duration with that of the given toolpath.
     """
-    rapid = toolpath.motion == Motion.RAPID
-    height = machine.travel_z
-    up = rapid & (toolpath.pose[:-1, 2] < height)
-    down = rapid & (toolpath.pose[1:, 2] < height)
-    size = 1 + up.astype(np.int64) + down
-    rows = np.repeat(np.arange(len(toolpath)), size)
-    ordinal = np.arange(len(rows)) - np.repeat(np.cumsum(size) - size, size)
-    pose = toolpath.pose[rows + 1].copy()
-    first = up[rows] & (ordinal == 0)
-    pose[first, :] = toolpath.pose[rows[first]]
-    pose[(up[rows] | down[rows]) & (ordinal < size[rows] - down[rows]), 2] = height
-    return replace(
-        toolpath,
-        pose=np.concatenate([toolpath.pose[:1], pose]),
-        bulge=toolpath.bulge[rows],
-        motion=toolpath.motion[rows],
-        feed=toolpath.feed[rows],
-        source=toolpath.source[rows],
-        tool=toolpath.tool[rows],
-        track=toolpath.track[rows],
+    pose, rows = _expand_rapids(
+        np.ascontiguousarray(toolpath.pose),
+        toolpath.motion == Motion.RAPID,
+        machine.travel_z,
     )
+    columns = ("bulge", "motion", "feed", "source", "tool", "track")
+    expanded: dict[str, Any] = {name: hand_over(getattr(toolpath, name)[rows]) for name in columns}
+    return replace(toolpath, pose=hand_over(pose), **expanded)
+
+
+@kernel
+def _expand_rapids(pose: F64_2, rapid: Bool_1, height: float) -> Any:
+    """Return the poses of n moves whose low rapids are lifted to a height (mm), and the move from
+    which each of the m new moves comes, (m + 1, 4) and (m,).
+
+    ``pose`` are the poses before and after each move, (n + 1, 4); ``rapid`` is the mask of the
+    rapids, (n,).
+    """
+    count = len(rapid)
+    for row in range(len(rapid)):
+        if rapid[row]:
+            count += (pose[row, 2] < height) + (pose[row + 1, 2] < height)
+    expanded, rows = np.empty((count + 1, 4)), np.empty(count, np.int64)
+    expanded[0] = pose[0]
+    used = 0
+    for row in range(len(rapid)):
+        up = rapid[row] and pose[row, 2] < height
+        down = rapid[row] and pose[row + 1, 2] < height
+        if up:
+            rows[used] = row
+            used += 1
+            expanded[used] = pose[row]
+            expanded[used, 2] = height
+        if down:
+            rows[used] = row
+            used += 1
+            expanded[used] = pose[row + 1]
+            expanded[used, 2] = height
+        rows[used] = row
+        used += 1
+        expanded[used] = pose[row + 1]
+        if up and not down:
+            expanded[used, 2] = height
+    return expanded, rows
 
 
 @kernel(checks_division=True)

@@ -13,7 +13,7 @@ convention.
 from __future__ import annotations
 
 import math
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
@@ -70,43 +70,61 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
     """
     if len(toolpath) == 0:
         return np.zeros(0)
-    rows = np.flatnonzero(np.abs(toolpath.bulge) >= BULGE)
-    start, end, bulge = toolpath.pose[rows, :2], toolpath.pose[rows + 1, :2], toolpath.bulge[rows]
-    along, size = np.full(len(toolpath), -1.0), np.ones(len(toolpath))
-    along[rows] = arc.length(start, end, bulge)
-    size[rows] = arc.radius(start, end, bulge)
-    changed = np.zeros(len(toolpath), np.bool_)
-    changed[carriage_changes(toolpath, machine)] = True
+    pose = np.ascontiguousarray(toolpath.pose)
+    arcs = _measure_arcs(toolpath)
+    parked = np.zeros(len(toolpath), np.bool_)
+    parked[carriage_changes(toolpath, machine)] = True
     fastest = np.array([[axis.velocity for axis in one.axes] for one in machine.carriages])
     hardest = np.array([[axis.acceleration for axis in one.axes] for one in machine.carriages])
-    length, travel, velocity, acceleration, feed_time = _row_limits(
-        np.ascontiguousarray(toolpath.pose),
-        along,
-        size,
-        changed,
+    limits = _row_limits(
+        pose,
+        arcs,
+        parked,
         _carriages(toolpath, machine),
         fastest,
         hardest,
         toolpath.feed,
         np.ascontiguousarray(toolpath.motion),
     )
-    safe = np.where(length > STILL, length, 1.0)
-    first, last = _axis_rates(toolpath, safe)
-    stops = np.zeros(len(toolpath), np.bool_)
     changed = np.ones(len(toolpath), np.bool_)
     changed[1:] = toolpath.tool[1:] != toolpath.tool[:-1]
-    stops |= changed
+    stops = changed.copy()
     timing: Timing = find_language(machine.dialect).load_part("timing")
-    seconds = np.maximum(feed_time, safe / velocity)
-    halts = timing(toolpath, travel, seconds, machine)
+    safe = np.where(limits.length > STILL, limits.length, 1.0)
+    seconds = np.maximum(limits.feed_time, safe / limits.velocity)
+    halts = timing(toolpath, limits.travel, seconds, machine)
     stops[1:] |= halts[:-1] > 0.0
-    switched, pierced = _beam_switching(toolpath, machine)
-    stops |= switched
-    times: F64 = _simulate(
-        length, velocity, acceleration, first, last, hardest.min(axis=0) * JOLT, stops
-    )
-    times += changed * machine.settle + halts + pierced
+    pierced = None
+    if any(station.is_beam for station in machine.stations):
+        switched, pierced = _beam_switching(toolpath, machine)
+        stops |= switched
+    times: F64 = _simulate(pose, arcs, limits, hardest.min(axis=0) * JOLT, stops)
+    times += changed * machine.settle + halts
+    if pierced is not None:
+        times += pierced
     return times
+
+
+class _Arcs(NamedTuple):
+    """The k rows of a toolpath that are arcs."""
+
+    row: I64_1  #: (k,) ascending
+    length: F64_1  #: (k,) mm
+    radius: F64_1  #: (k,) mm
+    begin: F64_2  #: (k, 2) tangent at the start, as long as the arc
+    finish: F64_2  #: (k, 2) tangent at the end, as long as the arc
+
+
+def _measure_arcs(toolpath: Toolpath) -> _Arcs:
+    """Return the arcs of a toolpath."""
+    rows = np.flatnonzero(np.abs(toolpath.bulge) >= BULGE)
+    start, end, bulge = toolpath.pose[rows, :2], toolpath.pose[rows + 1, :2], toolpath.bulge[rows]
+    length = arc.length(start, end, bulge)
+    # Tangents are as long as the chord; scaled to the length of the arc.
+    chord = np.hypot(*(end - start).T)
+    stretch = (length / np.where(chord > 0.0, chord, 1.0))[:, None]
+    begin, finish = arc.tangents(start, end, bulge)
+    return _Arcs(rows, length, arc.radius(start, end, bulge), begin * stretch, finish * stretch)
 
 
 def _carriages(toolpath: Toolpath, machine: Machine) -> I64:
@@ -135,11 +153,20 @@ def _beam_switching(toolpath: Toolpath, machine: Machine) -> tuple[Bool, F64]:
     return beam_on != before, np.where(beam_on & ~before, pierce[toolpath.tool], 0.0)
 
 
+class _Limits(NamedTuple):
+    """Figures of n rows of a toolpath, (n,) each; ``durations`` has the formulas."""
+
+    length: F64_1  #: over all four axes, mm and degrees added alike
+    travel: F64_1  #: mm, along XYZ
+    velocity: F64_1  #: greatest velocity along the row
+    acceleration: F64_1  #: greatest acceleration along the row
+    feed_time: F64_1  #: s, time of the row at its programmed feed; 0 for rapids
+
+
 @kernel
 def _row_limits(
     pose: F64_2,
-    along: F64_1,
-    size: F64_1,
+    arcs: _Arcs,
     parked: Bool_1,
     carriage: I64_1,
     fastest: F64_2,
@@ -147,18 +174,14 @@ def _row_limits(
     feed: F64_1,
     motion: U8_1,
 ) -> Any:
-    """Return five figures of each of n rows of a toolpath, (n,) each.
-
-    They are the length over all four axes (mm and degrees added alike), the length along XYZ (mm),
-    the greatest velocity and acceleration along the row, and the time of the row at its programmed
-    feed (s), which is 0 for rapids.  ``durations`` has the formulas.
+    """Return the ``_Limits`` of n rows of a toolpath.
 
     Parameters
     ----------
     pose : (n + 1, 4)
         Poses before and after each row.
-    along, size : (n,) mm
-        Length and radius of each arc; the length is -1 for a line.
+    arcs
+        The rows that are arcs.
     parked : (n,)
         Mask of the rows before which the row's carriage was parked: only X moves.
     carriage : (n,)
@@ -168,11 +191,12 @@ def _row_limits(
     feed, motion : (n,)
         Programmed feed, and ``Motion``.
     """
-    count = len(along)
+    count = len(feed)
     length, travel = np.empty(count), np.empty(count)
     velocity, acceleration = np.empty(count), np.empty(count)
     feed_time = np.zeros(count)
     reach = np.empty(4)
+    next_arc = 0
     for row in range(count):
         own = carriage[row]
         for axis in range(4):
@@ -180,9 +204,9 @@ def _row_limits(
             if parked[row] and axis > 0:
                 reach[axis] = 0.0
         flat = math.hypot(reach[0], reach[1])
-        is_arc = along[row] >= 0.0
+        is_arc = next_arc < len(arcs.row) and arcs.row[next_arc] == row
         if is_arc:
-            flat = reach[0] = reach[1] = along[row]
+            flat = reach[0] = reach[1] = arcs.length[next_arc]
         # On an arc X and Y share its length, which counts once.
         length[row] = math.sqrt(flat * flat + reach[2] * reach[2] + reach[3] * reach[3])
         travel[row] = math.hypot(flat, reach[2])
@@ -200,42 +224,14 @@ def _row_limits(
             fast = min(fast, safe / feed_time[row])
         if is_arc:
             thrust = min(hardest[own, 0], hardest[own, 1])
-            fast = min(fast, math.sqrt(thrust * size[row]) * safe / flat)
+            fast = min(fast, math.sqrt(thrust * arcs.radius[next_arc]) * safe / flat)
+            next_arc += 1
         velocity[row], acceleration[row] = fast, hard
-    return length, travel, velocity, acceleration, feed_time
-
-
-def _axis_rates(toolpath: Toolpath, length: F64) -> tuple[F64, F64]:
-    """Return the change of X, Y, Z and C per unit of length at the start of each row of a toolpath,
-    and the same at the end of each row.
-
-    ``length`` is the length of each of the n rows over all four axes, (n,) mm and degrees added
-    alike.  Both returned arrays are (n, 4).
-    """
-    first = np.diff(toolpath.pose, axis=0) / length[:, None]
-    last = first.copy()
-    is_arc = np.flatnonzero(np.abs(toolpath.bulge) >= BULGE)
-    start, end = toolpath.pose[is_arc, :2], toolpath.pose[is_arc + 1, :2]
-    bulge = toolpath.bulge[is_arc]
-    # Tangents are as long as the chord; scaled to the length of the arc.
-    chord = np.hypot(*(end - start).T)
-    stretch = (arc.length(start, end, bulge) / np.where(chord > 0.0, chord, 1.0))[:, None]
-    begin, finish = arc.tangents(start, end, bulge)
-    size = length[is_arc, None]
-    first[is_arc, :2], last[is_arc, :2] = begin * stretch / size, finish * stretch / size
-    return first, last
+    return _Limits(length, travel, velocity, acceleration, feed_time)
 
 
 @kernel(checks_division=True)
-def _simulate(
-    length: F64_1,
-    velocity: F64_1,
-    acceleration: F64_1,
-    first: F64_2,
-    last: F64_2,
-    jolt: F64_1,
-    stops: Bool_1,
-) -> Any:
+def _simulate(pose: F64_2, arcs: _Arcs, limits: _Limits, jolt: F64_1, stops: Bool_1) -> Any:
     """Return the time that the machine takes for each of n rows of a toolpath, (n,) s.
 
     The highest permitted speed at each joint between two rows is reduced from the last row back to
@@ -244,46 +240,60 @@ def _simulate(
 
     Parameters
     ----------
-    length, velocity, acceleration : (n,)
-        Length of each row, and its greatest velocity and acceleration; rows of length 0 take no
-        time.
-    first, last : (n, 4)
-        Change of each axis per unit of length at the start and at the end of each row.
+    pose : (n + 1, 4)
+        Poses before and after each row.
+    arcs, limits
+        The rows that are arcs, and the figures of all rows; rows of length 0 take no time.
     jolt : (4,)
         Greatest permitted jump of the velocity of each axis at a joint.
     stops : (n,)
         Mask of the rows at whose start the machine is at rest.
     """
+    length, velocity, acceleration = limits.length, limits.velocity, limits.acceleration
     count = len(length)
     times = np.zeros(count)
     entry = np.zeros(count)
+    # Change of each axis per unit of length, at the start of a row and at the end of the last one.
+    rate_of, rate_before = np.zeros(4), np.zeros(4)
+    next_arc = 0
     before = -1
     rest = True
     for row in range(count):
         rest = rest or stops[row]
-        if length[row] <= 1e-9:
+        is_arc = next_arc < len(arcs.row) and arcs.row[next_arc] == row
+        next_arc += is_arc
+        if length[row] <= STILL:
             continue
+        for axis in range(4):
+            rate_of[axis] = (pose[row + 1, axis] - pose[row, axis]) / length[row]
+        if is_arc:
+            for axis in range(2):
+                rate_of[axis] = arcs.begin[next_arc - 1, axis] / length[row]
         if before >= 0 and not rest:
             joint = min(velocity[before], velocity[row])
             for axis in range(4):
-                jump = abs(first[row, axis] - last[before, axis])
+                jump = abs(rate_of[axis] - rate_before[axis])
                 if jump > 1e-9:
                     joint = min(joint, jolt[axis] / jump)
             entry[row] = joint
+        rate_before[:] = rate_of
+        if is_arc:
+            for axis in range(2):
+                rate_before[axis] = arcs.finish[next_arc - 1, axis] / length[row]
         before = row
         rest = False
     leaving = 0.0
     for row in range(count - 1, -1, -1):
-        if length[row] > 1e-9:
+        if length[row] > STILL:
             reach = math.sqrt(leaving * leaving + 2.0 * acceleration[row] * length[row])
             entry[row] = leaving = min(entry[row], reach)
     speed = 0.0
     row = 0
     while row < count:
         after = row + 1
-        while after < count and length[after] <= 1e-9:
+        while after < count and length[after] <= STILL:
             after += 1
-        if length[row] > 1e-9:
+        if length[row] > STILL:
             rate, distance = acceleration[row], length[row]
             reach = math.sqrt(speed * speed + 2.0 * rate * distance)
             finish = min(entry[after] if after < count else 0.0, reach)
