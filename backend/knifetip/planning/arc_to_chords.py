@@ -46,7 +46,7 @@ def arcs_to_chords(
     cutter
         The tool, whose blade continues straight beyond the end of each chord.
     error : mm
-        Greatest permitted deviation from an arc.
+        Greatest permitted deviation from an arc; 0 permits no chords.
 
     Returns
     -------
@@ -58,9 +58,14 @@ def arcs_to_chords(
     Raises
     ------
     CurvedGroove
-        An arc is too tight for the blade.
+        An arc is too tight for the blade, or no chords are permitted.
     """
     bent = np.abs(bulge) >= BULGE
+    if error <= 0.0 and bent.any():
+        source = [str(row) for row in rows[bent]]
+        raise CurvedGroove(
+            "groove.curved", count=len(source), edge=source[0], source=source[:10]
+        )
     start, end = ends[:, 0], ends[:, 1]
     sweep = np.abs(arc.sweep(bulge))
     radius = np.where(bent, arc.radius(start, end, bulge), 1.0)

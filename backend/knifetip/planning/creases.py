@@ -6,7 +6,7 @@ double crease end at the same positions as the drawn crease.
 
 from __future__ import annotations
 
-from math import radians, sin
+from math import cos, radians, sin
 
 import numpy as np
 
@@ -248,7 +248,8 @@ def double_creases(paths: Paths, distance: float, source: I32) -> tuple[Paths, I
     before = np.roll(last, 1, axis=0)
     after = np.roll(ahead, -1, axis=0)
     first, final = pair.first[:-1], pair.first[1:] - 1
-    closed = pair.closed[:, None]
+    smooth = (last[final] * ahead[first]).sum(axis=1) >= cos(radians(ANGLE))
+    closed = (pair.closed & smooth)[:, None]
     before[first] = np.where(closed, last[final], ahead[first])
     after[final] = np.where(closed, ahead[first], last[final])
     side = np.where(owner % 2 == 0, half, -half)[:, None]

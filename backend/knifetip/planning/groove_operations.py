@@ -50,13 +50,13 @@ def plan_grooves(
     FlankOutside
         A flank of a groove would leave the board or run through a cut.
     CurvedGroove
-        An arc is too tight for the blade.
+        An arc is too tight for the blade, or the board permits no chords.
     """
     board, cutter = setup.board, setup.station.tool
     assert isinstance(cutter, VCutter)
-    ends, bulge, joint = dieline.ends[rows], dieline.bulge[rows], 0.0
-    if board.groove_curve > 0.0:
-        ends, bulge, rows, joint = arcs_to_chords(ends, bulge, rows, cutter, board.groove_curve)
+    ends, bulge, rows, joint = arcs_to_chords(
+        dieline.ends[rows], dieline.bulge[rows], rows, cutter, board.groove_curve
+    )
     chains = chain(ends, bulge, COLLINEAR)
     paths, source = chains.paths(ends, bulge), rows[chains.order]
     passes = 1

@@ -1345,7 +1345,7 @@ export const TEXTS = {
   },
   "groove.curved": {
     "text": "{count:# V-groove is an arc|# V-grooves are arcs} (first: edge {edge}), which a straight blade cannot follow.",
-    "hint": "Draw the V-grooves with straight lines, or choose another line type for them."
+    "hint": "Draw the V-grooves with straight lines, permit chords in the board file (groove_curve), or choose another line type for them."
   },
   "groove.overcut": {
     "text": "The V-cutter cuts {overrun:.2f} mm too far at each end of a groove that ends inside the board, but the board allows an overcut of only {allowed:.2f} mm.",

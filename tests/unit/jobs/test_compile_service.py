@@ -135,7 +135,8 @@ def test_a_refusal_keeps_reason_mend_and_source(
     assert (job.state, str(job.message), hint(job.message), job.source) == (
         "refused",
         "1 V-groove is an arc (first: edge 7), which a straight blade cannot follow.",
-        "Draw the V-grooves with straight lines, or choose another line type for them.",
+        "Draw the V-grooves with straight lines, permit chords in the board file (groove_curve), "
+        "or choose another line type for them.",
         ["2F4"],
     )
 

@@ -55,9 +55,9 @@ def test_a_process_is_kept_for_the_next_task(pool: ProcessPool) -> None:
 def test_an_error_comes_back_with_mend_and_source(pool: ProcessPool) -> None:
     with pytest.raises(CurvedGroove) as caught:
         pool.run(crew_tasks.refuse, limit=30.0)
-    assert (
-        caught.value.hint
-        == "Draw the V-grooves with straight lines, or choose another line type for them."
+    assert caught.value.hint == (
+        "Draw the V-grooves with straight lines, permit chords in the board file (groove_curve), "
+        "or choose another line type for them."
     )
     assert caught.value.source == ("2F4",)
 

@@ -24,7 +24,24 @@ def grooved(bulge: float, span: float, error: float) -> Operation:
 
 def test_a_board_without_groove_curve_refuses_arcs() -> None:
     with pytest.raises(CurvedGroove, match="straight blade"):
-        vgroove_toolpath(grooved(0.1, 400.0, 0.0))
+        grooved(0.1, 400.0, 0.0)
+
+
+RING = dieline(
+    (LineType.V_GROOVE, edges(((0, 0), (400, 0)), ((400, 0), (0, 0)))), bulge={0: 1.0, 1: 1.0}
+)
+
+
+def test_a_closed_groove_of_arcs_is_refused_or_cut_as_chords_like_an_open_one() -> None:
+    with pytest.raises(CurvedGroove, match="2 V-grooves are arcs"):
+        plan(RING, MACHINE, BOARD)
+    operation = plan(RING, MACHINE, replace(BOARD, groove_curve=0.2))[0]
+    assert (operation.paths.bulge == 0.0).all()
+    assert set(operation.source.tolist()) == {0, 1}
+    # Each chord continues the one before it all the way round.
+    ends = np.concatenate([operation.start, operation.finish])
+    assert (ends == End.CONTINUED).all()
+    assert len(vgroove_toolpath(operation)) > 0
 
 
 def test_an_arc_too_tight_for_the_blade_is_refused() -> None:

@@ -161,3 +161,20 @@ def test_cuts_at_any_angle_split_where_they_cross(places: list[int], slant: floa
     np.testing.assert_allclose(operation.paths.start[:, 0], expected[:-1], atol=1e-9)
     np.testing.assert_allclose(operation.paths.end[:, 0], expected[1:], atol=1e-9)
     assert set(operation.source.tolist()) == {0}
+
+
+def test_a_closed_crease_is_set_back_only_at_its_corner() -> None:
+    ring = rolled(edges(((0, 0), (200, 0)), ((200, 0), (0, 0))), bulge={0: 1.0, 1: 1.0})
+    assert len(ring.paths) == 1
+    assert (ring.start[0], ring.finish[0]) == (End.CONTINUED, End.CONTINUED)
+    # A drop: two tangents from (0, 0) to a circle, whose arc turns by 240°.
+    far, high = 60.0 * 3.0**0.5 * np.array([np.cos(np.pi / 6.0), np.sin(np.pi / 6.0)])
+    low, top = (far, -high), (far, high)
+    drop = edges(((0, 0), low), (low, top), (top, (0, 0)))
+    for board in (BOARD, replace(BOARD, double_crease=2.0)):
+        made = rolled(drop, bulge={1: float(np.tan(np.radians(60.0)))}, board=board)
+        assert (made.start == End.FREE).all()
+        assert (made.finish == End.FREE).all()
+        gap = made.paths.start[made.paths.first[:-1]] - made.paths.end[made.paths.first[1:] - 1]
+        # Both lines of a double crease end beside the corner, and are not mitred there.
+        assert np.hypot(*gap.T).max() <= 2.0

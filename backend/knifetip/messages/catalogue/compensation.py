@@ -98,7 +98,8 @@ MESSAGES: Final[Entries] = {
     "groove.curved": entry(
         "{count:# V-groove is an arc|# V-grooves are arcs} (first: edge {edge}), which a "
         "straight blade cannot follow.",
-        "Draw the V-grooves with straight lines, or choose another line type for them.",
+        "Draw the V-grooves with straight lines, permit chords in the board file (groove_curve), "
+        "or choose another line type for them.",
         count="count",
         edge="count",
     ),
