@@ -63,9 +63,7 @@ def arcs_to_chords(
     bent = np.abs(bulge) >= BULGE
     if error <= 0.0 and bent.any():
         source = [str(row) for row in rows[bent]]
-        raise CurvedGroove(
-            "groove.curved", count=len(source), edge=source[0], source=source[:10]
-        )
+        raise CurvedGroove("groove.curved", count=len(source), edge=source[0], source=source[:10])
     start, end = ends[:, 0], ends[:, 1]
     sweep = np.abs(arc.sweep(bulge))
     radius = np.where(bent, arc.radius(start, end, bulge), 1.0)
