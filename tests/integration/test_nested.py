@@ -117,12 +117,12 @@ def test_a_blank_with_gaps_that_is_cut_before_what_lies_inside_it_is_refused(gap
         (CUT, blank), (CUT, box(130, 150, 20, 20)), (CREASE, edges(((200, 100), (200, 300))))
     )
     assert verdict_of(line, made(line)).accepted
-    assert verdict_of(line, made(line, order=(1, 0, 2))).accepted, (
+    assert verdict_of(line, made(line, order=(1, 0, 2, 3))).accepted, (
         "a crease before the blank is legal"
     )
-    hole = verdict_of(line, made(line, order=(0, 2, 1)))
+    hole = verdict_of(line, made(line, order=(0, 2, 3, 1)))
     assert {finding.edge for finding in hole.findings} == {5, 6, 7, 8}
-    crease = verdict_of(line, made(line, order=(1, 2, 0)))
+    crease = verdict_of(line, made(line, order=(1, 2, 3, 0)))
     assert {finding.edge for finding in crease.findings} == {9}
 
 

@@ -24,7 +24,8 @@ from knifetip.model.tool import Knife
 from knifetip.planning.boundary import BoardOutline, ends_at_waste
 from knifetip.planning.bridges import Spacing, ends_of_others, place_bridges
 from knifetip.planning.cut_sides import CutSides
-from knifetip.planning.layers import cut_layers
+from knifetip.planning.last_cuts import track_levels
+from knifetip.planning.layers import CutLayers, cut_layers
 from knifetip.planning.path_ends import chain_edges, end_directions, end_kinds, end_points
 from knifetip.planning.reachable import all_reachable
 from knifetip.planning.setup import Setup
@@ -66,39 +67,56 @@ def plan_blade_cuts(
         Machine, board and station of the knife.
     """
     side = sides.waste
-    layer = cut_layers(dieline.ends[rows], dieline.bulge[rows], sides.face)
+    layers = cut_layers(dieline.ends[rows], dieline.bulge[rows], sides.face)
+    layer = layers.number
     rank = (layer.max(initial=0) - layer) * 2 + (side != 0)
+    index = np.full(len(dieline), -1, np.int64)
+    index[rows] = np.arange(len(rows))
     operations = []
     for bounds in (False, True):
         subset = np.flatnonzero((side != 0) == bounds)
         if len(subset):
             waste = side[subset] if bounds else None
             cuts = _Cuts(LineType.CUT, rows[subset], setup.through_depth, waste, layer[subset])
-            operations += _split_by_rank(_cut(outline, dieline, cuts, setup), rows, rank)
+            operation = _cut(outline, dieline, cuts, setup)
+            level = _levels(operation, index, layers)
+            path_rank = rank[index[operation.source[operation.paths.first[:-1]]]]
+            # Levels are less than the number of cuts.
+            operations += _split_by_rank(operation, path_rank * len(rows) + level)
     operations.sort(key=lambda rank_and_operation: rank_and_operation[0])
     return [operation for _, operation in operations]
 
 
-def _split_by_rank(operation: Operation, rows: I32, rank: I64) -> list[tuple[int, Operation]]:
-    """Split an operation into one operation for each rank; return pairs (rank, operation), lowest
-    rank first.
+def _levels(operation: Operation, index: I64, layers: CutLayers) -> I64:
+    """Return the level of each path of an operation, (p,); see ``track_levels``.
 
-    The rank of an edge is a number by which the edges are put in working order.  Each path has the
-    rank of its first edge.
+    Paths between bridges release no piece, so their level is 0.
 
     Parameters
     ----------
-    rows, rank : (m,) and (m,)
-        Indices in the dieline of the m edges of the operation, and the rank of each of these edges.
+    index
+        Index in ``layers`` of each edge of the dieline, -1 for an edge that is no cut.
+    layers
+        Layers of the cuts.
     """
-    rank_of_edge = np.zeros(int(rows.max()) + 1, np.int64)
-    rank_of_edge[rows] = rank
     paths = operation.paths
-    rank_of_path = rank_of_edge[operation.source[paths.first[:-1]]]
+    path = np.repeat(np.arange(len(paths)), np.diff(paths.first))
+    releases = (operation.start != End.BRIDGE)[path]
+    track = np.full(len(layers.number), -1, np.int64)
+    track[index[operation.source[releases]]] = path[releases]
+    return track_levels(layers.number, layers.stretches, track, paths.lengths)
+
+
+def _split_by_rank(operation: Operation, rank: I64) -> list[tuple[int, Operation]]:
+    """Split an operation into one operation for each rank; return pairs (rank, operation), lowest
+    rank first.
+
+    The rank of each of p paths is a number by which the paths are put in working order, (p,).
+    """
     parts = []
-    for number in np.unique(rank_of_path):
-        path_rows = np.flatnonzero(rank_of_path == number).astype(np.int32)
-        subset, segment = select_paths(paths, path_rows)
+    for number in np.unique(rank):
+        path_rows = np.flatnonzero(rank == number).astype(np.int32)
+        subset, segment = select_paths(operation.paths, path_rows)
         part = replace(
             operation,
             paths=subset,

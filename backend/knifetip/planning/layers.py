@@ -15,6 +15,7 @@ the pieces between crossings with other cuts have different layers, the highest 
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -23,14 +24,23 @@ from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.tolerance import CONTOUR_GAP
 from knifetip.kernels import F64_1, I64_1, I64_2, OutI64_1, kernel
-from knifetip.planning.necks import Stretches, layers_at_necks
+from knifetip.planning.necks import layers_at_necks
+from knifetip.planning.stretches import Stretches
 from knifetip.topology.contour_gaps import closing_links, find_dangling_ends
 from knifetip.topology.noding import split_at_crossings
 from knifetip.topology.subdivision import subdivide
 
 
-def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
-    """Return the layer of each cut, (n,); the cuts of higher layers are made first.
+@dataclass(frozen=True, eq=False, slots=True)
+class CutLayers:
+    """The layers of n cuts, and the stretches into which the cuts are split where they meet."""
+
+    number: I64  #: (n,) layer of each cut; the cuts of higher layers are made first
+    stretches: Stretches
+
+
+def cut_layers(ends: F64, bulge: F64, contour: I64) -> CutLayers:
+    """Return the layers of n cuts.
 
     Parameters
     ----------
@@ -49,7 +59,8 @@ def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
     """
     count = len(ends)
     if count == 0:
-        return np.zeros(0, np.int64)
+        none = np.zeros(0, np.int64)
+        return CutLayers(none, Stretches(ends, bulge, none, none.reshape(0, 2)))
     tips = find_dangling_ends(ends, bulge)
     closing = closing_links(ends, bulge, tips, CONTOUR_GAP)
     pieces, bent, row = split_at_crossings(
@@ -72,9 +83,8 @@ def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
         work = single_units
         owner = np.where(row < count, row, -1)
         layer, _ = _assign_layers(face, owner, size, by_face // 2, first, count)
-    result: I64 = layer[work]
     stretches = Stretches(pieces, bent, row, face)
-    return layers_at_necks(ends, bulge, result, stretches, closing, tips)
+    return CutLayers(layers_at_necks(ends, bulge, layer[work], stretches, closing, tips), stretches)
 
 
 @kernel

@@ -28,6 +28,7 @@ from knifetip.model.tool import DiscTool
 from knifetip.planning.bridges import Spacing, ends_of_others, place_bridges
 from knifetip.planning.corners import choices_at_bends, distances_to_corners, find_bends
 from knifetip.planning.cut_sides import cut_sides
+from knifetip.planning.last_cuts import track_levels
 from knifetip.planning.layers import cut_layers
 from knifetip.planning.reachable import reachable_by_disc
 from knifetip.planning.setup import Setup
@@ -67,7 +68,8 @@ def plan_milling(
     pieces = _divide_by_sides(dieline.ends[rows], dieline.bulge[rows])
     _check_shared(rows[np.unique(pieces.row[pieces.shared])], cutter)
     ends, bulge, face = pieces.ends, pieces.bulge, pieces.face
-    layer = cut_layers(ends, bulge, face)
+    layers = cut_layers(ends, bulge, face)
+    layer = layers.number
     chains = chain(ends, bulge, group=layer * (int(face.max()) + 2) + face)
     paths = _close_joints(chains.paths(ends, bulge))
     source = rows[pieces.row[chains.order]]
@@ -82,7 +84,11 @@ def plan_milling(
     source = source[order]
     depth = cutter.passes(setup.through_depth)
     operations = []
-    path_rank = 2 * (number.max(initial=0) - number) + np.abs(side)
+    track = np.empty(len(layer), np.int64)
+    track[chains.order] = np.repeat(np.arange(len(paths)), np.diff(paths.first))
+    level = track_levels(layer, layers.stretches, track, paths.lengths)
+    # Levels are less than the number of cuts.
+    path_rank = (2 * (number.max(initial=0) - number) + np.abs(side)) * len(layer) + level
     for rank in np.unique(path_rank):
         path_rows = np.flatnonzero(path_rank == rank).astype(np.int32)
         subset, segment_rows = select_paths(paths, path_rows)
@@ -95,7 +101,7 @@ def plan_milling(
             replace(
                 operation,
                 clearance=cutter.clearance(machine.clearance),
-                side=int(rank % 2),
+                side=int(rank // len(layer) % 2),
                 bridges=bridges,
                 bridge_width=board.bridge_width,
                 corner=corners.type,

@@ -12,7 +12,6 @@ beside all of them.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
@@ -23,6 +22,7 @@ from knifetip.geometry.tolerance import CONTOUR_GAP, JOIN
 from knifetip.geometry.union_find import flatten, union
 from knifetip.geometry.vertices import number_vertices
 from knifetip.kernels import I64_1, kernel
+from knifetip.planning.stretches import Stretches
 from knifetip.topology.contour_gaps import closing_links
 from knifetip.topology.noding import split_at_crossings
 from knifetip.topology.planar_graph import connected_components
@@ -36,16 +36,6 @@ MIN_WIDTH: Final = 3.0
 #: Necks are sought in faces that extend at least this far along X and along Y (mm).  A smaller face
 #: contains no piece with a mean width of 12 mm.
 MIN_EXTENT: Final = 11.0
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class Stretches:
-    """The m stretches into which n cuts and links across gaps are split where they meet."""
-
-    ends: F64  #: (m, 2, 2) mm
-    bulge: F64  #: (m,)
-    row: I64  #: (m,) index of the cut; n and more for a link
-    face: I64  #: (m, 2) faces beside the stretch; 0 is the plane outside
 
 
 def layers_at_necks(

@@ -25,7 +25,7 @@ def layers(*groups: F64, bulge: F64 | None = None) -> list[list[int]]:
     """Return the sorted layer numbers of the cuts in each group, (n, 2, 2) per group."""
     ends = np.concatenate(groups)
     bent = np.zeros(len(ends)) if bulge is None else bulge
-    found = cut_layers(ends, bent, cut_sides(ends, bent).face)
+    found = cut_layers(ends, bent, cut_sides(ends, bent).face).number
     ends_at = np.cumsum([len(group) for group in groups])[:-1]
     return [sorted(set(part.tolist())) for part in np.split(found, ends_at)]
 
@@ -45,7 +45,7 @@ def test_each_nested_contour_has_its_own_layer(seed: int, degrees: float) -> Non
     ends[back] = ends[back][:, ::-1]
     nothing = np.zeros(len(ends))
     found = cut_sides(ends, nothing)
-    np.testing.assert_array_equal(cut_layers(ends, nothing, found.face), order // 4)
+    np.testing.assert_array_equal(cut_layers(ends, nothing, found.face).number, order // 4)
     np.testing.assert_array_equal(found.waste != 0, order // 4 % 2 == 0)
 
 
@@ -205,7 +205,7 @@ def test_layers_of_many_contours_take_linear_time() -> None:
         all_ends = (corner[:, None, None, None] + ends[None]).reshape(-1, 2, 2)
         nothing = np.zeros(len(all_ends))
         begin = time.process_time()
-        found = cut_layers(all_ends, nothing, cut_sides(all_ends, nothing).face)
+        found = cut_layers(all_ends, nothing, cut_sides(all_ends, nothing).face).number
         took = time.process_time() - begin
         np.testing.assert_array_equal(
             found.reshape(count, 3, 4), [[[0] * 4, [1] * 4, [2] * 4]] * count
