@@ -21,6 +21,7 @@ from tests.support.cartons.nested_contours import Sheet
 from tests.support.shapes import closed, dieline, edges
 
 KNIFE, ROUTER = load.machine("demo-table"), load.machine("router-table")
+LASER = load.machine("laser-table")
 BOARD, THICK = load.board("greyboard-2.0"), load.board("greyboard-3.0")
 CUT, CREASE = LineType.CUT, LineType.CREASE
 
@@ -245,3 +246,13 @@ def test_other_work_after_the_first_cut_of_the_outline_is_refused(kind: LineType
     hole, work = dieline((CUT, box(220, 120, 20, 20))), dieline((kind, other))
     assert order_codes(verdict_in(hole, work, begun, rest)) == set()
     assert order_codes(verdict_in(hole, begun, work, rest)) == {("verify.outline-begun", 8)}
+
+
+def test_a_beam_that_crosses_a_cut_at_a_small_angle_does_not_make_that_cut() -> None:
+    # Both lines leave the panel, so either may be cut after it.
+    lines = edges(((150, 90), (150, 310)), ((140, 85), (160, 305)))
+    line = dieline((CUT, box(100, 100, 200, 200)), (CUT, lines[:1]), (CUT, lines[1:]))
+    parts = [dieline((CUT, part)) for part in (box(100, 100, 200, 200), lines[:1], lines[1:])]
+    operations = [one for part in parts for one in plan(part, LASER, BOARD)]
+    toolpath = sequence([compensate(one) for one in operations], LASER)
+    assert order_codes(verdict_of(line, toolpath, LASER)) == set()

@@ -27,7 +27,8 @@ def levels(*cuts: F64) -> list[int]:
     found = cut_layers(ends, straight, cut_sides(ends, straight).face)
     length = np.hypot(*(ends[:, 1] - ends[:, 0]).T)
     tracks: I64 = np.arange(len(ends))
-    return track_levels(found.number, found.stretches, tracks, length).tolist()
+    found_levels: list[int] = track_levels(found.number, found.stretches, tracks, length).tolist()
+    return found_levels
 
 
 def crossing(x: tuple[float, ...], y: tuple[float, ...], wide: float, high: float) -> F64:

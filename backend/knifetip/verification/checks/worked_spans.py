@@ -15,7 +15,7 @@ from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.curves.intervals import add_interval
 from knifetip.verification.curves.overlap import find_overlaps
 from knifetip.verification.expectation.cutter_paths import cutter_paths
-from knifetip.verification.expectation.edges import Edges
+from knifetip.verification.expectation.edges import JOIN_DISTANCE, Edges
 from knifetip.verification.expectation.outline import find_outlines
 from knifetip.verification.kinematics import TipPaths
 from knifetip.verification.tools import OperationKind, expected_tool
@@ -74,11 +74,15 @@ def find_worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> Wor
         near = find_overlaps(
             work.curve[rows], beside.curve, np.zeros(len(length)), length, context.tolerance
         )
-        low, high = beside.edge_intervals(near.edge, near.place)
-        deep = context.board.caliper - work.z[rows[near.curve]]
+        crosses = _lies_inside(near.along, work.curve[rows[near.curve], 5])
+        crosses &= _lies_inside(near.place, length[near.edge])
+        found = np.flatnonzero(~crosses)
+        paths, pieces = rows[near.curve[found]], near.edge[found]
+        low, high = beside.edge_intervals(pieces, near.place[found])
+        deep = context.board.caliper - work.z[paths]
         planned = tool.through_depth(context.board.caliper, context.machine.into_mat)
         is_through = deep >= planned - DEPTH_TOLERANCE
-        columns.append((beside.edge[near.edge], low, high, rows[near.curve], is_through))
+        columns.append((beside.edge[pieces], low, high, paths, is_through))
     edge, low, high, path, is_through = (np.concatenate(one) for one in zip(*columns, strict=True))
     # Drop paths that only cross a cut or touch its end.
     long = np.flatnonzero(high - low >= np.minimum(MIN_LENGTH, 0.5 * size[edge]))
@@ -88,6 +92,17 @@ def find_worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> Wor
         edge[long].astype(np.int64), low[long], high[long], work.line[path].astype(np.int64),
         is_through[long], path, widest,
     )  # fmt: skip
+
+
+def _lies_inside(span: F64, size: F64) -> Bool:
+    """Return the mask of the stretches that contain neither end of their line, (k,).
+
+    ``span`` are the start and the end of each stretch on its line, in any order, (k, 2) mm, and
+    ``size`` is the length of the line, (k,) mm.  Lines that cross at a small angle are near each
+    other along such a stretch of both lines.
+    """
+    result: Bool = (span.min(axis=1) > JOIN_DISTANCE) & (span.max(axis=1) < size - JOIN_DISTANCE)
+    return result
 
 
 def completing_lines(faces: CutFaces, spans: WorkedSpans, count: int, rest: float) -> F64:
