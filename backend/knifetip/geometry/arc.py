@@ -184,8 +184,10 @@ def bounding_boxes(start: F64, end: F64, bulge: F64) -> F64:
 
     ``start``, ``end`` (n, 2) mm and ``bulge`` (n,) are the lines and arcs.
     """
-    low = np.minimum(start, end)
-    high = np.maximum(start, end)
+    boxes = np.empty((len(bulge), 4))
+    low, high = boxes[:, :2], boxes[:, 2:]
+    np.minimum(start, end, out=low)
+    np.maximum(start, end, out=high)
     arcs = np.flatnonzero(np.abs(bulge) >= BULGE)
     if len(arcs):
         start, end, bulge = start[arcs], end[arcs], bulge[arcs]
@@ -201,4 +203,4 @@ def bounding_boxes(start: F64, end: F64, bulge: F64) -> F64:
             rows, extreme = arcs[hit], extreme[hit]
             low[rows] = np.minimum(low[rows], extreme)
             high[rows] = np.maximum(high[rows], extreme)
-    return np.hstack([low, high])
+    return boxes

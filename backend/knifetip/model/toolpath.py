@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import IntEnum
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from knifetip.geometry.columns import F64, I32, U8, freeze
+from knifetip.geometry.columns import F64, I32, U8, freeze, hand_over
 from knifetip.messages import Message
 
 
@@ -53,6 +56,14 @@ class Toolpath:
         put(self, "source", freeze(self.source, np.int32, rows))
         put(self, "tool", freeze(self.tool, np.uint8, rows))
         put(self, "track", freeze(self.track, np.int32, rows))
+
+    @classmethod
+    def from_new(cls, columns: Mapping[str, NDArray[Any]], notes: tuple[Message, ...]) -> Toolpath:
+        """Return a toolpath of new arrays, which it takes over without copies.
+
+        ``columns`` are the arrays by the names of the fields.  They become read-only.
+        """
+        return cls(**{name: hand_over(column) for name, column in columns.items()}, notes=notes)
 
     def __len__(self) -> int:
         return len(self.bulge)

@@ -205,7 +205,8 @@ def _split_into_chords(start: F64, end: F64, bulge: F64) -> tuple[F64, I64, F64,
 
 def _bounding_boxes(chords: F64) -> F64:
     """Return the bounding boxes of chords, (k, 4) mm: x min, y min, x max, y max."""
-    return np.hstack([chords.min(axis=1), chords.max(axis=1)])
+    begin, end = chords[:, 0], chords[:, 1]
+    return np.hstack([np.minimum(begin, end), np.maximum(begin, end)])
 
 
 def double_creases(paths: Paths, distance: float, source: I32) -> tuple[Paths, I32, I32]:

@@ -19,6 +19,7 @@ from knifetip.geometry.columns import F64, I32, I64
 from knifetip.geometry.path import Paths
 from knifetip.geometry.points_on_segments import find_points_on_segments
 from knifetip.geometry.tolerance import BULGE, COLLINEAR, GAP, JOIN
+from knifetip.geometry.unique_rows import unique_rows
 from knifetip.geometry.vertices import number_vertices
 from knifetip.kernels import F64_1, I64_1, Bool_1, kernel
 from knifetip.planning.creases import find_cut_crossings
@@ -144,7 +145,7 @@ def _group_by_line(ends: F64, rows: I64) -> tuple[I64, F64, F64]:
     offset = common[:, 0] * middle[:, 1] - common[:, 1] * middle[:, 0]
     line = _cluster(bundle, offset, JOIN)
     positions = (ends[rows] * common[:, None]).sum(axis=2)
-    return line, positions.min(axis=1), positions.max(axis=1)
+    return line, np.minimum(*positions.T), np.maximum(*positions.T)
 
 
 def _cluster(group: I64, value: F64, gap: float) -> I64:
@@ -185,13 +186,9 @@ def distinct_edges(ends: F64, bulge: F64) -> I32:
     """
     if len(ends) == 0:
         return np.zeros(0, np.int32)
-    node = number_vertices(ends.reshape(-1, 2)).reshape(-1, 2)
-    bent = np.round(np.where(node[:, 0] > node[:, 1], -bulge, bulge), 6)
-    order = np.lexsort((bent, node.max(axis=1), node.min(axis=1)))
-    key = np.column_stack([node.min(axis=1), node.max(axis=1), bent])[order]
-    new = np.append(True, (key[1:] != key[:-1]).any(axis=1))
-    # lexsort is stable, so the first drawn of equal edges is kept.
-    return np.sort(order[new]).astype(np.int32)
+    first, last = number_vertices(ends.reshape(-1, 2)).reshape(-1, 2).T
+    bent = np.rint(1e6 * np.where(first > last, -bulge, bulge)).astype(np.int64)
+    return unique_rows(np.minimum(first, last), np.maximum(first, last), bent)[0].astype(np.int32)
 
 
 @kernel(checks_division=True)

@@ -13,13 +13,12 @@ this source; they were derived for knifetip.
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from typing import Any, Final
 
 import numpy as np
 
 from knifetip.errors import CompensationError
-from knifetip.geometry.columns import F64, Bool, hand_over
+from knifetip.geometry.columns import F64, Bool
 from knifetip.geometry.path import Paths
 from knifetip.kernels import F64_1, F64_2, Bool_1, kernel
 from knifetip.model.machine import Machine
@@ -174,9 +173,9 @@ def with_full_retracts(toolpath: Toolpath, machine: Machine) -> Toolpath:
         toolpath.motion == Motion.RAPID,
         machine.travel_z,
     )
-    columns = ("bulge", "motion", "feed", "source", "tool", "track")
-    expanded: dict[str, Any] = {name: hand_over(getattr(toolpath, name)[rows]) for name in columns}
-    return replace(toolpath, pose=hand_over(pose), **expanded)
+    names = ("bulge", "motion", "feed", "source", "tool", "track")
+    columns = {name: getattr(toolpath, name)[rows] for name in names}
+    return Toolpath.from_new({"pose": pose, **columns}, toolpath.notes)
 
 
 @kernel

@@ -123,7 +123,7 @@ def sequence(
     }
     columns["pose"] = np.concatenate([home[None], columns["pose"]])
     notes = tuple(note for toolpath in work for note in toolpath.notes)
-    result = _lower_turns(Toolpath(**columns, notes=notes), machine, outline, safety)
+    result = _lower_turns(Toolpath.from_new(columns, notes), machine, outline, safety)
     result = avoid_zones(result, machine)
     check_travel(result, machine)
     return result
@@ -350,18 +350,14 @@ def _lower_turns(
     # Drop lifts and plunges that do not move.
     idle = np.zeros(len(toolpath), np.bool_)
     ends = np.concatenate([turns - 1, turns + 1])
-    idle[ends] = (pose[ends + 1] == pose[ends]).all(axis=1)
+    idle[ends] = True
+    for axis in range(4):
+        idle[ends] &= pose[ends + 1, axis] == pose[ends, axis]
     rows = np.flatnonzero(~idle)
-    return Toolpath(
-        pose=np.concatenate([pose[:1], pose[rows + 1]]),
-        bulge=toolpath.bulge[rows],
-        motion=toolpath.motion[rows],
-        feed=toolpath.feed[rows],
-        source=toolpath.source[rows],
-        tool=toolpath.tool[rows],
-        track=toolpath.track[rows],
-        notes=toolpath.notes,
-    )
+    names = ("bulge", "motion", "feed", "source", "tool", "track")
+    columns = {name: getattr(toolpath, name)[rows] for name in names}
+    columns["pose"] = np.concatenate([pose[:1], pose[rows + 1]])
+    return Toolpath.from_new(columns, toolpath.notes)
 
 
 def _turn_times(toolpath: Toolpath, turns: I64, start: F64, end: F64, machine: Machine) -> F64:

@@ -431,10 +431,7 @@ class StationCheck(ABC):
         stretches.
         """
         edge = overlaps.edge[overlap_rows].astype(np.int64)
-        low, high = (
-            overlaps.place[overlap_rows].min(axis=1),
-            overlaps.place[overlap_rows].max(axis=1),
-        )
+        low, high = (position[overlap_rows] for position in overlaps.place_range())
         line = self.line[overlaps.curve[overlap_rows]].astype(np.int64)
         # Add an empty stretch at the end of each edge, so that every gap lies before a stretch.
         edge = np.concatenate([edge, edge_rows])

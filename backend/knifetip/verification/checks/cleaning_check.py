@@ -211,7 +211,7 @@ def _check_added_work(
     """
     length = _edge_lengths(after.ends, after.bulge)
     work_rows = np.flatnonzero(~np.isin(after.line_type, _NO_WORK))
-    low, high = along.min(axis=1), along.max(axis=1)
+    low, high = np.minimum(*along.T), np.maximum(*along.T)
     order = np.lexsort((low, target))
     edge, low, high = target[order], low[order], high[order]
     new = np.append(True, edge[1:] != edge[:-1]) if len(edge) else np.zeros(0, np.bool_)
@@ -224,5 +224,7 @@ def _check_added_work(
     for at in np.flatnonzero(np.maximum(open_, beyond) > 2.0 * GAP + _ROUNDING):
         shown = int(after.source[edge[at]])
         report(shown, float(max(open_[at], beyond[at])), Message("verify.cleaning-beyond"))
-    for row in np.setdiff1d(work_rows, edge):
+    is_made = np.zeros(len(length), np.bool_)
+    is_made[edge] = True
+    for row in work_rows[~is_made[work_rows]]:
         report(int(after.source[row]), float(length[row]), Message("verify.cleaning-invented"))

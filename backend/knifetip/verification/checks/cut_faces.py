@@ -248,7 +248,7 @@ def _crossings(curve: F64) -> tuple[I32, F64]:
     size = curve[:, 5]
     cross = find_overlaps(curve, curve, np.zeros(len(curve)), size, JOIN_DISTANCE)
     # If an end of one lies on the other, they touch and do not cross.
-    low, high = cross.place.min(axis=1), cross.place.max(axis=1)
+    low, high = cross.place_range()
     crosses = (cross.along[:, 0] > JOIN_DISTANCE) & (
         cross.along[:, 1] < size[cross.curve] - JOIN_DISTANCE
     )

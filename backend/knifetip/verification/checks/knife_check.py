@@ -123,7 +123,7 @@ class KnifeCheck(StationCheck):
         last = np.zeros(len(self.curve), np.bool_)
         last[np.searchsorted(self.track, np.arange(len(over)), side="right") - 1] = True
         work, edge = overlaps.curve, overlaps.edge
-        low, high = overlaps.place.min(axis=1), overlaps.place.max(axis=1)
+        low, high = overlaps.place_range()
         forward = overlaps.place[:, 1] > overlaps.place[:, 0]
         overrun_start = self.curve[work, 5] - over[self.track[work]]
         ends = overlaps.best & last[work] & (np.abs(overlaps.along[:, 1] - overrun_start) <= SHORT)

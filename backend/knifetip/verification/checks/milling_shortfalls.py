@@ -165,7 +165,7 @@ def report_wide_slits(
     curve = edges.curve[slits]
     size = curve[:, 5]
     overlaps = find_overlaps(centres, curve, np.zeros(len(curve)), size, context.tolerance)
-    low, high = overlaps.place.min(axis=1), overlaps.place.max(axis=1)
+    low, high = overlaps.place_range()
     left, begin, end = uncovered_edges(overlaps.edge.astype(np.int64), low, high, size)
     length = size - np.bincount(left, end - begin, minlength=len(slits))
     row = edges.row[slits]

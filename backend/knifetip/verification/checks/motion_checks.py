@@ -251,7 +251,9 @@ def check_board_moves(
     _check_beam(moves, tip, beam, findings)
     unknown, sideways = unknown_positions(moves.start, moves.end)
     rapid = ~beam & (moves.code == 0)
-    goes = (moves.end != moves.start)[:, [0, 1, 3]].any(axis=1)
+    goes = np.zeros(len(moves.line), np.bool_)
+    for axis in (0, 1, 3):
+        goes |= moves.end[:, axis] != moves.start[:, axis]
     needed = board.caliper + machine.turn_clearance
     low = rapid & goes & (moves.station >= 0) & (lowest < needed - HEIGHT_TOLERANCE)
     if sheet is not None:

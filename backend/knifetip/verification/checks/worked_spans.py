@@ -51,8 +51,9 @@ def find_worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> Wor
     knife = np.flatnonzero(work.operation == OperationKind.CUT)
     near = cuts.find_overlaps(work.curve[knife], context.tolerance)
     keep = near.best
+    lowest, highest = near.place_range()
     columns: list[tuple[I32 | I64, F64, F64, I64, Bool]] = [
-        (near.edge[keep], near.place[keep].min(axis=1), near.place[keep].max(axis=1),
+        (near.edge[keep], lowest[keep], highest[keep],
          knife[near.curve[keep]], np.ones(int(keep.sum()), np.bool_)),
     ]  # fmt: skip
     mill = work.operation == OperationKind.MILL

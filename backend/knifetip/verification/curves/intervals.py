@@ -35,6 +35,12 @@ class Overlaps:
     distance: F64  #: (k,) mm, greatest distance within the overlap
     best: Bool  #: (k,) a part of the overlap is on no nearer edge, so it counts
 
+    def place_range(self) -> tuple[F64, F64]:
+        """Return the lowest and the highest position of each overlap on its edge, (k,) mm each."""
+        # By column, since operations on rows of two numbers are slow.
+        first, last = self.place.T
+        return np.minimum(first, last), np.maximum(first, last)
+
     @classmethod
     def none(cls) -> Overlaps:
         """Return an empty record, for curves that overlap no edge."""
