@@ -24,6 +24,9 @@ from knifetip.verification.expectation.edges import (
 
 #: A cycle that encloses less than this has no inside (mm²).
 _MIN_AREA: Final = 1e-6
+#: Shifts along Y of the rays by which contours are counted (mm).  A ray may pass between two ends of
+#: cuts that are joined although they are not at the same height, so the median of three rays counts.
+_RAY_SHIFTS: Final = (0.0, 0.45 * JOIN_DISTANCE, -0.7 * JOIN_DISTANCE)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -217,7 +220,7 @@ def _nesting_depths(curve: F64, closing: Bool, component: I64) -> I64:
     probe[component[::-1]] = point_at(curve, 0.5 * curve[:, 5])[::-1]
     outlines = curve[rows]
     boxes = _bounding_boxes(outlines, first)
-    return np.asarray(_count_containing(probe, outlines, first, boxes, True))
+    return _count_by_rays(probe, outlines, first, boxes, own=True)
 
 
 def count_enclosing(points: F64, outlined: CutOutlines) -> I64:
@@ -230,9 +233,20 @@ def count_enclosing(points: F64, outlined: CutOutlines) -> I64:
     outlines = outlined.edges.curve[rows]
     count = int(outlined.component.max(initial=-1)) + 1
     first = np.searchsorted(outlined.component[rows], np.arange(count + 1))
-    return np.asarray(
-        _count_containing(points, outlines, first, _bounding_boxes(outlines, first), False)
-    )
+    return _count_by_rays(points, outlines, first, _bounding_boxes(outlines, first), own=False)
+
+
+def _count_by_rays(points: F64, outlines: F64, first: I64, boxes: F64, *, own: bool) -> I64:
+    """Return the number of outlines that contain each of n points, (n,), by the median of three
+    rays.
+
+    For the parameters see ``_count_containing``.
+    """
+    counts = [
+        _count_containing(points + (0.0, shift), outlines, first, boxes, own)
+        for shift in _RAY_SHIFTS
+    ]
+    return np.median(counts, axis=0).astype(np.int64)
 
 
 def _bounding_boxes(outlines: F64, first: I64) -> F64:
