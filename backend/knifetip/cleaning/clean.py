@@ -101,7 +101,8 @@ class _State:
         last call.
         """
         if self.cached_end_points is None or self.cached_end_points.ends is not self.ends:
-            self.cached_end_points = find_end_points(self.ends, GAP)
+            # A gap of exactly ``GAP`` is closed, however its ends are rounded.
+            self.cached_end_points = find_end_points(self.ends, GAP + POINT)
         return self.cached_end_points
 
     def remove_overlaps(self, drawn: Dieline) -> bool:

@@ -29,7 +29,7 @@ import numpy as np
 from knifetip.cleaning.end_points import CROWD, EndPoints
 from knifetip.geometry.chain import outward_directions
 from knifetip.geometry.columns import F64, U8, Bool
-from knifetip.geometry.tolerance import ANGLE, GAP, JOIN, SAME
+from knifetip.geometry.tolerance import ANGLE, GAP, JOIN, POINT, SAME
 from knifetip.geometry.union_find import find, union
 from knifetip.kernels import F64_1, F64_2, I64_1, I64_2, Bool_1, kernel
 
@@ -95,7 +95,7 @@ def close_gaps(ends: F64, bulge: F64, kind: U8, settled: Bool, end_points: EndPo
         place,
         near_pairs[order],
         settled,
-        GAP,
+        GAP + POINT,
         JOIN,
         SAME,
         math.cos(math.radians(_BESIDE)),

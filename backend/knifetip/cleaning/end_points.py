@@ -12,7 +12,7 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.geometry.columns import F64, I64
-from knifetip.geometry.tolerance import JOIN
+from knifetip.geometry.tolerance import MEET
 from knifetip.geometry.union_find import find, flatten, union
 from knifetip.kernels import F64_2, U64, kernel
 
@@ -25,14 +25,14 @@ CROWD: Final = 64
 class EndPoints:
     """The points at which ends of k edges meet, and pairs of ends that are near each other.
 
-    Two ends meet, and share one point, if they are at most ``JOIN`` (0.002 mm) apart, or if a chain
+    Two ends meet, and share one point, if they are at most ``MEET`` (0.0019 mm) apart, or if a chain
     of other ends with such distances connects them.  The ends of a pair have different points and
     are within the distance for which the pairs were searched.  Edge i has the ends 2i (start) and
     2i + 1 (end).
     """
 
     ends: F64  #: (k, 2, 2) ends of the edges (mm)
-    place: I64  #: (2k,) point of each end; ends in a chain of distances within ``JOIN`` share one
+    place: I64  #: (2k,) point of each end; ends in a chain of distances within ``MEET`` share one
     pairs: I64  #: (q, 2) pairs of ends at different points within the search distance
 
 
@@ -49,7 +49,7 @@ def find_end_points(ends: F64, max_distance: float) -> EndPoints:
     points = ends.reshape(-1, 2)
     if len(points) == 0:
         return EndPoints(ends, np.zeros(0, np.int64), np.zeros((0, 2), np.int64))
-    place, pairs = _find(points - points.min(axis=0), max_distance, JOIN)
+    place, pairs = _find(points - points.min(axis=0), max_distance, MEET)
     return EndPoints(ends, place, pairs)
 
 

@@ -90,6 +90,12 @@ def test_a_point_is_on_an_edge_or_uncovered() -> None:
     assert uncovered_curves(found, points)[0].tolist() == [1]
 
 
+def test_a_point_beyond_an_end_is_near_the_end_or_not_at_all() -> None:
+    edge = line(0.0, 0.0, 10.0, 0.0)
+    assert len(rows(line(10.03, 0.03, 10.03, 0.03), edge, 0.05).edge) == 1
+    assert len(rows(line(10.04, 0.04, 10.04, 0.04), edge, 0.05).edge) == 0
+
+
 def test_the_nearest_edge_and_its_duplicate_are_marked() -> None:
     edges = np.vstack([line(0, 0.004, 10, 0.004), line(0, 0, 10, 0), line(10, 0, 0, 0)])
     found = rows(line(0, 0, 10, 0), edges)

@@ -495,8 +495,15 @@ def _overlap_pair(
             a = first + shift
             b = last + shift
             slack = limit if end - begin < 1e-9 else 1e-9
-            if max(a, b) < low - slack or min(a, b) > high + slack:
+            past = max(low - max(a, b), min(a, b) - high, 0.0)
+            if past > slack:
                 continue
+            if past > 1e-9:
+                # A point beyond the end of the edge: its distance is that from the end.
+                x, y = _point_on(curve, begin)
+                _, offset = _project(edge, x, y)
+                if math.hypot(past, offset) > limit:
+                    continue
             u0 = begin
             u1 = end
             if abs(b - a) > 1e-9:
