@@ -180,7 +180,11 @@ class StationCheck(ABC):
         distance, blend, rows = overlaps.distance[best], self.blend[work], self.edges.row[edge]
         fit_error = self.context.fit_error[rows]
         shown = self.figures.record_deviation(rows, distance, blend, fit_error)
-        figure = distance + blend + fit_error
+        span, size = (
+            np.abs(np.diff(stretch[best])[:, 0]) for stretch in (overlaps.place, overlaps.along)
+        )
+        # A path across the tolerance band, as at a corner, follows another edge.
+        figure = np.where(span >= 0.5 * size, distance + blend + fit_error, 0.0)
         for row in np.flatnonzero(figure > limit[edge] + 1e-9)[:MAX_FINDINGS]:
             parts = {
                 "distance": distance[row],
@@ -432,6 +436,8 @@ class StationCheck(ABC):
         """
         edge = overlaps.edge[overlap_rows].astype(np.int64)
         low, high = (position[overlap_rows] for position in overlaps.place_range())
+        # A stretch beyond the limit belongs to another edge; there may be a gap in front of it.
+        low = np.minimum(low, self.high[edge])
         line = self.line[overlaps.curve[overlap_rows]].astype(np.int64)
         # Add an empty stretch at the end of each edge, so that every gap lies before a stretch.
         edge = np.concatenate([edge, edge_rows])

@@ -379,7 +379,8 @@ class KnifeCheck(StationCheck):
         """
         cut, gap = self.context.board.perforation
         rows = overlaps.best & perforated[overlaps.edge]
-        rows &= np.abs(np.diff(overlaps.place)[:, 0]) > SHORT
+        # A cut that begins at the end of the edge may overlap it by as much as rounding shifts it.
+        rows &= np.abs(np.diff(overlaps.place)[:, 0]) > SHORT + 2.0 * self.context.resolution
         edge, track = overlaps.edge[rows].astype(np.int64), self.track[overlaps.curve[rows]]
         place, line = overlaps.place[rows], self.line[overlaps.curve[rows]]
         forward = place[:, 1] > place[:, 0]

@@ -90,7 +90,8 @@ def check_track_ends(
     new = np.ones(count, np.bool_)
     jump = np.hypot(*(start[1:] - stop[:-1]).T)
     # A new run may begin near the overrun of the previous one, but not at the same point.
-    new[1:] = jump > np.where(run_over[:-1], PRINT_TURN, JOIN_DISTANCE)
+    beside = JOIN_DISTANCE + PRINT_TURN + 2.0 * check.context.resolution
+    new[1:] = jump > np.where(run_over[:-1], PRINT_TURN, beside)
     new[1:] |= _stops_at_junctions(check, ends, stop[:-1]) & ~_start_along_edges(
         solid_edges, check.curve[first[1:]], check.slack
     )

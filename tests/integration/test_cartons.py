@@ -1,0 +1,111 @@
+"""Random cartons are accepted, if need be after following hints; ``python -m tests.cartons`` runs
+more of them.
+
+The drawings below were refused wrongly when random cartons first contained them.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from knifetip import pipeline
+from knifetip.geometry.columns import F64
+from knifetip.library import load
+from knifetip.model.choices import Choices
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.sheet import Sheet
+from knifetip.pipeline import Compiled
+from tests.cartons.campaign import Tally, run
+from tests.support.drawings import drawing
+from tests.support.shapes import closed, dieline, edges
+
+CUT, CREASE, GROOVE = LineType.CUT, LineType.CREASE, LineType.V_GROOVE
+PERFORATION = LineType.PERFORATION
+
+
+def compiled(
+    line: Dieline, machine: str, board: str, choices: Choices | None = None
+) -> Compiled:
+    lines = drawing(line.ends, [("0", 7, "CONTINUOUS")] * len(line), bulge=line.bulge)
+    return pipeline.compile(
+        lines,
+        line,
+        load.machine(machine),
+        load.board(board),
+        choices=choices or Choices(),
+    )
+
+
+def refusals(made: Compiled) -> list[str]:
+    """Return the findings that refuse a program."""
+    return [finding.text for finding in made.verdict.findings if finding.refuses]
+
+
+def test_random_cartons_are_accepted() -> None:
+    tally = Tally()
+    failures = [f"{job}: {outcome.text}" for job, outcome in run(45, 5, tally)]
+    assert failures == []
+    fates = sum((fates for fates in tally.by_machine.values()), start=tally.refusals.copy())
+    assert fates["accepted"] > 20
+    assert fates["by hint"] > 5
+
+
+@pytest.mark.parametrize("space", [3.0, 10.0])
+def test_grooves_of_blanks_in_a_row_run_out_beside_each_other(space: float) -> None:
+    # On a sheet that was cut to the outline, a run-out may be so long that the blade turns there;
+    # the groove of the next blank begins within this length.
+    blanks = [closed((x, 0), (x + 60, 0), (x + 60, 40), (x, 40)) for x in (0.0, 60.0 + space)]
+    grooves = edges(*(((x + 0.04, 20), (x + 59.96, 20)) for x in (0.0, 60.0 + space)))
+    line = dieline(*((CUT, blank) for blank in blanks), (GROOVE, grooves))
+    made = compiled(line, "demo-table", "greyboard-2.0", Choices(sheet=Sheet()))
+    assert refusals(made) == []
+
+
+def test_a_perforated_circle_is_accepted_on_a_flat_cutter() -> None:
+    ring = edges(((101.41, 60.005), (58.81, 60.005)), ((58.81, 60.005), (101.41, 60.005)))
+    panel = closed((0, 0), (150, 0), (150, 120), (0, 120))
+    line = dieline((CUT, panel), (PERFORATION, ring), bulge={4: 1.0, 5: 1.0})
+    assert refusals(compiled(line, "flat-cutter-hpgl", "greyboard-2.0")) == []
+
+
+@pytest.mark.parametrize("gap", [0.0015, 0.0019, 0.002, 0.0021, 0.05])
+@pytest.mark.parametrize("machine", ["demo-table", "flat-cutter-hpgl"])
+def test_gaps_in_a_contour_at_the_limit_of_joining_are_closed(machine: str, gap: float) -> None:
+    panel: F64 = closed((0, 0), (90.123, 0), (90.123, 60.456), (0, 60.456))
+    for side in range(4):
+        long = panel[side, 1] - panel[side, 0]
+        panel[side, 1] -= gap * long / np.hypot(*long)
+    made = compiled(dieline((CUT, panel)), machine, "b-flute")
+    assert refusals(made) == []
+    # No end is free, so nothing remains uncut.
+    assert made.verdict.setback.max() < 1e-9
+
+
+def test_a_gap_across_a_corner_leaves_two_free_ends() -> None:
+    # The ends are 0.04 mm apart along X and along Y, so 0.057 mm.
+    cuts = edges(
+        ((0, 0), (100, 0)),
+        ((100, 0), (100, 60)),
+        ((100, 60), (6, 60)),
+        ((5.96, 59.96), (0, 54)),
+        ((0, 54), (0, 0)),
+    )
+    made = compiled(dieline((CUT, cuts)), "demo-table", "e-flute")
+    assert refusals(made) == []
+    assert made.verdict.setback.max() > 0.3
+
+
+def test_a_fold_at_the_height_of_a_joint_is_trimmed() -> None:
+    # The right side of the panel is drawn in two pieces that are 0.001 mm apart, at the height of
+    # one of the folds.
+    cuts = edges(
+        ((0, 0), (100, 0)),
+        ((100, 0), (100, 29.9995)),
+        ((100, 30.0005), (100, 80)),
+        ((100, 80), (0, 80)),
+        ((0, 80), (0, 0)),
+    )
+    folds = edges(((0, 30), (99.9, 30)), ((50, -0.4), (50, 80.3)))
+    made = compiled(dieline((CUT, cuts), (CREASE, folds)), "demo-table", "fbb-0.4")
+    assert refusals(made) == []
