@@ -243,7 +243,7 @@ def _count_by_rays(points: F64, outlines: F64, first: I64, boxes: F64, *, own: b
     For the parameters see ``_count_containing``.
     """
     counts = [
-        _count_containing(points + (0.0, shift), outlines, first, boxes, own)
+        _count_containing(points + np.array([0.0, shift]), outlines, first, boxes, own)
         for shift in _RAY_SHIFTS
     ]
     return np.median(counts, axis=0).astype(np.int64)
