@@ -11,8 +11,9 @@ ANGLE: Final = 1.0
 #: Ends of edges nearer than this are connected into one path unchanged (mm); well below the
 #: tolerance of a program.
 JOIN: Final = 0.002
-#: Cleaning moves ends that are farther apart than this, and within ``GAP``, to one point (mm).  So no
-#: distance between cleaned ends is near ``JOIN``, where rounding would decide whether they connect.
+#: Cleaning moves ends that are farther apart than this, and within ``GAP``, to one point (mm).  So
+#: no distance between cleaned ends is near ``JOIN``, where rounding would decide whether they
+#: connect.
 MEET: Final = 0.0019
 #: Ends of edges nearer than this are taken as meant to touch (mm).
 GAP: Final = 0.05

@@ -24,8 +24,9 @@ from knifetip.verification.expectation.edges import (
 
 #: A cycle that encloses less than this has no inside (mm²).
 _MIN_AREA: Final = 1e-6
-#: Shifts along Y of the rays by which contours are counted (mm).  A ray may pass between two ends of
-#: cuts that are joined although they are not at the same height, so the median of three rays counts.
+#: Shifts along Y of the rays by which contours are counted (mm).  A ray may pass between two ends
+#: of cuts that are joined although they are not at the same height, so the median of three rays
+#: counts.
 _RAY_SHIFTS: Final = (0.0, 0.45 * JOIN_DISTANCE, -0.7 * JOIN_DISTANCE)
 
 
