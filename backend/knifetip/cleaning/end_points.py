@@ -26,9 +26,9 @@ class EndPoints:
     """The points at which ends of k edges meet, and pairs of ends that are near each other.
 
     Two ends meet, and share one point, if they are at most ``MEET`` (0.0019 mm) apart, or if a
-    chain of other ends with such distances connects them.  The ends of a pair have different points and
-    are within the distance for which the pairs were searched.  Edge i has the ends 2i (start) and
-    2i + 1 (end).
+    chain of other ends with such distances connects them.  The ends of a pair have different points
+    and are within the distance for which the pairs were searched.  Edge i has the ends 2i (start)
+    and 2i + 1 (end).
     """
 
     ends: F64  #: (k, 2, 2) ends of the edges (mm)
