@@ -24,9 +24,7 @@ CUT, CREASE, GROOVE = LineType.CUT, LineType.CREASE, LineType.V_GROOVE
 PERFORATION = LineType.PERFORATION
 
 
-def compiled(
-    line: Dieline, machine: str, board: str, choices: Choices | None = None
-) -> Compiled:
+def compiled(line: Dieline, machine: str, board: str, choices: Choices | None = None) -> Compiled:
     lines = drawing(line.ends, [("0", 7, "CONTINUOUS")] * len(line), bulge=line.bulge)
     return pipeline.compile(
         lines,
