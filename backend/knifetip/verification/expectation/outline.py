@@ -247,7 +247,8 @@ def _count_by_rays(points: F64, outlines: F64, first: I64, boxes: F64, *, own: b
         _count_containing(points + np.array([0.0, shift]), outlines, first, boxes, own)
         for shift in _RAY_SHIFTS
     ]
-    return np.median(counts, axis=0).astype(np.int64)
+    result: I64 = np.sort(counts, axis=0)[1]
+    return result
 
 
 def _bounding_boxes(outlines: F64, first: I64) -> F64:
