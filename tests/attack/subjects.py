@@ -121,7 +121,7 @@ def _of_tables() -> list[Subject]:
         (LineType.CREASE, edges(((160, 100), (160, 180)))),
         bulge={0: 0.1},
     )
-    clamp = Zone("clamp", 245.0, 120.0, 30.0, 30.0, 25.0)
+    clamp = Zone("clamp", 245.0, 120.0, 30.0, 30.0, 17.0)
     return [
         *_made("two carriages", mixed, load.machine("two-carriage-table"), GREY),
         *_made("clamp", FOLDS, replace(DEMO, zones=(clamp,)), GREY),
