@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from knifetip.compensation import radius
+from knifetip.compensation import centre_paths
 from knifetip.errors import ProgramError
 from knifetip.geometry.path import Paths
 from knifetip.model.machine import Machine
@@ -101,22 +101,22 @@ def test_the_focus_stays_at_one_height_while_the_laser_is_in_use() -> None:
 def test_half_a_kerf_wrong_by_15_micrometres_is_refused(
     monkeypatch: pytest.MonkeyPatch, factor: float
 ) -> None:
-    right = original(radius, "offset_paths")
+    right = original(centre_paths, "offset_paths")
 
     def wrong(paths: Paths, distance: float, side: int, **more: object) -> object:
         return right(paths, distance * factor, side, **more)
 
-    monkeypatch.setattr(radius, "offset_paths", wrong)
+    monkeypatch.setattr(centre_paths, "offset_paths", wrong)
     assert not verdict_of(program("grblhal").text).accepted
 
 
 def test_a_kerf_on_the_wrong_side_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    right = original(radius, "offset_paths")
+    right = original(centre_paths, "offset_paths")
 
     def wrong(paths: Paths, distance: float, side: int, **more: object) -> object:
         return right(paths, distance, -side, **more)
 
-    monkeypatch.setattr(radius, "offset_paths", wrong)
+    monkeypatch.setattr(centre_paths, "offset_paths", wrong)
     assert not verdict_of(program("grblhal").text).accepted
 
 

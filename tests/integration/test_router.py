@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from knifetip import compensate, plan, process, sequence
-from knifetip.compensation import radius
-from knifetip.compensation.radius import CentrePaths
+from knifetip.compensation import centre_paths, radius
+from knifetip.compensation.centre_paths import CentrePaths
 from knifetip.geometry.columns import F64, I32, U8, Bool
 from knifetip.geometry.path import Paths
 from knifetip.library import load
@@ -54,22 +54,22 @@ def test_programs_of_the_router_are_accepted(dialect: str, corner: str) -> None:
 def test_a_radius_wrong_by_a_hundredth_is_refused(
     monkeypatch: pytest.MonkeyPatch, factor: float
 ) -> None:
-    right = original(radius, "offset_paths")
+    right = original(centre_paths, "offset_paths")
 
     def wrong(paths: Paths, distance: float, side: int, **more: Any) -> Any:
         return right(paths, distance * factor, side, **more)
 
-    monkeypatch.setattr(radius, "offset_paths", wrong)
+    monkeypatch.setattr(centre_paths, "offset_paths", wrong)
     assert has_faults(verdict())
 
 
 def test_a_cutter_on_the_wrong_side_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    right = original(radius, "offset_paths")
+    right = original(centre_paths, "offset_paths")
 
     def wrong(paths: Paths, distance: float, side: int, **more: Any) -> Any:
         return right(paths, distance, -side, **more)
 
-    monkeypatch.setattr(radius, "offset_paths", wrong)
+    monkeypatch.setattr(centre_paths, "offset_paths", wrong)
     monkeypatch.setattr(
         radius, "_add_leads", lambda _operation, _cutter, way, _held: _without_leads(way)
     )
@@ -86,9 +86,9 @@ def test_a_deflection_of_the_board_is_accepted_and_its_opposite_is_refused(
     soft = replace(BOARD, deflection=(Deflection("Router", 0.08, 0.05),))
     result = verdict(soft)
     assert not has_faults(result), result.findings[:3]
-    right = original(radius, "shift_centres")
+    right = original(centre_paths, "shift_centres")
     monkeypatch.setattr(
-        radius, "shift_centres", lambda paths, side, x, y: right(paths, -side, x, y)
+        centre_paths, "shift_centres", lambda paths, side, x, y: right(paths, -side, x, y)
     )
     assert has_faults(verdict(soft))
 
@@ -110,7 +110,7 @@ def test_a_cutter_stays_out_of_a_neck_between_its_two_reaches(
     equal = replace(BOARD, deflection=(Deflection("Router", 0.04, 0.04),))
     assert not has_faults(verdict_of(notch, equal))
     # A path through the neck enters both walls, which the verifier refuses.
-    monkeypatch.setattr(radius, "_crosses_itself", lambda _paths: False)
+    monkeypatch.setattr(centre_paths, "_crosses_itself", lambda _paths: False)
     gouges = [one for one in verdict_of(notch, soft).findings if one.kind == "overcut"]
     assert {one.edge for one in gouges} >= {3, 9}
     assert max(one.measure for one in gouges) == pytest.approx(0.05, abs=0.001)

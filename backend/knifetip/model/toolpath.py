@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from knifetip.geometry.columns import F64, I32, U8, freeze, hand_over
+from knifetip.geometry.columns import F64, I32, I64, U8, freeze, hand_over
 from knifetip.messages import Message
 
 
@@ -67,3 +67,14 @@ class Toolpath:
 
     def __len__(self) -> int:
         return len(self.bulge)
+
+    def with_moves(self, rows: I64, pose: F64) -> Toolpath:
+        """Return a toolpath with m moves that are like given moves of this one, between new poses.
+
+        ``rows`` (m,) is, for each new move, the move with the same bulge, motion, feed, source,
+        tool and track; moves may be repeated or left out.  ``pose`` (m + 1, 4) are the poses; the
+        array becomes read-only.
+        """
+        names = ("bulge", "motion", "feed", "source", "tool", "track")
+        columns = {name: getattr(self, name)[rows] for name in names}
+        return Toolpath.from_new({"pose": pose, **columns}, self.notes)

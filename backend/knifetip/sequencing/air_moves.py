@@ -173,9 +173,7 @@ def with_full_retracts(toolpath: Toolpath, machine: Machine) -> Toolpath:
         toolpath.motion == Motion.RAPID,
         machine.travel_z,
     )
-    names = ("bulge", "motion", "feed", "source", "tool", "track")
-    columns = {name: getattr(toolpath, name)[rows] for name in names}
-    return Toolpath.from_new({"pose": pose, **columns}, toolpath.notes)
+    return toolpath.with_moves(rows, pose)
 
 
 @kernel

@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -228,13 +227,4 @@ def _with_detours(toolpath: Toolpath, detours: dict[int, F64]) -> Toolpath:
     first = np.cumsum(size) - size
     for row, poses in detours.items():
         pose[first[row] : first[row] + len(poses)] = poses
-    return replace(
-        toolpath,
-        pose=np.concatenate([toolpath.pose[:1], pose]),
-        bulge=toolpath.bulge[rows],
-        motion=toolpath.motion[rows],
-        feed=toolpath.feed[rows],
-        source=toolpath.source[rows],
-        tool=toolpath.tool[rows],
-        track=toolpath.track[rows],
-    )
+    return toolpath.with_moves(rows, np.concatenate([toolpath.pose[:1], pose]))

@@ -354,10 +354,7 @@ def _lower_turns(
     for axis in range(4):
         idle[ends] &= pose[ends + 1, axis] == pose[ends, axis]
     rows = np.flatnonzero(~idle)
-    names = ("bulge", "motion", "feed", "source", "tool", "track")
-    columns = {name: getattr(toolpath, name)[rows] for name in names}
-    columns["pose"] = np.concatenate([pose[:1], pose[rows + 1]])
-    return Toolpath.from_new(columns, toolpath.notes)
+    return toolpath.with_moves(rows, np.concatenate([pose[:1], pose[rows + 1]]))
 
 
 def _turn_times(toolpath: Toolpath, turns: I64, start: F64, end: F64, machine: Machine) -> F64:

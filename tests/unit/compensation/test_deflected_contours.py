@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from knifetip.compensation.radius import centre_paths
+from knifetip.compensation.centre_paths import centre_paths
 from knifetip.errors import CompensationError
 from knifetip.geometry import arc
 from knifetip.model.operation import End

@@ -14,8 +14,10 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from knifetip.compensation.centre_paths import centre_paths
 from knifetip.compensation.compensate import compensate
-from knifetip.compensation.radius import centre_paths, radius_toolpath, set_up_offset
+from knifetip.compensation.leads import set_up_offset
+from knifetip.compensation.radius import radius_toolpath
 from knifetip.errors import CompensationError
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, Bool

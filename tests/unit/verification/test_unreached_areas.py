@@ -10,7 +10,7 @@ import pytest
 import shapely
 
 from knifetip import compensate, plan, process, sequence
-from knifetip.compensation.radius import centre_paths
+from knifetip.compensation.centre_paths import centre_paths
 from knifetip.geometry.columns import F64
 from knifetip.library import load
 from knifetip.model.board import Board, Deflection

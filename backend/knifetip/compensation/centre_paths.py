@@ -1,0 +1,235 @@
+"""centre_paths: offset the contours of an operation to paths of the cutter's centre.
+
+The distance is the cutter's radius, or half the kerf of a laser, less the deflection.  A closed
+path that the cutter enters round a corner starts behind this corner; all others start in the middle
+of a segment.
+
+Source: the paper "Tool radius compensation", eqs 1–5.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Final
+
+import numpy as np
+
+from knifetip.compensation.corner import (
+    list_places,
+    replaced_corner_notes,
+    select_corner_types,
+    turn_angles,
+)
+from knifetip.compensation.deflection import shift_centres
+from knifetip.compensation.leads import fit_lead_ins
+from knifetip.errors import CompensationError, GeometryError
+from knifetip.geometry import arc
+from knifetip.geometry.azimuth import unit_vectors
+from knifetip.geometry.columns import F64, I32, U8, Bool
+from knifetip.geometry.path import Paths, start_at, start_in_middle
+from knifetip.messages import Message
+from knifetip.model.operation import Operation
+from knifetip.model.tool import DiscTool
+from knifetip.offset.offset_paths import OffsetPaths, offset_paths
+from knifetip.offset.self_contact import find_self_contact
+
+#: Largest angle by which a corner may turn less than a lead-in round it (degrees).
+_ANGLE_TOLERANCE: Final = 1e-6
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class CentrePaths:
+    """Paths of the cutter's centre: q paths with n segments, from p paths of an operation."""
+
+    paths: Paths  #: q paths
+    segment: I32  #: (n,) segment of the operation that each segment belongs to
+    unreached: (
+        F64  #: (p,) area beside each path of the operation that the cutter cannot reach (mm²)
+    )
+    approach: F64  #: (q,) angle of the lead-in to each path (degrees), as in ``DiscTool``
+    #: what the paths change as planned, such as corner types
+    notes: tuple[Message, ...] = ()
+
+
+def centre_paths(operation: Operation) -> CentrePaths:
+    """Return the paths of the cutter's centre for an operation, with the unreachable areas.
+
+    The unreachable areas lie beside the contours, where the cutter does not fit.  Closed centre
+    paths keep the cutter out of all other closed paths of the operation.  Each closed centre path
+    starts in the middle of its longest line, or of its longest arc if it has no line.  For a
+    lead-in round a corner it starts behind a corner instead, if there is one with room for the
+    lead-in.  A contour into which the cutter does not fit has no centre path; the verifier reports
+    its edges as shortfalls.
+
+    Raises
+    ------
+    CompensationError
+        The operation refuses areas that the cutter cannot reach (``interference`` is "refuse"), and
+        there are such areas.  Or the corner type, its parameter k or the deflection is invalid.
+    """
+    cutter = operation.tool
+    assert isinstance(cutter, DiscTool)
+    paths = operation.paths
+    segment = np.arange(len(paths.bulge), dtype=np.int32)
+    unreached = np.zeros(len(paths))
+    inserted = np.zeros(len(segment), np.bool_)
+    notes: tuple[Message, ...] = ()
+    if operation.side != 0:
+        paths, segment, inserted, unreached, notes = _offset_contours(operation, cutter)
+    if operation.side == 0 or cutter.approach >= 0.0 or len(operation.bridges):
+        # Paths with bridges have no leads.
+        approach = np.full(len(paths), cutter.approach)
+        paths, rows = start_in_middle(paths, paths.closed)
+        return CentrePaths(paths, segment[rows], unreached, approach, notes)
+    behind = _starts_behind_corners(operation, cutter, paths, segment, inserted)
+    found = behind >= 0
+    approach = np.where(found | ~paths.closed, cutter.approach, 90.0)
+    notes += _replaced_lead_notes(paths.start[paths.first[:-1]][paths.closed & ~found], cutter)
+    paths, turned = start_at(paths, np.where(found, behind, paths.first[:-1]))
+    paths, rows = start_in_middle(paths, paths.closed & ~found)
+    return CentrePaths(paths, segment[turned][rows], unreached, approach, notes)
+
+
+def _offset_contours(
+    operation: Operation, cutter: DiscTool
+) -> tuple[Paths, I32, Bool, F64, tuple[Message, ...]]:
+    """Return the offset of an operation's contours, with the cutter's deflection compensated.
+
+    A deflection that is equal along X and Y acts like a smaller radius of the cutter, which the
+    offset takes into account exactly where the cutter fits and where it does not.  So the mean of
+    both deflections is subtracted from the radius, and ``shift_centres`` compensates the rest.  If
+    the shifted path crosses itself, as in a neck between the smaller and the larger reach, the
+    smaller deflection is subtracted instead of the mean: then the cutter does not enter the neck.
+
+    Returns
+    -------
+    paths : Paths
+        Centre paths with n segments.
+    segment, inserted : (n,), (n,)
+        Segment of the operation that each segment belongs to, and whether it belongs to the
+        transition at a corner.
+    unreached : (p,) mm²
+        Area beside each path of the operation that the cutter cannot reach.
+    notes
+        What the offset changes as planned.
+
+    Raises
+    ------
+    CompensationError
+        A deflection is as large as the cutter's radius, or the contours have no offset.
+    """
+    x, y = operation.deflection
+    if max(x, y) > 0.0 and max(x, y) >= cutter.radius:
+        raise CompensationError(
+            "deflection.exceeds-radius", radius=cutter.radius, deflection=max(x, y)
+        )
+    kind, k = select_corner_types(operation)
+    mean, least = 0.5 * (x + y), min(x, y)
+    offset = _offset(operation, cutter.radius - mean, kind, k)
+    paths, rows = shift_centres(offset.paths, operation.side, x - mean, y - mean)
+    if x != y and _crosses_itself(paths):
+        other = _offset(operation, cutter.radius - least, kind, k)
+        moved, kept = shift_centres(other.paths, operation.side, x - least, y - least)
+        if not _crosses_itself(moved):
+            offset, paths, rows = other, moved, kept
+    notes = replaced_corner_notes(operation, kind, offset.replaced)
+    return paths, offset.source[rows], offset.inserted[rows], offset.unreached, notes
+
+
+def _offset(operation: Operation, distance: float, kind: U8, k: F64) -> OffsetPaths:
+    """Return the contours of an operation, offset by a distance in mm.
+
+    ``kind`` and ``k`` are the corner type at the start of each segment and its parameter.
+
+    Raises
+    ------
+    CompensationError
+        The contours have no offset; the message has the edges.
+    """
+    paths = operation.paths
+    # Open paths are offset one by one: the side beyond their ends is undefined.
+    group = np.where(paths.closed, 0, 1 + np.arange(len(paths)))
+    try:
+        return offset_paths(
+            paths, distance, operation.side,
+            corner=kind, k=k, interference=operation.interference, group=group,
+        )  # fmt: skip
+    except (CompensationError, GeometryError) as reason:
+        edges = [str(operation.source[int(row)]) for row in reason.source]
+        message = reason.message
+        if message.code == "offset.interference":
+            assert isinstance(operation.tool, DiscTool)
+            message = Message(
+                "cutter.interference",
+                diameter=2.0 * operation.tool.radius,
+                edge=edges[0],
+                other=edges[1],
+                depth=message.arguments["depth"],
+            )
+        elif edges:
+            message = Message("error.at-edges", edges=edges, error=message)
+        raise CompensationError(message, source=edges) from None
+
+
+def _crosses_itself(paths: Paths) -> bool:
+    """Return whether any of the paths touches or crosses itself, except between neighbours."""
+    bounds = pairwise(paths.first.tolist())
+    segments = paths.start, paths.end, paths.bulge
+    return any(find_self_contact(*segments, low, high)[0] >= 0 for low, high in bounds)
+
+
+def _starts_behind_corners(
+    operation: Operation, cutter: DiscTool, paths: Paths, segment: I32, inserted: Bool
+) -> I32:
+    """Return for each closed centre path the segment at which it should start, (q,); -1 for none.
+
+    The cutter has a lead-in round a corner (type B).  On it the cutter turns by the angle of the
+    lead-in, so the contour must turn away from the cutter by at least this angle.  Of the corners
+    with room for the lead-in, the one with the largest turn is returned; if the lead-in must be
+    halved everywhere, one with room for the half.
+
+    Parameters
+    ----------
+    paths
+        Centre paths, q in number, with n segments.
+    segment : (n,)
+        Segment of the operation that each segment belongs to.
+    inserted : (n,)
+        Whether each segment belongs to the transition at a corner.
+    """
+    turn = np.degrees(turn_angles(operation.paths, operation.side))[segment]
+    before = np.arange(-1, len(segment) - 1)
+    before[paths.first[:-1]] = paths.first[1:] - 1
+    suited = paths.closed[paths.path_of] & ~inserted & inserted[before]
+    suited &= (segment[before] == segment) & (turn >= -cutter.approach - _ANGLE_TOLERANCE)
+    rows = np.flatnonzero(suited).astype(np.int32)
+    ahead, _ = arc.tangents(paths.start[rows], paths.end[rows], paths.bulge[rows])
+    lead = fit_lead_ins(
+        operation, cutter, paths.start[rows], unit_vectors(ahead), operation.side,
+        np.full(len(rows), cutter.approach),
+    )  # fmt: skip
+    owner = paths.path_of[rows]
+    best = np.lexsort((rows, -turn[rows], -lead.fraction, owner))
+    best = best[np.diff(owner[best], prepend=-1) > 0]
+    best = best[lead.fraction[best] > 0.0]
+    result: I32 = np.full(len(paths), -1, np.int32)
+    result[owner[best]] = rows[best]
+    return result
+
+
+def _replaced_lead_notes(position: F64, cutter: DiscTool) -> tuple[Message, ...]:
+    """Return a message about contours that the cutter cannot enter round a corner, if any.
+
+    ``position`` (m, 2) is a point of each of these contours (mm).
+    """
+    if len(position) == 0:
+        return ()
+    return (
+        Message(
+            "lead.no-corner",
+            count=len(position),
+            angle=-cutter.approach,
+            places=list_places(position),
+        ),
+    )
