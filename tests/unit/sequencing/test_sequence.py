@@ -106,7 +106,7 @@ def test_the_error_names_the_head_that_would_leave_the_machine() -> None:
 
 
 def test_a_job_without_work_is_refused() -> None:
-    with pytest.raises(PlanError, match="The drawing contains nothing to cut, crease or groove"):
+    with pytest.raises(PlanError, match="The drawing contains nothing that the machine can make"):
         sequence([], MACHINE)
 
 
