@@ -31,6 +31,7 @@ GROUPS: Final[Mapping[str, tuple[str, ...]]] = {
         "knifetip.geometry.spatial_index",
         "knifetip.geometry.unique_rows",
         "knifetip.geometry.union_find",
+        "knifetip.geometry.vertices",
     ),
     # Compile the drawing for a machine with knives, crease wheels and V-cutters, and verify it.
     "jobs": (

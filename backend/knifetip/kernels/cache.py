@@ -7,6 +7,8 @@ it.  A command that only runs compiled kernels needs none of this, and starts fa
 
 from __future__ import annotations
 
+import io
+import pickle
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -15,6 +17,7 @@ import llvmlite.binding as llvm
 from numba.core.caching import CompileResultCacheImpl, FunctionCache, IndexDataCacheFile
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompileResult
+from numba.core.environment import Environment, lookup_environment
 from numba.core.runtime import rtsys
 
 
@@ -96,6 +99,36 @@ class _StoredKernel(CompileResultCacheImpl):
         return result
 
 
+class _KernelUnpickler(pickle.Unpickler):
+    """Reads a cache file without the import of the modules whose functions the kernel contains.
+
+    A kernel that sorts an array contains functions of ``numba.np.arrayobj``.  numba would import
+    that module, and with it the compiler's definitions, only to give its globals to the function's
+    environment.  Machine code uses the constants of an environment, never its globals.
+    """
+
+    def find_class(self, module: str, name: str) -> Any:
+        """Return a class or function that the file names; ``_restore_environment`` for numba's."""
+        if (module, name) == ("numba.core.environment", "_rebuild_env"):
+            return _restore_environment
+        return super().find_class(module, name)
+
+
+def _restore_environment(module: str, constants: list[Any], name: str) -> Environment:
+    """Return the environment of a compiled function, without globals except ``__name__``.
+
+    The arguments are those that numba wrote to the file: the module of the function, the constants
+    that its machine code uses, and the name of the environment.
+    """
+    environment: Environment | None = lookup_environment(name)
+    if environment is None:
+        environment = Environment({"__name__": module})
+        environment.consts[:] = constants
+        environment.env_name = name
+        Environment._memo[name] = environment
+    return environment
+
+
 class _KernelFiles(IndexDataCacheFile):
     """Index file of one kernel, and the files with machine code that the index names."""
 
@@ -122,7 +155,7 @@ class _KernelFiles(IndexDataCacheFile):
             The file is missing or cannot be read; numba then compiles the kernel again.
         """
         try:
-            return super()._load_data(name)
+            return _KernelUnpickler(io.BytesIO(Path(self._data_path(name)).read_bytes())).load()
         except Exception as reason:
             raise FileNotFoundError(name) from reason
 

@@ -14,7 +14,7 @@ from knifetip.dxf.samples import samples
 _SERVICE = ("alembic", "dbos", "fastapi", "httpx", "psycopg", "sqlalchemy", "uvicorn")
 _READERS = ("cssselect2", "ezdxf", "pypdf", "tinycss2")
 #: Implementations that numba imports when it prepares to compile.
-_COMPILER = ("numba.cpython.printimpl", "numba.misc.cffiimpl")
+_COMPILER = ("numba.cpython.printimpl", "numba.misc.cffiimpl", "numba.np.arrayobj")
 
 
 def _loaded(*arguments: object, modules: tuple[str, ...]) -> tuple[str, list[str]]:
