@@ -286,3 +286,41 @@ def test_holes_that_the_cutter_does_not_enter_are_shortfalls() -> None:
     refused = [(one.edge, one.message.code) for one in result.findings if one.refuses]
     assert sorted(refused) == [(edge, "verify.contour-unreached") for edge in range(4, 14)]
     assert with_exceptions(result, refused, Acceptance("Ada", "punched by hand", 0.0)).accepted
+
+
+def nested(x: float, y: float, *more: tuple[LineType, F64]) -> Dieline:
+    """Return a part of 60 × 40 mm in a hole of 100 × 80 mm, at a position in the hole."""
+    right, top = 120 + x + 60, 120 + y + 40
+    return dieline(
+        (LineType.CUT, closed((100, 100), (300, 100), (300, 250), (100, 250))),
+        (LineType.CUT, closed((120, 120), (220, 120), (220, 200), (120, 200))),
+        (LineType.CUT, closed((120 + x, 120 + y), (right, 120 + y), (right, top), (120 + x, top))),
+        *more,
+    )
+
+
+@pytest.mark.parametrize("y", [2.0, 5.0, 7.0, 20.0])
+@pytest.mark.parametrize("x", [2.0, 5.5, 12.0])
+def test_a_part_near_the_hole_in_which_it_lies_is_milled_as_far_as_the_cutter_fits(
+    x: float, y: float
+) -> None:
+    line = nested(x, y)
+    toolpath = sequence([compensate(operation) for operation in plan(line, ROUTER, BOARD)], ROUTER)
+    result = verify(process(toolpath, ROUTER).text, line, (0.0, 0.0), ROUTER, BOARD)
+    assert not has_faults(result), result.findings[:3]
+    # The left and the lower side of the part, and the facing sides of the hole.
+    shortfall = {edge for edge in (8, 11) if result.unreached[edge] > 30.0}
+    assert shortfall == {edge for edge, gap in ((8, y), (11, x)) if gap < 6.0}
+
+
+def test_a_part_in_a_hole_that_is_too_narrow_all_round_is_left_out() -> None:
+    line = dieline(
+        (LineType.CUT, closed((100, 100), (300, 100), (300, 250), (100, 250))),
+        (LineType.CUT, closed((120, 120), (180, 120), (180, 180), (120, 180))),
+        (LineType.CUT, closed((122, 122), (178, 122), (178, 178), (122, 178))),
+    )
+    toolpath = sequence([compensate(operation) for operation in plan(line, ROUTER, BOARD)], ROUTER)
+    result = verify(process(toolpath, ROUTER).text, line, (0.0, 0.0), ROUTER, BOARD)
+    assert not has_faults(result), result.findings[:3]
+    refused = {one.edge: one.message.code for one in result.findings if one.refuses}
+    assert refused == dict.fromkeys(range(4, 12), "verify.contour-unreached")

@@ -77,17 +77,19 @@ def centre_paths(operation: Operation) -> CentrePaths:
     notes: tuple[Message, ...] = ()
     if operation.side != 0:
         paths, segment, inserted, unreached, notes = _offset_contours(operation, cutter)
+    # A path beside a part and its hole ends on the hole, so that the hole is the last to be cut.
+    on_hole = _beside_holes(operation, segment)
     if operation.side == 0 or cutter.approach >= 0.0 or len(operation.bridges):
         # Paths with bridges have no leads.
         approach = np.full(len(paths), cutter.approach)
-        paths, rows = start_in_middle(paths, paths.closed)
+        paths, rows = start_in_middle(paths, paths.closed, on_hole)
         return CentrePaths(paths, segment[rows], unreached, approach, notes)
     behind = _starts_behind_corners(operation, cutter, paths, segment, inserted)
     found = behind >= 0
     approach = np.where(found | ~paths.closed, cutter.approach, 90.0)
     notes += _replaced_lead_notes(paths.start[paths.first[:-1]][paths.closed & ~found], cutter)
     paths, turned = start_at(paths, np.where(found, behind, paths.first[:-1]))
-    paths, rows = start_in_middle(paths, paths.closed & ~found)
+    paths, rows = start_in_middle(paths, paths.closed & ~found, on_hole[turned])
     return CentrePaths(paths, segment[turned][rows], unreached, approach, notes)
 
 
@@ -187,7 +189,8 @@ def _starts_behind_corners(
     The cutter has a lead-in round a corner (type B).  On it the cutter turns by the angle of the
     lead-in, so the contour must turn away from the cutter by at least this angle.  Of the corners
     with room for the lead-in, the one with the largest turn is returned; if the lead-in must be
-    halved everywhere, one with room for the half.
+    halved everywhere, one with room for the half.  A path beside a part and its hole starts on the
+    hole.
 
     Parameters
     ----------
@@ -202,6 +205,8 @@ def _starts_behind_corners(
     before = np.arange(-1, len(segment) - 1)
     before[paths.first[:-1]] = paths.first[1:] - 1
     suited = paths.closed[paths.path_of] & ~inserted & inserted[before]
+    on_hole = _beside_holes(operation, segment)
+    suited &= on_hole | (np.bincount(paths.path_of, on_hole, len(paths)) == 0.0)[paths.path_of]
     suited &= (segment[before] == segment) & (turn >= -cutter.approach - _ANGLE_TOLERANCE)
     rows = np.flatnonzero(suited).astype(np.int32)
     ahead, _ = arc.tangents(paths.start[rows], paths.end[rows], paths.bulge[rows])
@@ -216,6 +221,16 @@ def _starts_behind_corners(
     result: I32 = np.full(len(paths), -1, np.int32)
     result[owner[best]] = rows[best]
     return result
+
+
+def _beside_holes(operation: Operation, segment: I32) -> Bool:
+    """Return whether each of some segments of an operation belongs to a hole, (n,).
+
+    ``segment`` (n,) are the indices of the segments.
+    """
+    paths = operation.paths
+    is_hole: Bool = operation.side * paths.areas > 0.0
+    return is_hole[paths.path_of[segment]]
 
 
 def _replaced_lead_notes(position: F64, cutter: DiscTool) -> tuple[Message, ...]:

@@ -110,6 +110,12 @@ def fit_lead_ins(
         Angles between the lead-ins and the centre paths.
     """
     r = cutter.radius
+    own, others = operation.paths, operation.obstacles
+    contours = (
+        np.concatenate([own.start, others.start]),
+        np.concatenate([own.end, others.end]),
+        np.concatenate([own.bulge, others.bulge]),
+    )
     on_line = start - side * r * left_normal(ahead)
     begin, arrived, bulge = set_up_offset(on_line, ahead, side, r, cutter.lead_in, approach)
     goes_round = bulge != 0.0
@@ -125,20 +131,18 @@ def fit_lead_ins(
     fine = int(np.ceil(cutter.lead_in / np.sqrt(8.0 * r * _CLEARANCE_ERROR))) if len(curved) else 0
     for tried in reversed(_LEAD_FRACTIONS[:-1]):
         checks = np.arange(1, _LEAD_CHECKS + 1) / _LEAD_CHECKS * tried
-        clear = _is_clear(operation.paths, arrived[direct], away[direct], checks, near)
+        clear = _is_clear(contours, arrived[direct], away[direct], checks, near)
         fraction[direct] = np.where(clear, tried, fraction[direct])
         checks = np.linspace(0.0, tried, fine + 1)
         clear = _is_clear(
-            operation.paths, arrived[curved], away[curved], checks, r - _CLEARANCE_ERROR
+            contours, arrived[curved], away[curved], checks, r - _CLEARANCE_ERROR
         )
         fraction[curved] = np.where(clear, tried, fraction[curved])
     round_corner = arc.points_along(arrived[curved], start[curved], bulge[curved], _LEAD_CHECKS)
     hit = find_points_on_segments(
         round_corner.reshape(-1, 2),
         np.full(round_corner.size // 2, -1, np.int32),
-        operation.paths.start,
-        operation.paths.end,
-        operation.paths.bulge,
+        *contours,
         r - _CLEARANCE_ERROR,
     )
     blocked = curved[hit.reshape(-1, _LEAD_CHECKS).any(axis=1)]
@@ -146,11 +150,15 @@ def fit_lead_ins(
     return LeadIns(arrived + fraction[:, None] * away, arrived, bulge, fraction)
 
 
-def _is_clear(contours: Paths, origin: F64, away: F64, checks: F64, near: float) -> Bool:
+def _is_clear(
+    contours: tuple[F64, F64, F64], origin: F64, away: F64, checks: F64, near: float
+) -> Bool:
     """Return whether all checked points of straight moves keep away from contours, (m,).
 
     Parameters
     ----------
+    contours
+        Starts (n, 2), ends (n, 2) and bulges (n,) of the segments of all contours.
     origin, away : (m, 2) mm
         One end of each move, and the vector from there to the other end.
     checks : (c,)
@@ -162,9 +170,7 @@ def _is_clear(contours: Paths, origin: F64, away: F64, checks: F64, near: float)
     hit = find_points_on_segments(
         points,
         np.full(len(points), -1, np.int32),
-        contours.start,
-        contours.end,
-        contours.bulge,
+        *contours,
         near,
     )
     clear: Bool = np.logical_not(hit.reshape(-1, len(checks)).any(axis=1))

@@ -261,7 +261,7 @@ def start_at(paths: Paths, row: I32) -> tuple[Paths, I32]:
     return Paths(paths.start[rows], paths.end[rows], paths.bulge[rows], paths.first), rows
 
 
-def start_in_middle(paths: Paths, mask: Bool) -> tuple[Paths, I32]:
+def start_in_middle(paths: Paths, mask: Bool, preferred: Bool | None = None) -> tuple[Paths, I32]:
     """Return all paths, some of them with their start moved to the middle of a segment.
 
     The new start is the middle of the longest line of the path, or of its longest arc if the path
@@ -272,6 +272,8 @@ def start_in_middle(paths: Paths, mask: Bool) -> tuple[Paths, I32]:
     ----------
     mask : (p,)
         Mask of the paths whose start is moved; they must be closed.
+    preferred : (n,)
+        Mask of the n segments on which a path should start, if it has such segments; None for all.
 
     Returns
     -------
@@ -283,8 +285,10 @@ def start_in_middle(paths: Paths, mask: Bool) -> tuple[Paths, I32]:
     owner = paths.path_of
     along = arc.length(paths.start, paths.end, paths.bulge)
     line = np.abs(paths.bulge) < BULGE
-    # The last row of each path in the order (line, length, earliest): one sort for all.
-    ranked = np.lexsort((-np.arange(len(owner)), along, line, owner))
+    if preferred is None:
+        preferred = np.ones(len(owner), np.bool_)
+    # The last row of each path in the order (preferred, line, length, earliest): one sort for all.
+    ranked = np.lexsort((-np.arange(len(owner)), along, line, preferred, owner))
     longest = ranked[paths.first[1:] - 1]
     count = np.diff(paths.first) + mask
     first = np.concatenate([[0], np.cumsum(count)])

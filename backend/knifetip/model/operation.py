@@ -29,6 +29,10 @@ class End(IntEnum):
     JUNCTION = 5  #: another cut, with a panel behind it; the tip must stop on that cut
 
 
+#: No path at all.
+NO_PATHS = Paths(np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0), np.zeros(1, np.int64))
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Operation:
     """p paths, with n segments in total, that one tool machines, with feeds and depths.
@@ -70,6 +74,8 @@ class Operation:
     #: (k, 2) segment, and position along it (mm), of the middle of each bridge
     bridges: F64 = field(default_factory=lambda: np.zeros((0, 2)))
     bridge_width: float = 0.0  #: width of each bridge (mm)
+    #: contours of other operations that the leads of a cutter must not enter; default none
+    obstacles: Paths = NO_PATHS
 
     def __post_init__(self) -> None:
         put, count = object.__setattr__, len(self.paths.bulge)

@@ -28,6 +28,7 @@ from knifetip.model.tool import DiscTool
 from knifetip.planning.bridges import Spacing, ends_of_others, place_bridges
 from knifetip.planning.corners import choices_at_bends, distances_to_corners, find_bends
 from knifetip.planning.cut_sides import cut_sides
+from knifetip.planning.facing_contours import merge_facing_layers
 from knifetip.planning.last_cuts import track_levels
 from knifetip.planning.layers import cut_layers
 from knifetip.planning.reachable import reachable_by_disc
@@ -82,17 +83,24 @@ def plan_milling(
     # All contours have the cutter on the left of travel.
     paths, order = reverse_paths(paths, side < 0)
     source = source[order]
+    milled = paths.closed & (side != 0)
+    number = merge_facing_layers(paths, number, milled, 2.0 * cutter.radius)
     depth = cutter.passes(setup.through_depth)
     operations = []
     track = np.empty(len(layer), np.int64)
     track[chains.order] = np.repeat(np.arange(len(paths)), np.diff(paths.first))
     level = track_levels(layer, layers.stretches, track, paths.lengths)
+    # Contours of one layer have one offset, which keeps the cutter out of all of them.
+    level[milled] = 0
     # Levels are less than the number of cuts.
     path_rank = (2 * (number.max(initial=0) - number) + np.abs(side)) * len(layer) + level
     for rank in np.unique(path_rank):
         path_rows = np.flatnonzero(path_rank == rank).astype(np.int32)
         subset, segment_rows = select_paths(paths, path_rows)
         end = np.where(subset.closed, End.CLOSED, End.FREE).astype(np.uint8)
+        # The contours that face these ones are one layer higher or lower.
+        facing = milled & (np.abs(number - number[path_rows[0]]) == 1)
+        obstacles, _ = select_paths(paths, np.flatnonzero(facing).astype(np.int32))
         held = subset.closed & (waste[path_rows] != 0)
         bridges = _bridge_positions(subset, held, board, cutter, source[segment_rows], avoid)
         depths = np.tile(depth, (len(segment_rows), 1))
@@ -104,6 +112,7 @@ def plan_milling(
                 side=int(rank // len(layer) % 2),
                 bridges=bridges,
                 bridge_width=board.bridge_width,
+                obstacles=obstacles,
                 corner=corners.type,
                 k=corners.k,
                 interference=corners.interference,
