@@ -88,7 +88,8 @@ def _distances(paths: Paths, i: I64, j: I64) -> F64:
     other = paths.start[j], paths.end[j], paths.bulge[j]
     result = np.minimum(_distances_to(other, one[0]), _distances_to(other, one[1]))
     rows = np.flatnonzero(one[2])
-    bent, facing = (tuple(column[rows] for column in segments) for segments in (one, other))
+    bent = one[0][rows], one[1][rows], one[2][rows]
+    facing = other[0][rows], other[1][rows], other[2][rows]
     foot = arc.point_at(*facing, arc.nearest_fraction(*facing, arc.centre(*bent)))
     result[rows] = np.minimum(result[rows], _distances_to(bent, foot))
     return result

@@ -40,7 +40,8 @@ def merged(*contours: tuple[int, Contour]) -> list[int]:
         np.concatenate(starts), np.concatenate(ends), np.concatenate(bulges), np.array(first)
     )
     layers = np.array([layer for layer, _ in contours])
-    return merge_facing_layers(paths, layers, np.ones(len(layers), np.bool_), 6.0).tolist()
+    result = merge_facing_layers(paths, layers, np.ones(len(layers), np.bool_), 6.0)
+    return [int(layer) for layer in result]
 
 
 OUTLINE = (0, rectangle(0, 0, 300, 200))
