@@ -18,7 +18,6 @@ from numpy.typing import ArrayLike
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import left_normal
 from knifetip.geometry.columns import F64, Bool
-from knifetip.geometry.path import Paths
 from knifetip.geometry.points_on_segments import find_points_on_segments
 from knifetip.model.operation import Operation
 from knifetip.model.tool import DiscTool
@@ -134,9 +133,7 @@ def fit_lead_ins(
         clear = _is_clear(contours, arrived[direct], away[direct], checks, near)
         fraction[direct] = np.where(clear, tried, fraction[direct])
         checks = np.linspace(0.0, tried, fine + 1)
-        clear = _is_clear(
-            contours, arrived[curved], away[curved], checks, r - _CLEARANCE_ERROR
-        )
+        clear = _is_clear(contours, arrived[curved], away[curved], checks, r - _CLEARANCE_ERROR)
         fraction[curved] = np.where(clear, tried, fraction[curved])
     round_corner = arc.points_along(arrived[curved], start[curved], bulge[curved], _LEAD_CHECKS)
     hit = find_points_on_segments(
