@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
-
 from fastapi import APIRouter
 
 from knifetip.api.parameters import MachineName
@@ -13,6 +11,7 @@ from knifetip.api.waiting import ABSENT
 from knifetip.library import load
 from knifetip.model.machine import Machine
 from knifetip.model.tool import kind_of
+from knifetip.presentation.machine import machine_json, station_json
 
 router = APIRouter(prefix="/machines", tags=["machines"])
 
@@ -42,33 +41,11 @@ def get_machine(service: ServiceDep, name: MachineName) -> MachineOut:
 def _machine_out(machine: Machine, connected: bool, job: str | None) -> MachineOut:
     return MachineOut.model_validate(
         {
-            "name": machine.name,
-            "title": machine.title,
-            "width": machine.width,
-            "height": machine.height,
-            "dialect": machine.dialect,
-            "origin": machine.origin,
-            "travel_z": machine.travel_z,
-            "clearance": machine.clearance,
-            "turn_clearance": machine.turn_clearance,
-            "into_mat": machine.into_mat,
+            **machine_json(machine),
             "offset_cuts": machine.offset_cuts,
-            "feed": machine.feed,
-            "axes": {letter.lower(): asdict(axis) for letter, axis in machine.axes.items()},
-            "carriages": [
-                {"number": number, "letters": carriage.letters, "park": carriage.park}
-                for number, carriage in enumerate(machine.carriages, 1)
-            ],
-            "min_distance": machine.gantry.min_distance if machine.gantry else None,
-            "zones": machine.zones,
             "stations": [
                 {
-                    "number": station.number,
-                    "name": station.name,
-                    "carriage": station.carriage,
-                    "datum": {axis: getattr(station, axis) for axis in "xyzc"},
-                    "output": station.output,
-                    "envelope": station.envelope,
+                    **station_json(station),
                     "tool": {
                         "kind": kind_of(station.tool).name,
                         "dimensions": station.tool.dimensions,

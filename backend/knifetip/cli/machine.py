@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
 from typing import Annotated, Any
 
 import typer
@@ -13,30 +12,14 @@ from knifetip.library import load
 from knifetip.model.machine import Gantry, Machine, Station
 from knifetip.model.tool import kind_of
 from knifetip.post.rs274.tool_table import tool_table
+from knifetip.presentation.machine import machine_json, station_json
 
 
-def machine_json(machine: Machine) -> dict[str, Any]:
+def _machine_json(machine: Machine) -> dict[str, Any]:
     """Return a machine and its stations as JSON data (mm, degrees, mm/min)."""
     return {
-        "name": machine.name,
-        "title": machine.title,
-        "width": machine.width,
-        "height": machine.height,
-        "dialect": machine.dialect,
-        "origin": list(machine.origin),
-        "travel_z": machine.travel_z,
-        "clearance": machine.clearance,
-        "turn_clearance": machine.turn_clearance,
-        "into_mat": machine.into_mat,
+        **machine_json(machine),
         "settle": machine.settle,
-        "feed": machine.feed,
-        "axes": {letter.lower(): asdict(axis) for letter, axis in machine.axes.items()},
-        "carriages": [
-            {"number": number, "letters": carriage.letters, "park": carriage.park}
-            for number, carriage in enumerate(machine.carriages, 1)
-        ],
-        "min_distance": machine.gantry.min_distance if machine.gantry else None,
-        "zones": [asdict(zone) for zone in machine.zones],
         "stations": [_station_json(station) for station in machine.stations],
     }
 
@@ -44,12 +27,7 @@ def machine_json(machine: Machine) -> dict[str, Any]:
 def _station_json(station: Station) -> dict[str, Any]:
     tool = station.tool
     return {
-        "number": station.number,
-        "name": station.name,
-        "carriage": station.carriage,
-        "datum": {"x": station.x, "y": station.y, "z": station.z, "c": station.c},
-        "output": station.output,
-        "envelope": station.envelope,
+        **station_json(station),
         "tool": {"kind": kind_of(tool).name, **tool.dimensions, **tool.derived},
     }
 
@@ -90,7 +68,7 @@ def register(app: typer.Typer) -> None:
         if table:
             typer.echo(tool_table(chosen), nl=False)
             return
-        data = machine_json(chosen)
+        data = _machine_json(chosen)
         if json:
             print_json(data)
             return

@@ -159,7 +159,7 @@ def fit_segments(
     larger = np.maximum(size_u, size_v)
     off = np.maximum(np.abs(size_u - size_v), dot_product / np.where(larger > 0.0, larger, 1.0))
     circle = off <= _SHAPE_TOLERANCE * tolerance
-    parts.append(_circular(placed, np.flatnonzero(circle), off))
+    parts.append(_circular_arcs(placed, np.flatnonzero(circle), off))
     oval = np.flatnonzero(~circle)
     curved[placed.arc[oval]] = True
 
@@ -225,7 +225,7 @@ def _are_straight(control: F64, chord: F64, tolerance: float) -> Bool:
     return straight | (np.abs(control - control[:, :1]) <= 0.0).all(axis=(1, 2))
 
 
-def _circular(placed: PlacedSegments, indices: I64, off: F64) -> tuple[F64, F64, F64, I64]:
+def _circular_arcs(placed: PlacedSegments, indices: I64, off: F64) -> tuple[F64, F64, F64, I64]:
     """Return the circular arcs among the segments; an arc longer than 180° is split in two.
 
     Parameters

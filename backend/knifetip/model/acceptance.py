@@ -73,19 +73,8 @@ def with_exceptions(
 ) -> Verdict:
     """Return a verdict in which the chosen shortfalls are accepted.
 
-    The verdict is accepted if no other finding refuses the program.
-
-    Parameters
-    ----------
-    chosen
-        Edge and code of each shortfall to accept.
-    acceptance
-        Who accepts the shortfalls, when and why.
-
-    Raises
-    ------
-    RequestError
-        There is no such finding, or it is a fault or a note.
+    The verdict is accepted if no other finding refuses the program.  For the parameters and errors
+    see ``accept_shortfalls``.
     """
     findings = accept_shortfalls(verdict.findings, chosen, acceptance)
     accepted = not any(finding.refuses for finding in findings)

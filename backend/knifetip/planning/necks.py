@@ -77,7 +77,7 @@ def layers_at_necks(
     link = row[is_link] - len(ends)
     while True:
         narrow = _face_widths(pieces, bent, face, int(face.max()) + 1) < MIN_WIDTH
-        removed = _superfluous(face[is_link], narrow, link, length[link])
+        removed = _find_removable_links(face[is_link], narrow, link, length[link])
         if not removed.any():
             break
         beside = face[is_link][removed].T.copy()
@@ -117,7 +117,7 @@ def _tips_in_wide_faces(stretches: Stretches, tips: I64, count: int) -> I64:
     return result
 
 
-def _superfluous(face: I64, narrow: Bool, link: I64, length: F64) -> Bool:
+def _find_removable_links(face: I64, narrow: Bool, link: I64, length: F64) -> Bool:
     """Return the mask of the pieces of links that are removed, (p,): those of the longest link
     beside each narrow face.
 

@@ -163,7 +163,7 @@ def _detour(start: F64, end: F64, met: Sequence[Zone], station: Station, machine
     over = np.stack([up, across, end])
     if start[2] != end[2]:
         return over
-    around = _around(start, end, station, machine)
+    around = _poses_around_zones(start, end, station, machine)
     if around is None:
         return over
     axes = machine.carriage_of(station).axes
@@ -173,7 +173,7 @@ def _detour(start: F64, end: F64, met: Sequence[Zone], station: Station, machine
     return around if times[1] < times[0] else over
 
 
-def _around(start: F64, end: F64, station: Station, machine: Machine) -> F64 | None:
+def _poses_around_zones(start: F64, end: F64, station: Station, machine: Machine) -> F64 | None:
     """Return the poses on the shortest way around the zones at constant height, (k, 4).
 
     The way leads over corners of the zones, grown by the reach of the station.  None if there is no

@@ -135,6 +135,7 @@ verify.turn-off-path               checks.motion_checks
 verify.turn-overlaps               checks.overlap_check
 verify.two-lowered                 checks.motion_checks
 verify.unclassified                verify
+verify.unknown-beside-zone         checks.zone_check
 verify.unknown-position            checks.carriage_check, checks.motion_checks
 verify.unreached                   checks.milling_shortfalls
 verify.where-from-start            checks.check_base, checks.milling_check

@@ -47,7 +47,7 @@ def link_ends(edges: Edges, kink: float, ring: Bool | None = None) -> tuple[I64,
     which another edge continues straight, whether or not the two are linked, (2n,).
     """
     count = len(edges.ends)
-    a, b, turn, goes_on = edges.remembered("joined ends", lambda: _joined_pairs(edges))
+    a, b, turn, goes_on = edges.compute_once("joined ends", lambda: _joined_pairs(edges))
     if ring is not None:
         both = ring[a // 2] & ring[b // 2]
         rung = np.bincount(a[both], minlength=count) == 1

@@ -52,7 +52,7 @@ class Edges:
     ends: F64  #: (2n, 2) mm, start and end of each edge in turn
     outward: F64  #: (2n,) degrees, direction out of the edge at each end
     chord: F64  #: (n,) degrees, direction from start to end
-    #: results of ``remembered`` functions; the arrays of a record never change
+    #: results of ``compute_once``; the arrays of a record never change
     _memory: dict[str, Any] = field(init=False, repr=False, default_factory=dict)
 
     def __len__(self) -> int:
@@ -60,9 +60,9 @@ class Edges:
 
     def with_types(self, *types: LineType) -> Edges:
         """Return the edges that have one of the line types ``types`` (positional arguments)."""
-        present = self.remembered("types", lambda: set(np.unique(self.line_type).tolist()))
+        present = self.compute_once("types", lambda: set(np.unique(self.line_type).tolist()))
         wanted = sorted(present.intersection(types))
-        return self.remembered(
+        return self.compute_once(
             f"edges of types {wanted}",
             lambda: self.select(np.flatnonzero(np.isin(self.line_type, wanted))),
         )
@@ -73,7 +73,7 @@ class Edges:
         End 2i is the start of edge i, and end 2i + 1 is its end.  Each end also forms a pair with
         itself.
         """
-        return self.remembered(
+        return self.compute_once(
             f"ends within {distance}", lambda: pairs_within(self.ends, self.ends, distance)
         )
 
@@ -98,7 +98,7 @@ class Edges:
         low, high = (np.zeros(len(self)), self.curve[:, 5]) if part is None else part
         if limit > _GRID_LIMIT:
             return find_overlaps(curves, self.curve, low, high, limit)
-        grid = self.remembered("grid", lambda: list_edges(self.curve, _GRID_LIMIT))
+        grid = self.compute_once("grid", lambda: list_edges(self.curve, _GRID_LIMIT))
         return search_overlaps(curves, grid, low, high, limit)
 
     def touched_by_points(self, points: F64, limit: float) -> Overlaps:
@@ -107,7 +107,7 @@ class Edges:
         """
         return self.find_overlaps(line_curves(points, points), limit)
 
-    def remembered(self, name: str, compute: Callable[[], Result]) -> Result:
+    def compute_once(self, name: str, compute: Callable[[], Result]) -> Result:
         """Return the result of ``compute``, which is called only once for each ``name``.
 
         Several checks need the same results about the same edges.  Callers must not change them.
@@ -189,7 +189,7 @@ def without_duplicates(edges: Edges) -> tuple[Edges, I32, I32]:
     Three values: the remaining edges; the row in the dieline of each of k duplicates, (k,); and the
     row in the dieline of the remaining edge with which each duplicate coincides, (k,).
     """
-    return edges.remembered("without duplicates", lambda: _separate_duplicates(edges))
+    return edges.compute_once("without duplicates", lambda: _separate_duplicates(edges))
 
 
 def _separate_duplicates(edges: Edges) -> tuple[Edges, I32, I32]:

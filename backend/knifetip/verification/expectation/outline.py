@@ -53,7 +53,7 @@ def find_outlines(edges: Edges) -> CutOutlines:
     """Return the outlines that the cuts ``edges`` form, and on which side of each cut the part
     lies.
     """
-    return edges.remembered("outlines", lambda: _find_outlines(edges))
+    return edges.compute_once("outlines", lambda: _find_outlines(edges))
 
 
 def _find_outlines(edges: Edges) -> CutOutlines:

@@ -74,7 +74,7 @@ def _make_moves(blocks: ProgramBlocks, state: ModalState, machine: Machine) -> M
         oscillating=state.oscillating[rows],
         stated=state.stated[rows],
         blend=state.blend[rows],
-        rested=_rested(blocks, rows),
+        rested=_find_rests(blocks, rows),
         waited=state.waited[rows],
         uses_tool_table=state.uses_tool_table,
         dwell=state.dwell,
@@ -139,7 +139,7 @@ def _check_carriages(blocks: ProgramBlocks, moving: I64, own: I64) -> None:
         blocks.fault(wrong, message)
 
 
-def _rested(blocks: ProgramBlocks, moving: I64) -> Bool:
+def _find_rests(blocks: ProgramBlocks, moving: I64) -> Bool:
     """Return the mask of the n moves before which the head comes to rest, (n,).
 
     A dwell, a tool change, and the switching of an output or the spindle end the moves before them.

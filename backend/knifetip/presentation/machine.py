@@ -1,0 +1,44 @@
+"""machine: machines as JSON data, for the API and the command line."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import Any
+
+from knifetip.model.machine import Machine, Station
+
+
+def machine_json(machine: Machine) -> dict[str, Any]:
+    """Return a machine without its stations as JSON data (mm, degrees, mm/min)."""
+    return {
+        "name": machine.name,
+        "title": machine.title,
+        "width": machine.width,
+        "height": machine.height,
+        "dialect": machine.dialect,
+        "origin": list(machine.origin),
+        "travel_z": machine.travel_z,
+        "clearance": machine.clearance,
+        "turn_clearance": machine.turn_clearance,
+        "into_mat": machine.into_mat,
+        "feed": machine.feed,
+        "axes": {letter.lower(): asdict(axis) for letter, axis in machine.axes.items()},
+        "carriages": [
+            {"number": number, "letters": carriage.letters, "park": carriage.park}
+            for number, carriage in enumerate(machine.carriages, 1)
+        ],
+        "min_distance": machine.gantry.min_distance if machine.gantry else None,
+        "zones": [asdict(zone) for zone in machine.zones],
+    }
+
+
+def station_json(station: Station) -> dict[str, Any]:
+    """Return a station without its tool as JSON data (mm, degrees)."""
+    return {
+        "number": station.number,
+        "name": station.name,
+        "carriage": station.carriage,
+        "datum": {axis: getattr(station, axis) for axis in "xyzc"},
+        "output": station.output,
+        "envelope": station.envelope,
+    }
