@@ -272,8 +272,8 @@ def _displacement(before: list[Move], after: list[Move], machine: Machine, board
             return math.inf
         farthest = max(
             farthest,
-            _greatest_distance(new[index], _nearby_paths(old, index)),
-            _greatest_distance(old[index], _nearby_paths(new, index)),
+            _distance_to_paths(new, old, index),
+            _distance_to_paths(old, new, index),
             _blade_swing(one, other, machine, caliper)
             if len(old[index]) and len(new[index])
             else 0.0,
@@ -289,6 +289,45 @@ def _nearby_paths(paths: list[Poses], index: int) -> list[Poses]:
     while last + 1 < min(len(paths), index + NEIGHBOURS + 1) and len(paths[last + 1]):
         last += 1
     return [poses for poses in paths[first : last + 1] if len(poses)]
+
+
+def _distance_to_paths(moved: list[Poses], paths: list[Poses], index: int) -> float:
+    """Return the greatest distance of the path ``moved[index]`` from other paths (mm).
+
+    The others are those near the same index in ``paths``, and straight ones with which the path is
+    in line: a tool that enters the board within such a path, in its direction, changes nothing.
+    """
+    path = moved[index]
+    in_line = _in_line(path, paths)
+    distance = _greatest_distance(path, _nearby_paths(paths, index) + in_line)
+    if len(path) == 2 and (path[0, :2] == path[1, :2]).all():
+        lowest = path[path[:, 2].argmin()][None]
+        distance = min(distance, _greatest_distance(lowest, in_line))
+    return distance
+
+
+def _in_line(path: Poses, paths: list[Poses]) -> list[Poses]:
+    """Return the straight paths that have the line, the depth and the heading of a path."""
+    depth = path[:, 2].min(initial=np.inf)
+    return [
+        one
+        for one in paths
+        if len(one) == 2
+        and len(path) == 2
+        and (np.abs(one[:, 2] - depth) < 1e-6).all()
+        and (np.abs((one[:, 3] - path[0, 3] + 180.0) % 360.0 - 180.0) < 1e-6).all()
+        and _distance_to_line(path, one) < 1e-6
+    ]
+
+
+def _distance_to_line(path: Poses, line: Poses) -> float:
+    """Return the greatest distance of points from the infinite line through two points (mm)."""
+    along = line[1, :2] - line[0, :2]
+    size = math.hypot(*along)
+    if size == 0.0:
+        return math.inf
+    across = np.array([-along[1], along[0]]) / size
+    return float(np.abs((path[:, :2] - line[0, :2]) @ across).max())
 
 
 def _greatest_distance(poses: Poses, others: list[Poses]) -> float:
