@@ -19,7 +19,6 @@ from knifetip.geometry import arc
 from knifetip.geometry.chain import chain
 from knifetip.geometry.columns import F64, I8, I32, I64, Bool
 from knifetip.geometry.path import Paths, reverse_paths, select_paths
-from knifetip.geometry.tolerance import JOIN
 from knifetip.model.board import Board
 from knifetip.model.corners import Corners
 from knifetip.model.dieline import Dieline, LineType
@@ -31,6 +30,7 @@ from knifetip.planning.cut_sides import cut_sides
 from knifetip.planning.facing_contours import merge_facing_layers
 from knifetip.planning.last_cuts import track_levels
 from knifetip.planning.layers import cut_layers
+from knifetip.planning.path_ends import close_joints
 from knifetip.planning.reachable import reachable_by_disc
 from knifetip.planning.setup import Setup
 from knifetip.topology.noding import split_at_ends
@@ -72,7 +72,7 @@ def plan_milling(
     layers = cut_layers(ends, bulge, face)
     layer = layers.number
     chains = chain(ends, bulge, group=layer * (int(face.max()) + 2) + face)
-    paths = _close_joints(chains.paths(ends, bulge))
+    paths = close_joints(chains.paths(ends, bulge))
     source = rows[pieces.row[chains.order]]
     number = layer[chains.order][chains.first[:-1]]
     avoid = ends_of_others(dieline, rows[np.unique(pieces.row[pieces.waste != 0])])
@@ -254,22 +254,3 @@ def _check_shared(rows: I32, cutter: DiscTool) -> None:
             diameter=2.0 * cutter.radius,
             source=[str(row) for row in rows[:10]],
         )
-
-
-def _close_joints(paths: Paths) -> Paths:
-    """Return the paths without the small gaps that the drawing leaves between segments.
-
-    Each segment ends exactly at the start of the next one.  A path whose start and end are less
-    than ``JOIN`` mm apart is closed.
-    """
-    end = paths.end.copy()
-    first, last = paths.first[:-1], paths.first[1:] - 1
-    inner: Bool = np.ones(len(end), np.bool_)
-    inner[last] = False
-    rows = np.flatnonzero(inner)
-    end[rows] = paths.start[rows + 1]
-    # A line to a point and back ends where it started, but is no contour.
-    gap = np.hypot(*(paths.start[first] - paths.end[last]).T)
-    near = (gap < JOIN) & ((last > first + 1) | (np.abs(paths.bulge[first]) > 0.0))
-    end[last[near]] = paths.start[first[near]]
-    return Paths(paths.start, end, paths.bulge, paths.first)

@@ -10,6 +10,7 @@ import numpy as np
 from knifetip.geometry.chain import chain, outward_directions
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.path import Paths
+from knifetip.geometry.tolerance import JOIN
 from knifetip.model.dieline import Dieline
 from knifetip.model.operation import End
 
@@ -31,7 +32,27 @@ def chain_edges(
         None, all edges are one group.
     """
     chains = chain(dieline.ends[rows], dieline.bulge[rows], kink, group=group)
-    return chains.paths(dieline.ends[rows], dieline.bulge[rows]), rows[chains.order]
+    paths = close_joints(chains.paths(dieline.ends[rows], dieline.bulge[rows]))
+    return paths, rows[chains.order]
+
+
+def close_joints(paths: Paths) -> Paths:
+    """Return the paths without the small gaps that the drawing leaves between segments.
+
+    Each segment ends exactly at the start of the next one.  A path whose start and end are less
+    than ``JOIN`` mm apart is closed.
+    """
+    end = paths.end.copy()
+    first, last = paths.first[:-1], paths.first[1:] - 1
+    inner: Bool = np.ones(len(end), np.bool_)
+    inner[last] = False
+    rows = np.flatnonzero(inner)
+    end[rows] = paths.start[rows + 1]
+    # A line to a point and back ends where it started, but is no contour.
+    gap = np.hypot(*(paths.start[first] - paths.end[last]).T)
+    near = (gap < JOIN) & ((last > first + 1) | (np.abs(paths.bulge[first]) > 0.0))
+    end[last[near]] = paths.start[first[near]]
+    return Paths(paths.start, end, paths.bulge, paths.first)
 
 
 def end_points(paths: Paths) -> tuple[F64, I32]:
