@@ -107,3 +107,21 @@ def test_a_fold_at_the_height_of_a_joint_is_trimmed() -> None:
     folds = edges(((0, 30), (99.9, 30)), ((50, -0.4), (50, 80.3)))
     made = compiled(dieline((CUT, cuts), (CREASE, folds)), "demo-table", "fbb-0.4")
     assert refusals(made) == []
+
+
+@pytest.mark.parametrize("machine", ["two-carriage-table", "flat-cutter-hpgl"])
+def test_a_knife_that_turns_at_a_joint_with_a_gap_does_not_travel(machine: str) -> None:
+    turns = np.linspace(0.0, 2.0 * np.pi, 36, endpoint=False)
+    panel: F64 = closed(*zip(60.0 * np.cos(turns), 60.0 * np.sin(turns), strict=True))
+    panel[:, 1] -= 0.0015 * (panel[:, 1] - panel[:, 0]) / 10.5
+    assert refusals(compiled(dieline((CUT, panel)), machine, "fbb-0.4")) == []
+
+
+@pytest.mark.parametrize("machine", ["demo-table", "laser-table"])
+def test_round_blanks_may_touch(machine: str) -> None:
+    # The upper one touches the lower one from above, at the middle of an arc.
+    blanks = edges(
+        *(line for y in (0.0, 80.0) for line in (((0, y), (80, y)), ((80, y), (0, y))))
+    )
+    line = dieline((CUT, blanks), bulge=dict.fromkeys(range(4), 1.0))
+    assert refusals(compiled(line, machine, "greyboard-2.0")) == []

@@ -315,6 +315,9 @@ def _boxes_of_spans(spans: F64_2) -> Any:
 def _first_below(lowest: F64_2, spans: F64_2, owner: I32_1, boxes: F64_2, order: I64_1) -> Any:
     """Return the first span of another component below the lowest point of each component.
 
+    A span through the lowest point, within rounding, counts as below it: the component touches it
+    from above.
+
     A span is a part of an edge that runs from left to right; a span contains its left end but not
     its right end.  If several spans are at the same height below a point, the one with the greatest
     slope is returned, because it is the upper one immediately to the right of the point.  Of spans
@@ -347,7 +350,7 @@ def _first_below(lowest: F64_2, spans: F64_2, owner: I32_1, boxes: F64_2, order:
         depth = start_query(tree, stack)
         while True:
             at, depth = next_overlap(
-                tree.boxes, tree.level, stack, depth, x, best - _MARGIN, x, y, -1
+                tree.boxes, tree.level, stack, depth, x, best - _MARGIN, x, y + _MARGIN, -1
             )
             if at < 0:
                 break
@@ -355,7 +358,7 @@ def _first_below(lowest: F64_2, spans: F64_2, owner: I32_1, boxes: F64_2, order:
             if owner[i] == c or not spans[i, 0] <= x < spans[i, 2]:
                 continue
             height = _height_at(spans[i], x)
-            if height >= y or height < best:
+            if height > y + _MARGIN or height < best:
                 continue
             slope = _slope_at(spans[i], x)
             if height > best or slope > steep or (slope == steep and i > hit[c]):
