@@ -17,6 +17,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from tests.cartons.campaign import Tally, run
+from tests.cartons.oracle import judge
 
 
 def main() -> int:
@@ -36,6 +37,7 @@ def main() -> int:
             options.seed,
             tally,
             first=options.first,
+            judge=judge,
             every=options.oracle,
         ):
             print(f"{outcome.fate.upper()} {job}: {outcome.followed} {outcome.text}", flush=True)

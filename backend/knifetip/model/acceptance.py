@@ -58,11 +58,13 @@ def accept_shortfalls(
         found = severities.get((edge, code))
         if found is None:
             raise RequestError("verify.no-such-shortfall", edge=edge, code=code)
-        if found != {Severity.SHORTFALL}:
+        if Severity.SHORTFALL not in found or Severity.FAULT in found:
             raise RequestError("verify.not-acceptable", edge=edge, code=code)
     return tuple(
         replace(finding, acceptance=acceptance)
-        if finding.acceptance is None and (finding.edge, finding.message.code) in chosen
+        if finding.severity is Severity.SHORTFALL
+        and finding.acceptance is None
+        and (finding.edge, finding.message.code) in chosen
         else finding
         for finding in findings
     )

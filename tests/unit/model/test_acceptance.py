@@ -60,3 +60,10 @@ def test_a_note_or_a_missing_finding_cannot_be_accepted() -> None:
         with_exceptions(verdict(note), {(3, WIDE.code)}, GIVEN)
     with pytest.raises(RequestError, match=r"no finding verify\.wide-slit at edge 5"):
         with_exceptions(verdict(slit(3)), {(5, WIDE.code)}, GIVEN)
+
+
+def test_a_note_beside_a_shortfall_of_the_same_code_stays_a_note() -> None:
+    note = replace(slit(3), severity=Severity.NOTE)
+    accepted = with_exceptions(verdict(slit(3), note), {(3, WIDE.code)}, GIVEN)
+    assert accepted.accepted
+    assert [found.acceptance for found in accepted.findings] == [GIVEN, None]
