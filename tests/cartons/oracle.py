@@ -92,7 +92,8 @@ def _drawn(outcome: Outcome, kinds: tuple[LineType, ...]) -> F64:
     for row in np.flatnonzero(np.isin(line.line_type, kinds)):
         way = chords(line.ends[row, 0], line.ends[row, 1], float(line.bulge[row]))
         found.append(np.stack([way[:-1], way[1:]], axis=1))
-    return np.concatenate(found) + np.array(outcome.compiled.placement)
+    lines: F64 = np.concatenate(found) + np.array(outcome.compiled.placement)
+    return lines
 
 
 def _farthest(contacts: list[Contact], lines: F64) -> tuple[float, tuple[float, float]]:
