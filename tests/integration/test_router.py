@@ -324,3 +324,8 @@ def test_a_part_in_a_hole_that_is_too_narrow_all_round_is_left_out() -> None:
     assert not has_faults(result), result.findings[:3]
     refused = {one.edge: one.message.code for one in result.findings if one.refuses}
     assert refused == dict.fromkeys(range(4, 12), "verify.contour-unreached")
+    # The strip round the part, without the part: one outline, with a line to the part and back.
+    assert result.areas.area.tolist() == pytest.approx([60.0**2 - 56.0**2])
+    assert len(result.areas.bulge) == 4 + 1 + 4 + 1
+    start, end = result.areas.ends[:, 0], result.areas.ends[:, 1]
+    np.testing.assert_allclose(end, np.roll(start, -1, axis=0))

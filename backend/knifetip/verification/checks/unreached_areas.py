@@ -160,6 +160,9 @@ def _trace_loops(onward: I64_1) -> Any:
 def _enclosing_loops(ends: F64, bulge: F64, first: I64) -> Unreached:
     """Return the loops that enclose more than ``MIN_AREA``, and the area that each encloses (mm²).
 
+    A clockwise loop is the outline of a part inside an unreached area.  It is joined to the loop
+    around it by two lines on one another, and its area is subtracted.
+
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
@@ -178,10 +181,59 @@ def _enclosing_loops(ends: F64, bulge: F64, first: I64) -> Unreached:
     radius = np.where(bent, chord / (2.0 * np.sin(np.where(bent, sweep, 1.0) / 2.0)), 0.0)
     twice = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0] + radius**2 * (sweep - np.sin(sweep))
     area = np.bincount(owner, twice, minlength=len(first) - 1) / 2.0
-    large = area > MIN_AREA
-    rows = large[owner]
-    sizes = np.diff(first)[large]
-    return Unreached(ends[rows], bulge[rows], np.concatenate([[0], np.cumsum(sizes)]), area[large])
+    loops = {
+        loop: (ends[first[loop] : first[loop + 1]], bulge[first[loop] : first[loop + 1]])
+        for loop in np.flatnonzero(area > MIN_AREA).tolist()
+    }
+    for inner in np.flatnonzero(area < -MIN_AREA).tolist():
+        rows = slice(first[inner], first[inner + 1])
+        around = [loop for loop in loops if _encloses(loops[loop][0], ends[first[inner], 0])]
+        if around:
+            outer = min(around, key=lambda loop: area[loop])
+            loops[outer] = _join_loops(loops[outer], (ends[rows], bulge[rows]))
+            area[outer] += area[inner]
+    if not loops:
+        return Unreached()
+    sizes = [len(loop[1]) for loop in loops.values()]
+    return Unreached(
+        np.concatenate([loop[0] for loop in loops.values()]),
+        np.concatenate([loop[1] for loop in loops.values()]),
+        np.concatenate([[0], np.cumsum(sizes)]),
+        area[list(loops)],
+    )
+
+
+def _encloses(ends: F64, point: F64) -> bool:
+    """Return whether a loop encloses a point.
+
+    ``ends`` (n, 2, 2) are the starts and ends of the lines and arcs of the loop; arcs count as
+    lines.
+    """
+    (x0, y0), (x1, y1) = (ends[:, side].T - point[:, None] for side in (0, 1))
+    crossed = (y0 > 0.0) != (y1 > 0.0)
+    beyond = x0 - y0 * (x1 - x0) / np.where(crossed, y1 - y0, 1.0) > 0.0
+    return bool(np.count_nonzero(crossed & beyond) % 2)
+
+
+def _join_loops(outer: tuple[F64, F64], inner: tuple[F64, F64]) -> tuple[F64, F64]:
+    """Return one loop along two loops, with a line between their nearest vertices and back.
+
+    Each loop consists of the starts and ends (n, 2, 2) and the bulges (n,) of its lines and arcs.
+    """
+    apart = np.hypot(*(outer[0][:, None, 0] - inner[0][None, :, 0]).transpose(2, 0, 1))
+    one, other = np.unravel_index(int(apart.argmin()), apart.shape)
+    starts = outer[0][one, 0], inner[0][other, 0]
+    return (
+        np.concatenate(
+            [
+                np.roll(outer[0], -one, axis=0),
+                np.stack(starts)[None],
+                np.roll(inner[0], -other, axis=0),
+                np.stack(starts[::-1])[None],
+            ]
+        ),
+        np.concatenate([np.roll(outer[1], -one), [0.0], np.roll(inner[1], -other), [0.0]]),
+    )
 
 
 def merge_unreached(parts: Sequence[Unreached], placement: tuple[float, float]) -> Unreached:
