@@ -69,3 +69,14 @@ def test_a_corner_may_be_rounded_in_the_waste_only() -> None:
     line = before.rindex(b"G1 Y143.0000")
     rounded = before[:line] + b"G64 P0.5 Q0.5\n" + before[line:] + found + lead
     assert "rounded by 0.5 mm" in oracle.harm(rounded)
+
+
+def test_a_drag_knife_must_not_cut_a_hole_again_in_a_released_part() -> None:
+    subject = _named("drag knife, linuxcnc")
+    begin = subject.text.index(b"G0 X144.0000 Y130.0000")
+    hole = subject.text[begin : subject.text.index(b"G0 X172.8284")]
+    before, found, rest = subject.text.rpartition(b"G0 X0.0000 Y0.0000")
+    assert found
+    text = before + hole + found + rest
+    assert "works on a part after its outline" in Oracle(subject).harm(text)
+    assert not subject.accepts(text)

@@ -37,7 +37,7 @@ class WorkedSpans:
     high: F64  #: (k,)
     line: I64  #: (k,)
     through: Bool  #: (k,) the work goes through the board
-    path: I64  #: (k,) row of the tip path
+    path: I64  #: (m,) rows of all tip paths on these stretches
     reach: float  #: mm, the radius of the widest cutter, 0 for knives
 
 
@@ -85,14 +85,40 @@ def find_worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> Wor
         is_through = deep >= planned - DEPTH_TOLERANCE
         columns.append((beside.edge[pieces], low, high, paths, is_through))
     edge, low, high, path, is_through = (np.concatenate(one) for one in zip(*columns, strict=True))
+    order = np.lexsort((path, edge))
+    edge, low, high, path, is_through = (
+        one[order] for one in (edge, low, high, path.astype(np.int64), is_through)
+    )
+    # The head may follow an arc with a trailing knife on many tip paths, each very short.
+    first = _first_rows(edge, low, high, path, work.line[path])
+    if len(first):
+        low, high = np.minimum.reduceat(low, first), np.maximum.reduceat(high, first)
+        is_through = np.logical_and.reduceat(is_through, first)
+    line, edge = work.line[path[first]].astype(np.int64), edge[first].astype(np.int64)
     # Drop paths that only cross a cut or touch its end.
-    long = np.flatnonzero(high - low >= np.minimum(MIN_LENGTH, 0.5 * size[edge]))
-    long = long[np.lexsort((work.line[path[long]], edge[long]))]
-    path = path[long].astype(np.int64)
+    long = high - low >= np.minimum(MIN_LENGTH, 0.5 * size[edge])
+    run = np.zeros(len(path), np.int64)
+    run[first[1:]] = 1
     return WorkedSpans(
-        edge[long].astype(np.int64), low[long], high[long], work.line[path].astype(np.int64),
-        is_through[long], path, widest,
+        edge[long], low[long], high[long], line[long], is_through[long],
+        path[long[np.cumsum(run)]], widest,
     )  # fmt: skip
+
+
+def _first_rows(edge: I64, low: F64, high: F64, path: I64, line: I64) -> I64:
+    """Return the first row of each group of tip paths that follow each other along a cut, (g,).
+
+    All paths of a group belong to one program line.
+
+    Parameters
+    ----------
+    edge, low, high, path, line : (n,)
+        Index of the cut on which each tip path lies, the path's start and end on it (mm), the row
+        of the path and its program line; sorted by cut and then by path.
+    """
+    follows = (edge[1:] == edge[:-1]) & (path[1:] == path[:-1] + 1) & (line[1:] == line[:-1])
+    follows &= (low[1:] <= high[:-1] + JOIN_DISTANCE) & (low[:-1] <= high[1:] + JOIN_DISTANCE)
+    return np.flatnonzero(np.concatenate([np.ones(min(len(edge), 1), np.bool_), ~follows]))
 
 
 def _lies_inside(span: F64, size: F64) -> Bool:
