@@ -86,22 +86,20 @@ def find_worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> Wor
         columns.append((beside.edge[pieces], low, high, paths, is_through))
     edge, low, high, path, is_through = (np.concatenate(one) for one in zip(*columns, strict=True))
     order = np.lexsort((path, edge))
-    edge, low, high, path, is_through = (
-        one[order] for one in (edge, low, high, path.astype(np.int64), is_through)
-    )
+    edge, path = edge[order].astype(np.int64), path[order].astype(np.int64)
+    low, high, is_through = low[order], high[order], is_through[order]
+    line = work.line[path].astype(np.int64)
     # The head may follow an arc with a trailing knife on many tip paths, each very short.
-    first = _first_rows(edge, low, high, path, work.line[path])
+    first = _first_rows(edge, low, high, path, line)
     if len(first):
         low, high = np.minimum.reduceat(low, first), np.maximum.reduceat(high, first)
         is_through = np.logical_and.reduceat(is_through, first)
-    line, edge = work.line[path[first]].astype(np.int64), edge[first].astype(np.int64)
     # Drop paths that only cross a cut or touch its end.
-    long = high - low >= np.minimum(MIN_LENGTH, 0.5 * size[edge])
-    run = np.zeros(len(path), np.int64)
-    run[first[1:]] = 1
+    long = high - low >= np.minimum(MIN_LENGTH, 0.5 * size[edge[first]])
+    kept, many = first[long], np.diff(first, append=len(path))
     return WorkedSpans(
-        edge[long], low[long], high[long], line[long], is_through[long],
-        path[long[np.cumsum(run)]], widest,
+        edge[kept], low[long], high[long], line[kept], is_through[long],
+        path[np.repeat(long, many)], widest,
     )  # fmt: skip
 
 
