@@ -17,6 +17,8 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.sheet import Sheet
 from knifetip.pipeline import Compiled
 from tests.cartons.campaign import Tally, run
+from tests.cartons.job import random_job
+from tests.cartons.trial import attempt_job
 from tests.support.drawings import drawing
 from tests.support.shapes import closed, dieline, edges
 
@@ -47,6 +49,13 @@ def test_random_cartons_are_accepted() -> None:
     fates = sum((fates for fates in tally.by_machine.values()), start=tally.refusals.copy())
     assert fates["accepted"] > 20
     assert fates["by hint"] > 5
+
+
+@pytest.mark.parametrize(("seed", "number"), [(7, 816), (101, 91)])
+def test_rounded_blanks_do_not_exceed_the_travel_of_a_flat_cutter(seed: int, number: int) -> None:
+    job = random_job(seed, number)
+    assert job.machine.name == "flat-cutter-hpgl"
+    assert attempt_job(job).fate == "accepted"
 
 
 @pytest.mark.parametrize("space", [3.0, 10.0])
