@@ -75,11 +75,13 @@ def _end_contacts(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
     end, row = box_pairs(
         np.hstack([points, points]), arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge), JOIN
     )
+    # Most ends only meet the ends of other edges.
+    for side in range(2):
+        inner = np.hypot(*(points[end] - ends[row, side]).T) > JOIN
+        end, row = end[inner], row[inner]
     segments = ends[row, 0], ends[row, 1], bulge[row]
     fraction = arc.nearest_fraction(*segments, points[end])
     touches = np.hypot(*(arc.point_at(*segments, fraction) - points[end]).T) <= JOIN
-    for side in range(2):
-        touches &= np.hypot(*(points[end] - ends[row, side]).T) > JOIN
     return row[touches], fraction[touches], points[end[touches]]
 
 

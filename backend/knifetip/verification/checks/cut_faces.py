@@ -13,10 +13,10 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.kernels import F64_1, F64_2, I64_1, Bool_1, kernel
+from knifetip.kernels import F64_2, I64_1, Bool_1, kernel
 from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.curves.curve import line_curves, point_at
-from knifetip.verification.curves.overlap import find_overlaps, grid_layout, list_by_cell
+from knifetip.verification.curves.overlap import EdgeGrid, find_overlaps, list_edges
 from knifetip.verification.expectation.edge_paths import edge_paths, joined_ends
 from knifetip.verification.expectation.edges import (
     JOIN_DISTANCE,
@@ -45,6 +45,10 @@ _MIN_AREA: Final = 1e-6
 _RAY_OFFSET: Final = 0.317 * JOIN_DISTANCE
 
 
+#: Pieces this near to a cell are listed in it for the rays (mm).
+_RAY_MARGIN: Final = 1e-6
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class CutFaces:
     """The f faces into which cuts and links divide the sheet; face 0 is outside all cuts.
@@ -59,7 +63,12 @@ class CutFaces:
     begin: F64  #: (p,) mm from the start of the cut
     face: I64  #: (p, 2) left and right face; of duplicates in any order
     count: int  #: number of faces, f
-    unique: I64  #: (q,) pieces without duplicates
+    pieces: Edges  #: the q pieces without duplicates; their rows are indices of pieces
+
+    @property
+    def unique(self) -> I64:
+        """Indices of the pieces without duplicates, (q,)."""
+        return self.pieces.row.astype(np.int64)
 
     def locate(self, points: F64) -> I64:
         """Return the index of the face that contains each of m points, shape (m,).
@@ -67,9 +76,7 @@ class CutFaces:
         ``points`` is (m, 2) mm; the index is 0 for a point outside all cuts.
         """
         unique = self.unique
-        met, rising = _first_curve_left(
-            points, np.full(len(points), -1), self.curve[unique], unique
-        )
+        met, rising = _first_piece_left(points, np.full(len(points), -1), self.pieces, unique)
         side = self.face[unique[met], np.where(rising, 1, 0)]
         result: I64 = np.where(met < 0, 0, side)
         return result
@@ -95,10 +102,10 @@ def faces_between(cuts: Edges, links: F64) -> CutFaces:
     cycle, swept, component = face_cycles(unique)
     face = np.empty((len(piece), 2), np.int64)
     face[unique.row], count = _assign_faces(
-        unique.curve, cycle.reshape(-1, 2), swept < _MIN_AREA, component
+        unique, cycle.reshape(-1, 2), swept < _MIN_AREA, component
     )
     face[twin] = face[first]
-    return CutFaces(piece, edge, begin, face, count, unique.row.astype(np.int64))
+    return CutFaces(piece, edge, begin, face, count, unique)
 
 
 def find_dangling_ends(cuts: Edges) -> I64:
@@ -256,14 +263,14 @@ def _crossings(curve: F64) -> tuple[I32, F64]:
     return cross.edge[crosses], (0.5 * (low + high))[crosses]
 
 
-def _assign_faces(curve: F64, cycle: I64, outside: Bool, component: I64) -> tuple[I64, int]:
+def _assign_faces(pieces: Edges, cycle: I64, outside: Bool, component: I64) -> tuple[I64, int]:
     """Return the indices of the faces on the left and right of p pieces, (p, 2), and the number of
     faces.
 
     Parameters
     ----------
-    curve : (p, 6)
-        The pieces of cuts: lines and arcs as rows of six numbers (see ``curves.curve``).
+    pieces
+        The p pieces of cuts.
     cycle : (p, 2)
         Index of the cycle of half-edges on the left and on the right of each piece.
     outside : (w,)
@@ -271,7 +278,7 @@ def _assign_faces(curve: F64, cycle: I64, outside: Bool, component: I64) -> tupl
     component : (p,)
         Index of the connected component of each piece.
     """
-    count = int(component.max()) + 1
+    count, curve = int(component.max()) + 1, pieces.curve
     # The leftmost point of each component, at the side of a circle or at an end.
     start, end = point_at(curve, np.zeros(len(curve))), point_at(curve, curve[:, 5])
     side = curve[:, 1:3] - np.stack([curve[:, 3], np.zeros(len(curve))], axis=1)
@@ -281,7 +288,7 @@ def _assign_faces(curve: F64, cycle: I64, outside: Bool, component: I64) -> tupl
     leftmost = points[np.arange(len(curve)), points[:, :, 0].argmin(axis=1)]
     order = np.lexsort((leftmost[:, 0], component))
     probe = leftmost[order[np.searchsorted(component[order], np.arange(count))]]
-    met, rising = _first_curve_left(probe, np.arange(count), curve, component)
+    met, rising = _first_piece_left(probe, np.arange(count), pieces, component)
     beside = np.where(met < 0, -1, cycle[met, np.where(rising, 1, 0)])
     # The curve to the left belongs to a component farther left, whose face is already assigned.
     face_of = np.where(outside, 0, np.cumsum(~outside))
@@ -324,28 +331,25 @@ def _enclosing_faces(
     return enclosing
 
 
-def _first_curve_left(points: F64, own: I64, curve: F64, owner: I64) -> tuple[I64, Bool]:
-    """Return the first of n curves to the left of each of m points, and whether it runs upwards.
+def _first_piece_left(points: F64, own: I64, pieces: Edges, owner: I64) -> tuple[I64, Bool]:
+    """Return the first of n pieces to the left of each of m points, and whether it runs upwards.
 
     Parameters
     ----------
     points : (m, 2) mm
         The points.
     own : (m,)
-        Number of the group whose curves are ignored in the search from each point, -1 for none.
-    curve, owner : (n, 6) and (n,)
-        Lines and arcs as rows of six numbers (see ``curves.curve``), and the number of the group of
-        each, such as its connected component.
+        Number of the group whose pieces are ignored in the search from each point, -1 for none.
+    pieces, owner
+        The n pieces, and the number of the group of each, such as its connected component, (n,).
 
     Returns
     -------
-    Index of the curve, (m,), -1 for none; and the mask of the points whose curve runs upwards at
+    Index of the piece, (m,), -1 for none; and the mask of the points whose piece runs upwards at
     the height of the point, (m,).
     """
-    corner, size, shape = grid_layout(curve, 0.0)
-    met, rising = _search_left(
-        points + np.array([0.0, _RAY_OFFSET]), own, curve, owner, corner, size, shape[0], shape[1]
-    )
+    grid = pieces.compute_once("cells of rays", lambda: list_edges(pieces.curve, 0.0, _RAY_MARGIN))
+    met, rising = _search_left(points + np.array([0.0, _RAY_OFFSET]), own, owner, grid)
     return met, rising
 
 
@@ -353,16 +357,11 @@ def _first_curve_left(points: F64, own: I64, curve: F64, owner: I64) -> tuple[I6
 def _search_left(
     points: F64_2,
     own: I64_1,
-    curve: F64_2,
     owner: I64_1,
-    corner: F64_1,
-    size: float,
-    wide: int,
-    tall: int,
+    grid: EdgeGrid,
 ) -> Any:
-    first, listed = list_by_cell(
-        curve, np.ones(len(curve), np.bool_), 1e-6, corner, size, wide, tall
-    )
+    curve, corner, size, wide, tall = grid.edges, grid.corner, grid.size, grid.wide, grid.tall
+    first, listed = grid.first, grid.listed
     met = np.full(len(points), -1, np.int64)
     rising = np.zeros(len(points), np.bool_)
     for p in range(len(points)):

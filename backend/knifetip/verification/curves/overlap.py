@@ -74,17 +74,17 @@ class EdgeGrid(NamedTuple):
     listed: I32_1
 
 
-def list_edges(edges: F64, limit: float) -> EdgeGrid:
+def list_edges(edges: F64, limit: float, margin: float = 0.0) -> EdgeGrid:
     """Return a grid of m ≥ 1 edges for searches with limits that are not much greater than
     ``limit``.
 
-    ``edges`` are lines and arcs as rows of six numbers (see ``curves.curve``), (m, 6); the limit is
-    a distance in mm.
+    ``edges`` are lines and arcs as rows of six numbers (see ``curves.curve``), (m, 6).  An edge is
+    listed in each cell within ``margin`` of it.  The limit and the margin are distances in mm.
     """
     edges = np.ascontiguousarray(edges)
     corner, size, (wide, tall) = grid_layout(edges, limit)
     usable = np.ones(len(edges), np.bool_)
-    cells = list_by_cell(edges, usable, 0.0, corner, size, wide, tall)
+    cells = list_by_cell(edges, usable, margin, corner, size, wide, tall)
     return EdgeGrid(edges, corner, size, wide, tall, *cells)
 
 

@@ -198,23 +198,26 @@ def knife_ends(
     link, _ = link_ends(edges, 180.0, ring)
     paths = edge_paths(edges, link)
     overlaps = cuts.touched_by_points(edges.ends, TOUCH_DISTANCE)
-    own = edges.row[overlaps.curve // 2] == cuts.row[overlaps.edge]
+    other = np.flatnonzero(edges.row[overlaps.curve // 2] != cuts.row[overlaps.edge])
+    end, cut = overlaps.curve[other], overlaps.edge[other].astype(np.int64)
     # A cut that ends here from the same side is a duplicate.
-    near = np.where(overlaps.place[:, 0] < 0.5 * cuts.curve[overlaps.edge, 5], 0, 1)
-    twin = 2 * overlaps.edge.astype(np.int64) + near
-    here = np.hypot(*(cuts.ends[twin] - edges.ends[overlaps.curve]).T) <= JOIN_DISTANCE
-    own |= here & (
-        angle_between(cuts.outward[twin], edges.outward[overlaps.curve]) <= STRAIGHT_ANGLE
-    )
+    twin = 2 * cut + (overlaps.place[other, 0] >= 0.5 * cuts.curve[cut, 5])
+    here = np.hypot(*(cuts.ends[twin] - edges.ends[end]).T) <= JOIN_DISTANCE
+    same = angle_between(cuts.outward[twin], edges.outward[end]) <= STRAIGHT_ANGLE
     meets = np.zeros(2 * count, np.bool_)
-    meets[overlaps.curve[~own]] = True
+    meets[end[~(here & same)]] = True
     free = ~meets & (link < 0)
     ahead = np.radians(edges.outward)
     runs_over = np.zeros(2 * count, np.bool_)
     if overrun > 0.0 and meets.any():
         # A panel ahead of an end must not be cut.
+        on_cut = np.flatnonzero(meets[overlaps.curve])
         runs_over = meets & waste_ahead(
-            edges.outward, overlaps.curve, overlaps.edge, overlaps.place[:, 0], cuts
+            edges.outward,
+            overlaps.curve[on_cut],
+            overlaps.edge[on_cut],
+            overlaps.place[on_cut, 0],
+            cuts,
         )
     past = np.where(runs_over, overrun, 0.0)
     stop = edges.ends + past[:, None] * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
