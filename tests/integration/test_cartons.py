@@ -51,6 +51,15 @@ def test_random_cartons_are_accepted() -> None:
     assert fates["by hint"] > 5
 
 
+def test_a_wheel_that_turns_at_a_joint_with_a_gap_does_not_travel() -> None:
+    # The second crease turns by 0.9° and begins 0.0015 mm beside the end of the first one.
+    folds = edges(((10, 30), (60, 30)), ((60, 30.0015), (110, 30.787)))
+    panel = closed((0, 0), (120, 0), (120, 60), (0, 60))
+    line = dieline((CUT, panel), (CREASE, folds))
+    for machine in ("two-carriage-table", "demo-table", "flat-cutter-hpgl"):
+        assert refusals(compiled(line, machine, "greyboard-3.0")) == []
+
+
 @pytest.mark.parametrize(("seed", "number"), [(7, 816), (101, 91)])
 def test_rounded_blanks_do_not_exceed_the_travel_of_a_flat_cutter(seed: int, number: int) -> None:
     job = random_job(seed, number)

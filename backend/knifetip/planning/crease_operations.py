@@ -18,7 +18,7 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.operation import End, Operation
 from knifetip.planning.creases import double_creases, split_at_cuts
 from knifetip.planning.dashes import merge_dashes
-from knifetip.planning.path_ends import end_directions, end_points
+from knifetip.planning.path_ends import close_joints, end_directions, end_points
 from knifetip.planning.setup import Setup
 
 #: Greatest difference between the depth of a curved crease and the depth of the board's rule (mm).
@@ -124,7 +124,7 @@ def _crease_paths(dieline: Dieline, rows: I32) -> tuple[Paths, I32, tuple[U8, U8
     ends = np.concatenate([ends, dieline.ends[rows[~plain]]])[order]
     bulge = np.concatenate([bulge, dieline.bulge[rows[~plain]]])[order]
     chains = chain(ends, bulge, ANGLE)
-    paths, source = chains.paths(ends, bulge), row[order][chains.order]
+    paths, source = close_joints(chains.paths(ends, bulge)), row[order][chains.order]
     # Chains end where several edges continue in one direction: such ends are not free.  The ends
     # of a closed path are free if it has a corner there.
     continued = continues_straight(end_points(paths)[0], end_directions(paths))
