@@ -118,7 +118,7 @@ export function OrderPanel() {
             variant={job === undefined || job.state === "refused" ? "filled" : "default"}
             data-testid="compile"
           >
-            {job === undefined ? "Prepare program" : "Prepare program again"}
+            {job === undefined ? "Prepare program" : "Prepare again"}
           </Button>
         </div>
         {missing !== null && (
