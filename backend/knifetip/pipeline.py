@@ -24,6 +24,7 @@ from knifetip.classification.questions import list_questions
 from knifetip.cleaning.clean import clean
 from knifetip.cleaning.map_back import map_to_drawn
 from knifetip.compensation.compensate import compensate
+from knifetip.compensation.contour_starts import contour_starts
 from knifetip.errors import CompensationError, OpenQuestions, PlanError
 from knifetip.formats import read_file
 from knifetip.geometry.columns import I32, U8
@@ -52,6 +53,7 @@ from knifetip.planning.questions import tool_questions
 from knifetip.planning.sheet_outline import sheet_outline
 from knifetip.post.emit import process
 from knifetip.sequencing.air_moves import with_full_retracts
+from knifetip.sequencing.contour_starts import choose_starts
 from knifetip.sequencing.duration import duration
 from knifetip.sequencing.sequence import sequence
 from knifetip.units.evidence import find_unit
@@ -330,7 +332,7 @@ def _toolpath(
     for outline in outlines:
         operations: Sequence[Operation] = plan(shifted, machine, board, chosen, outline)
         progress(Stage.COMPENSATE, 0.2)
-        toolpaths = [compensate(operation) for operation in operations]
+        toolpaths = [compensate(_with_starts(operation, machine)) for operation in operations]
         progress(Stage.SEQUENCE, 0.4)
         edges = None if outline is None else outline.edges
         found.append(sequence(toolpaths, machine, edges, safety))
@@ -338,6 +340,19 @@ def _toolpath(
     toolpath = min(found, key=lambda one: duration(one, machine)) if len(found) > 1 else found[0]
     source = cleaned.dieline.source[np.maximum(toolpath.source, 0)]
     return replace(toolpath, source=np.where(toolpath.source < 0, -1, source))
+
+
+def _with_starts(operation: Operation, machine: Machine) -> Operation:
+    """Return an operation whose closed paths begin where the air moves between the paths are short.
+
+    If its tool has no choice, the operation is returned unchanged.
+    """
+    starts = contour_starts(operation)
+    if starts is None:
+        return operation
+    return replace(
+        operation, begin=choose_starts(starts, machine.station(operation.station), machine)
+    )
 
 
 def _verdict(

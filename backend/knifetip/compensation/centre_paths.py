@@ -2,7 +2,7 @@
 
 The distance is the cutter's radius, or half the kerf of a laser, less the deflection.  A closed
 path that the cutter enters round a corner starts behind this corner; all others start in the middle
-of a segment.
+of a segment (ADR 4).
 
 Source: the paper "Tool radius compensation", eqs 1–5.
 """
@@ -27,7 +27,7 @@ from knifetip.errors import CompensationError, GeometryError
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import unit_vectors
 from knifetip.geometry.columns import F64, I32, U8, Bool
-from knifetip.geometry.path import Paths, start_at, start_in_middle
+from knifetip.geometry.path import Paths, longest_segments, start_at, start_in_middle
 from knifetip.messages import Message
 from knifetip.model.operation import Operation
 from knifetip.model.tool import DiscTool
@@ -57,10 +57,11 @@ def centre_paths(operation: Operation) -> CentrePaths:
 
     The unreachable areas lie beside the contours, where the cutter does not fit.  Closed centre
     paths keep the cutter out of all other closed paths of the operation.  Each closed centre path
-    starts in the middle of its longest line, or of its longest arc if it has no line.  For a
-    lead-in round a corner it starts behind a corner instead, if there is one with room for the
-    lead-in.  A contour into which the cutter does not fit has no centre path; the verifier reports
-    its edges as shortfalls.
+    starts in the middle of a segment: of the one beside the segment with which the operation begins
+    the path if the leads have room there, else of its longest line, or of its longest arc if it has
+    no line.  For a lead-in round a corner it starts behind a corner instead, if there is one with
+    room for the lead-in.  A contour into which the cutter does not fit has no centre path; the
+    verifier reports its edges as shortfalls.
 
     Raises
     ------
@@ -77,19 +78,21 @@ def centre_paths(operation: Operation) -> CentrePaths:
     notes: tuple[Message, ...] = ()
     if operation.side != 0:
         paths, segment, inserted, unreached, notes = _offset_contours(operation, cutter)
-    # A path beside a part and its hole ends on the hole, so that the hole is the last to be cut.
-    on_hole = _beside_holes(operation, segment)
     if operation.side == 0 or cutter.approach >= 0.0 or len(operation.bridges):
         # Paths with bridges have no leads.
         approach = np.full(len(paths), cutter.approach)
-        paths, rows = start_in_middle(paths, paths.closed, on_hole)
+        begin = _starts_in_segments(operation, cutter, paths, segment)
+        paths, rows = start_in_middle(paths, paths.closed, begin)
         return CentrePaths(paths, segment[rows], unreached, approach, notes)
     behind = _starts_behind_corners(operation, cutter, paths, segment, inserted)
+    # A path beside a part and its hole ends on the hole, so that the hole is the last to be cut.
+    on_hole = _beside_holes(operation, segment)
     found = behind >= 0
     approach = np.where(found | ~paths.closed, cutter.approach, 90.0)
     notes += _replaced_lead_notes(paths.start[paths.first[:-1]][paths.closed & ~found], cutter)
     paths, turned = start_at(paths, np.where(found, behind, paths.first[:-1]))
-    paths, rows = start_in_middle(paths, paths.closed & ~found, on_hole[turned])
+    longest = longest_segments(paths, on_hole[turned])
+    paths, rows = start_in_middle(paths, paths.closed & ~found, longest)
     return CentrePaths(paths, segment[turned][rows], unreached, approach, notes)
 
 
@@ -181,6 +184,52 @@ def _crosses_itself(paths: Paths) -> bool:
     return any(find_self_contact(*segments, low, high)[0] >= 0 for low, high in bounds)
 
 
+def _starts_in_segments(operation: Operation, cutter: DiscTool, paths: Paths, segment: I32) -> I32:
+    """Return for each closed centre path the segment in whose middle it should start, (q,).
+
+    It is the longest one beside the segment with which the operation begins the path.  If there is
+    none, or the leads must be shorter there, it is the longest segment of the centre path.  A path
+    beside a part and its hole starts on the hole.  For an open path the result has no meaning.
+
+    Parameters
+    ----------
+    paths
+        Centre paths, q in number, with n segments.
+    segment : (n,)
+        Segment of the operation that each segment belongs to.
+    """
+    owner, on_hole = paths.path_of, _beside_holes(operation, segment)
+    longest = longest_segments(paths, on_hole)
+    stated = np.isin(segment, operation.begin) & paths.closed[owner]
+    stated &= on_hole == on_hole[longest][owner]
+    rows: I32 = np.flatnonzero(stated).astype(np.int32)
+    size = arc.length(paths.start[rows], paths.end[rows], paths.bulge[rows])
+    rows = rows[np.lexsort((rows, -size, owner[rows]))]
+    rows = rows[np.diff(owner[rows], prepend=-1) > 0]
+    if operation.side != 0:
+        length = [
+            _lead_lengths(operation, cutter, paths, some) for some in (rows, longest[owner[rows]])
+        ]
+        rows = rows[(length[0] >= length[1]).all(axis=1)]
+    longest[owner[rows]] = rows
+    return longest
+
+
+def _lead_lengths(operation: Operation, cutter: DiscTool, paths: Paths, rows: I32) -> F64:
+    """Return the lengths of the lead-in and the lead-out in the middle of each of k segments of
+    centre paths, as fractions of the full lengths, (k, 2).
+    """
+    ends = paths.start[rows], paths.end[rows], paths.bulge[rows]
+    half = np.full(len(rows), 0.5)
+    middle = arc.point_at(*ends, half)
+    ahead, approach = unit_vectors(arc.tangent_at(*ends, half)), np.full(len(rows), cutter.approach)
+    leads = (
+        fit_lead_ins(operation, cutter, middle, ahead, operation.side, approach),
+        fit_lead_ins(operation, cutter, middle, -ahead, -operation.side, approach),
+    )
+    return np.column_stack([lead.fraction for lead in leads])
+
+
 def _starts_behind_corners(
     operation: Operation, cutter: DiscTool, paths: Paths, segment: I32, inserted: Bool
 ) -> I32:
@@ -188,9 +237,9 @@ def _starts_behind_corners(
 
     The cutter has a lead-in round a corner (type B).  On it the cutter turns by the angle of the
     lead-in, so the contour must turn away from the cutter by at least this angle.  Of the corners
-    with room for the lead-in, the one with the largest turn is returned; if the lead-in must be
-    halved everywhere, one with room for the half.  A path beside a part and its hole starts on the
-    hole.
+    with room for the lead-in, the one at which the operation begins the path is returned, or else
+    the one with the largest turn; if the lead-in must be halved everywhere, one with room for the
+    half.  A path beside a part and its hole starts on the hole.
 
     Parameters
     ----------
@@ -215,7 +264,8 @@ def _starts_behind_corners(
         np.full(len(rows), cutter.approach),
     )  # fmt: skip
     owner = paths.path_of[rows]
-    best = np.lexsort((rows, -turn[rows], -lead.fraction, owner))
+    other = ~np.isin(segment[rows], operation.begin)
+    best = np.lexsort((rows, -turn[rows], other, -lead.fraction, owner))
     best = best[np.diff(owner[best], prepend=-1) > 0]
     best = best[lead.fraction[best] > 0.0]
     result: I32 = np.full(len(paths), -1, np.int32)

@@ -2,7 +2,8 @@
 
 The leading edge of the blade slants by α, so the cut in the top face of the board is ahead of the
 cut in the bottom face, where the tip is, by T tan α for a thickness T.  Therefore
-the tip runs past the start of a closed path by this length before it is lifted, and likewise past
+the tip runs past the start of a closed path by this length before it is lifted, unless the path
+starts at a corner at which the knife is lifted anyway.  Likewise it runs past
 an end that meets another cut with waste behind it.  If a panel lies behind that cut, the tip stops
 on the cut, and both faces are cut up to there (see ``docs/contacts.md``).  At an end inside a
 panel or at a bridge it stops earlier by this length, so that the cut in the *top* face does not
@@ -23,12 +24,21 @@ import math
 
 import numpy as np
 
+from knifetip.compensation.contour_starts import lifting_corners
 from knifetip.compensation.tracks import Strokes, at_height, headings
 from knifetip.errors import EdgeTooShort
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import left_normal
-from knifetip.geometry.columns import F64, I32, U8
-from knifetip.geometry.path import Paths, point_along, select_paths, trim_ends
+from knifetip.geometry.columns import F64, I32, U8, Bool
+from knifetip.geometry.path import (
+    Paths,
+    longest_segments,
+    point_along,
+    select_paths,
+    start_at,
+    start_in_middle,
+    trim_ends,
+)
 from knifetip.model.operation import End, Operation
 from knifetip.model.tool import Knife
 from knifetip.model.toolpath import Motion, Toolpath
@@ -51,7 +61,7 @@ def knife_toolpath(operation: Operation) -> Toolpath:
     """
     blade = operation.tool
     assert isinstance(blade, Knife)
-    paths, rows, motion = _adjust_ends(operation, blade)
+    paths, rows, motion = _adjust_ends(operation, blade, *_begin_contours(operation, blade))
     source = operation.source[rows]
     c_start, c_end = headings(paths)
     z = operation.caliper - operation.depth[rows, 0]
@@ -90,11 +100,56 @@ def _head(tip: F64, c: F64, blade: Knife) -> F64:
     return head
 
 
-def _adjust_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
-    """Return the paths of an operation with adjusted ends, and with lead-ins and lead-outs.
+def _begin_contours(operation: Operation, blade: Knife) -> tuple[Paths, I32, Bool]:
+    """Return the paths of an operation, with the closed ones started at suitable points.
+
+    A closed path starts with the segment that the operation states: at the start of this segment if
+    the knife is lifted at this corner anyway, else in its middle.  Without a statement it is the
+    first such corner, or the longest line of a path that has no such corner or is cut with leads.
+
+    Returns
+    -------
+    paths : Paths
+        The p paths, with n segments.
+    rows : (n,)
+        Segment of the operation from which each returned segment comes.
+    smooth : (p,)
+        Mask of the closed paths that start in the middle of a segment.
+    """
+    paths, closed = operation.paths, operation.finish == End.CLOSED
+    begin: I32 = np.asarray(paths.first[:-1])
+    if not closed.any():
+        return paths, np.arange(len(paths.bulge), dtype=np.int32), closed
+    corner = lifting_corners(operation, blade) & (operation.side == 0)
+    if len(operation.begin):
+        begin = operation.begin
+    else:
+        corners = np.flatnonzero(corner)
+        after = np.append(corners, len(corner))[np.searchsorted(corners, paths.first[:-1])]
+        begin = np.where(closed, longest_segments(paths), begin)
+        begin = np.where(after < paths.first[1:], after, begin)
+    turned, rows = start_at(paths, begin)
+    smooth = closed & ~corner[begin]
+    if not smooth.any():
+        return turned, rows, smooth
+    halved, segment = start_in_middle(turned, smooth, turned.first[:-1])
+    return halved, rows[segment], smooth
+
+
+def _adjust_ends(
+    operation: Operation, blade: Knife, paths: Paths, origin: I32, smooth: Bool
+) -> tuple[Paths, I32, U8]:
+    """Return paths with adjusted ends, and with lead-ins and lead-outs.
 
     The ends are shortened or extended, because the slanted blade cuts the top face ahead of its
     tip.
+
+    Parameters
+    ----------
+    paths, origin, smooth
+        Paths of the operation as ``_begin_contours`` returns them: p paths with m segments, the
+        segment of the operation from which each segment comes, (m,), and the mask of the closed
+        paths that start in the middle of a segment, (p,).
 
     Returns
     -------
@@ -112,8 +167,8 @@ def _adjust_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
         A path that ends inside a panel or at a bridge is not longer than the length by which it
         would be shortened.
     """
-    paths, finish = operation.paths, operation.finish
-    last = paths.first[1:] - 1
+    finish = operation.finish
+    last = origin[paths.first[1:] - 1]
     depth = operation.depth[last, 0]
     lead = blade.lead(1.0) * depth
     overrun = blade.lead(1.0) * np.minimum(depth, operation.caliper)
@@ -130,14 +185,14 @@ def _adjust_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
             source=[str(row) for row in listed[:10]],
         )
     cut, rows = trim_ends(paths, np.zeros(len(paths)), np.where(free, lead, 0.0))
-    again, more = _repeated_starts(paths, np.where(finish == End.CLOSED, overrun, 0.0))
+    again, more = _repeated_starts(paths, np.where(smooth, overrun, 0.0))
     beyond, far = _extensions(paths, np.where(finish == End.MEETS, overrun, 0.0))
-    closed = (finish == End.CLOSED) & (operation.side != 0)
+    led = smooth & (operation.side != 0)
     leads = _quarter_circles(
-        paths, np.where(closed, blade.lead_in, 0.0), overrun, operation.side, True
+        paths, np.where(led, blade.lead_in, 0.0), overrun, operation.side, True
     )
     exits = _quarter_circles(
-        paths, np.where(closed, blade.lead_out, 0.0), overrun, operation.side, False
+        paths, np.where(led, blade.lead_out, 0.0), overrun, operation.side, False
     )
     parts = [
         (*leads, Motion.LEAD_IN),
@@ -158,7 +213,8 @@ def _adjust_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
     motion = np.repeat(
         np.array([kind for _, _, kind in parts], np.uint8), [len(part[1]) for part in parts]
     )
-    return joined, np.concatenate([part[1] for part in parts])[order], motion[order]
+    rows = origin[np.concatenate([part[1] for part in parts])[order]]
+    return joined, rows, motion[order]
 
 
 def _repeated_starts(paths: Paths, size: F64) -> tuple[Paths, I32]:

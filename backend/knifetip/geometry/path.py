@@ -261,19 +261,43 @@ def start_at(paths: Paths, row: I32) -> tuple[Paths, I32]:
     return Paths(paths.start[rows], paths.end[rows], paths.bulge[rows], paths.first), rows
 
 
-def start_in_middle(paths: Paths, mask: Bool, preferred: Bool | None = None) -> tuple[Paths, I32]:
+def longest_segments(paths: Paths, preferred: Bool | None = None) -> I32:
+    """Return the longest line of each path, or its longest arc if the path has no line, (p,).
+
+    The first one is returned if several are equally long.
+
+    Parameters
+    ----------
+    preferred : (n,)
+        Mask of the n segments of which one is returned, for paths that have such segments; None for
+        all segments.
+    """
+    if len(paths) == 0:
+        return np.zeros(0, np.int32)
+    owner, first = paths.path_of, paths.first[:-1]
+    along = arc.length(paths.start, paths.end, paths.bulge)
+    eligible = np.ones(len(owner), np.bool_)
+    for better in (preferred, np.abs(paths.bulge) < BULGE):
+        if better is not None:
+            both = eligible & better
+            eligible &= both | ~np.logical_or.reduceat(both, first)[owner]
+    size = np.where(eligible, along, -1.0)
+    longest = np.flatnonzero(size == np.maximum.reduceat(size, first)[owner])
+    result: I32 = longest[np.searchsorted(longest, first)].astype(np.int32)
+    return result
+
+
+def start_in_middle(paths: Paths, mask: Bool, segment: I32) -> tuple[Paths, I32]:
     """Return all paths, some of them with their start moved to the middle of a segment.
 
-    The new start is the middle of the longest line of the path, or of its longest arc if the path
-    has no line, so that the blade enters and leaves at a smooth point.  This segment is split in
-    two halves, which become the first and the last segment of the path.
+    The segment is split in two halves, which become the first and the last segment of the path.
 
     Parameters
     ----------
     mask : (p,)
         Mask of the paths whose start is moved; they must be closed.
-    preferred : (n,)
-        Mask of the n segments on which a path should start, if it has such segments; None for all.
+    segment : (p,)
+        Segment of each path in which the path starts; not used for the other paths.
 
     Returns
     -------
@@ -282,20 +306,12 @@ def start_in_middle(paths: Paths, mask: Bool, preferred: Bool | None = None) -> 
     rows : (m,)
         Input segment that each returned segment comes from.
     """
-    owner = paths.path_of
-    along = arc.length(paths.start, paths.end, paths.bulge)
-    line = np.abs(paths.bulge) < BULGE
-    if preferred is None:
-        preferred = np.ones(len(owner), np.bool_)
-    # The last row of each path in the order (preferred, line, length, earliest): one sort for all.
-    ranked = np.lexsort((-np.arange(len(owner)), along, line, preferred, owner))
-    longest = ranked[paths.first[1:] - 1]
     count = np.diff(paths.first) + mask
     first = np.concatenate([[0], np.cumsum(count)])
     place = np.arange(first[-1]) - np.repeat(first[:-1], count)
     size = np.repeat(np.diff(paths.first), count)
     turned = np.repeat(mask, count)
-    shift = np.where(turned, np.repeat(longest - paths.first[:-1], count), 0)
+    shift = np.where(turned, np.repeat(segment - paths.first[:-1], count), 0)
     rows = np.repeat(paths.first[:-1], count) + (place + shift) % size
     low = np.where(turned & (place == 0), 0.5, 0.0)
     high = np.where(turned & (place == size), 0.5, 1.0)

@@ -76,6 +76,8 @@ class Operation:
     bridge_width: float = 0.0  #: width of each bridge (mm)
     #: contours of other operations that the leads of a cutter must not enter; default none
     obstacles: Paths = NO_PATHS
+    #: (p,) segment with which a closed path should begin (``ContourStarts``); (0,) for any
+    begin: I32 = field(default_factory=lambda: np.zeros(0, np.int32))
 
     def __post_init__(self) -> None:
         put, count = object.__setattr__, len(self.paths.bulge)
@@ -91,3 +93,4 @@ class Operation:
         put(self, "run_out", freeze(run_out, np.float64, len(self.paths), 2))
         put(self, "bridges", freeze(self.bridges, np.float64, -1, 2))
         put(self, "source", freeze(self.source, np.int32, count))
+        put(self, "begin", freeze(self.begin, np.int32, -1))

@@ -13,7 +13,6 @@ from knifetip.geometry.path import (
     insert_gaps,
     reverse_paths,
     select_paths,
-    start_in_middle,
     trim_ends,
 )
 from knifetip.geometry.points_on_segments import find_points_on_segments
@@ -170,8 +169,6 @@ def _cut(outline: BoardOutline, dieline: Dieline, cuts: _Cuts, setup: Setup) -> 
     elif cuts.waste is not None and isinstance(tool, Knife) and tool.has_lead:
         paths, source = _keep_waste_left(paths, source, dieline, cuts.rows, cuts.waste)
         side = 1
-    paths, segment = start_in_middle(paths, paths.closed)
-    source = source[segment]
     start, finish = _kinds_of_ends(paths, source, dieline, outline)
     # A blade enters exactly at its tip and runs out ahead of it: finish at the end where a cut
     # beyond it harms least.

@@ -2,7 +2,7 @@
 
 After a local search (``local_search``), two neighbouring sections of the tour, chosen at random,
 are swapped again and again.  Each swap is followed by a local search at the changed positions, and
-undone if the tour is not shorter.  The swaps end early on tours that they do not shorten, for
+undone if the tour is not shorter.  The swaps end early on tours that they hardly shorten, for
 example on a regular grid of tracks.
 
 Source: Martin, Otto & Felten 1991 (perturb and repair).
@@ -13,16 +13,17 @@ from __future__ import annotations
 from typing import Final
 
 from knifetip.kernels import OutI32_1, OutU8_1, inline_kernel, kernel
-from knifetip.sequencing.local_search import LEAST_GAIN, enqueue, improve_queued, queue_tracks
+from knifetip.sequencing.local_search import enqueue, improve_queued, queue_tracks
 from knifetip.sequencing.sections import swap, swap_change
-from knifetip.sequencing.tour import Tour, Tracks, forget_link, make_tour
+from knifetip.sequencing.tour import Tour, Tracks, current_link, forget_link, make_tour
 
 #: Greatest number of changes of the tour: per track in the first search, and after each swap.
 _CHANGES: Final = 100
 _CHANGES_AFTER_SWAP: Final = 200
-#: The swaps end when more than this number of them, plus a third of all swaps, have shortened
-#: nothing in sequence.
+#: The swaps end when more than this number of them, plus a third of all swaps, have shortened the
+#: tour in sequence by less than this fraction of its time.
 _PATIENCE: Final = 200
+_LEAST_SHARE: Final = 1e-4
 
 
 @inline_kernel
@@ -90,8 +91,11 @@ def improve_tour(track: OutI32_1, side: OutU8_1, tracks: Tracks, trials: int) ->
     last = len(track) - 1
     tour, queue = make_tour(track, side), queue_tracks(track[1:])
     improve_queued(queue, last, _CHANGES * last, tour, tracks)
+    worth = 0.0
+    for slot in range(1, last + 1):
+        worth += _LEAST_SHARE * current_link(slot, tour, tracks)
     best_track, best_side = track.copy(), side.copy()
-    state, idle = 12345, 0
+    state, idle, saved = 12345, 0, 0.0
     trial = 0
     while last >= 3 and trial < trials and idle <= _PATIENCE + trial // 3:
         trial += 1
@@ -110,8 +114,9 @@ def improve_tour(track: OutI32_1, side: OutU8_1, tracks: Tracks, trials: int) ->
         if change + more < 0.0:
             best_track[low : high + 1] = track[low : high + 1]
             best_side[low : high + 1] = side[low : high + 1]
-            if change + more < -LEAST_GAIN:
-                idle = 0
+            saved -= change + more
+            if saved > worth:
+                idle, saved = 0, 0.0
         else:
             _restore(low, high, best_track, best_side, tour)
     return trial

@@ -94,20 +94,24 @@ def short_order(
         np.ascontiguousarray(leave[0, :, :2]),
         min(_NEIGHBOURS, count - 1),
     )
+    # Lower bound of a link: one of the axes X and Y travels at least 1/√2 of the distance.
+    fastest = np.array([pace[0, :2].max(), pace[1, :2].max()])
+    least_time = _travel_times(far / math.sqrt(2.0), fastest[0], fastest[1])
+    trials = min(_TRIALS * count, _MOST_TRIALS)
+    tracks = Tracks(ends, axis_rates(pace, period), int(reversal), near, least_time)
+    improve_tour(tour, side, tracks, trials)
+    return tour[1:], side[1:].astype(np.bool_)
+
+
+def axis_rates(pace: F64, period: float) -> F64:
+    """Return the array ``rates`` of ``Tracks``, (4, 4); see ``short_order`` for the arguments."""
     velocity, acceleration = pace
-    # Per axis: distance at which it reaches v, 4/a, 1/v and v/a; in the last row the period of C.
     rates = np.zeros((4, 4))
     rates[:3] = np.column_stack(
         [velocity**2 / acceleration, 4.0 / acceleration, 1.0 / velocity, velocity / acceleration]
     )
     rates[3, 0] = period
-    # Lower bound of a link: one of the axes X and Y travels at least 1/√2 of the distance.
-    fastest = np.array([pace[0, :2].max(), pace[1, :2].max()])
-    least_time = _travel_times(far / math.sqrt(2.0), fastest[0], fastest[1])
-    trials = min(_TRIALS * count, _MOST_TRIALS)
-    tracks = Tracks(ends, rates, int(reversal), near, least_time)
-    improve_tour(tour, side, tracks, trials)
-    return tour[1:], side[1:].astype(np.bool_)
+    return rates
 
 
 def link_times(entry: F64, leave: F64, origin: F64, pace: F64, period: float) -> F64:

@@ -67,12 +67,27 @@ def make_tour(track: OutI32_1, side: OutU8_1) -> Tour:
 
 
 @inline_kernel
+def axis_time(distance: float, axis: int, rates: F64_2) -> float:
+    """Return the time that one axis needs to travel a distance from rest to rest (s).
+
+    ``distance`` is in mm, or in degrees for C; ``rates`` is the array of ``Tracks``.
+    """
+    # C turns by the smaller angle.
+    if axis == 2:
+        distance = min(distance, rates[3, 0] - distance)
+    # Both times are computed and one is selected: a branch would often be mispredicted.
+    ramp: float = math.sqrt(distance * rates[axis, 1])
+    cruise: float = distance * rates[axis, 2] + rates[axis, 3]
+    return ramp if distance < rates[axis, 0] else cruise
+
+
+@inline_kernel
 def _travel_time(
     before: int, side_before: int, after: int, side_after: int, ends: F64_4, rates: F64_2
 ) -> float:
     """Return the time of the air move from the end of one track to the start of another track (s).
 
-    It is the time of the slowest of the axes X, Y and C; C turns by the smaller angle.
+    It is the time of the slowest of the axes X, Y and C.
 
     Parameters
     ----------
@@ -86,12 +101,7 @@ def _travel_time(
     slowest = 0.0
     for axis in range(3):
         distance = abs(ends[after, side_after, 0, axis] - ends[before, side_before, 1, axis])
-        if axis == 2:
-            distance = min(distance, rates[3, 0] - distance)
-        # Both times are computed and one is selected: a branch would often be mispredicted.
-        ramp = math.sqrt(distance * rates[axis, 1])
-        cruise = distance * rates[axis, 2] + rates[axis, 3]
-        slowest = max(slowest, ramp if distance < rates[axis, 0] else cruise)
+        slowest = max(slowest, axis_time(distance, axis, rates))
     return slowest
 
 

@@ -47,12 +47,27 @@ def test_the_tip_stops_on_a_slit_with_a_panel_behind_it() -> None:
     np.testing.assert_allclose(path.pose[-2, :2], [50.0, 0.0])
 
 
-def test_a_closed_contour_runs_past_its_start() -> None:
-    path = knife_toolpath(planned(closed((0, 0), (100, 0), (100, 50), (0, 50))))
+def test_a_contour_without_a_sharp_corner_runs_past_its_start() -> None:
+    # A line of 100 mm, a half circle, a line back and a half circle.
+    outline = closed((0, 0), (100, 0), (100, 50), (0, 50))
+    path = knife_toolpath(planned(outline, {1: 1.0, 3: 1.0}))
     np.testing.assert_allclose(path.pose[1, :2], [50, 0])
     np.testing.assert_allclose(path.pose[-2, :2], [52, 0])
     fed = path.motion == Motion.FEED
     assert path.source[fed].tolist() == [0, 1, 2, 3, 0, 0]
+    assert (path.motion == Motion.PLUNGE).sum() == 1
+
+
+def test_a_contour_with_sharp_corners_starts_and_ends_at_one_of_them() -> None:
+    operation = planned(closed((0, 0), (100, 0), (100, 50), (0, 50)))
+    for begin in range(4):
+        path = knife_toolpath(replace(operation, begin=np.array([begin])))
+        corner = operation.paths.start[begin]
+        np.testing.assert_array_equal(path.pose[1, :2], corner)
+        np.testing.assert_array_equal(path.pose[-2, :2], corner)
+        fed = path.motion == Motion.FEED
+        assert path.source[fed].tolist() == np.roll(operation.source, -begin).tolist()
+        assert (path.motion == Motion.PLUNGE).sum() == 4
 
 
 def test_a_half_cut_is_shallow_and_ends_early_by_its_own_depth() -> None:

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from knifetip.geometry.path import (
     Paths,
+    longest_segments,
     path_through,
     point_along,
     reverse_paths,
@@ -65,7 +66,7 @@ def test_a_closed_path_starts_in_the_middle_of_its_longest_line() -> None:
         np.concatenate([np.zeros(4), HOOK.bulge]),
         np.array([0, 4, 7]),
     )
-    moved, rows = start_in_middle(both, both.closed)
+    moved, rows = start_in_middle(both, both.closed, longest_segments(both))
     np.testing.assert_array_equal(moved.start[0], [10.0, 20.0])
     np.testing.assert_array_equal(moved.end[4], [10.0, 20.0])
     assert rows.tolist() == [1, 2, 3, 0, 1, 4, 5, 6]
@@ -74,7 +75,7 @@ def test_a_closed_path_starts_in_the_middle_of_its_longest_line() -> None:
 
 def test_a_circle_starts_in_the_middle_of_an_arc() -> None:
     circle = path_through(np.array([[0.0, 0.0], [20.0, 0.0], [0.0, 0.0]]), np.ones(2))
-    moved, _ = start_in_middle(circle, circle.closed)
+    moved, _ = start_in_middle(circle, circle.closed, longest_segments(circle))
     np.testing.assert_allclose(moved.start[0], [10.0, -10.0], atol=1e-12)
     np.testing.assert_allclose(moved.bulge, [QUARTER, 1.0, QUARTER])
 

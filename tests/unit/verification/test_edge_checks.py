@@ -168,6 +168,58 @@ def test_a_contour_may_be_cut_in_reverse_with_turns_above_the_board() -> None:
     assert [finding.kind for finding in short.findings] == ["uncut"]
 
 
+def cut_lines(*lines: tuple[float, float, float, float, float]) -> bytes:
+    """Return a program that cuts lines x1, y1, x2, y2 one after the other, each at the last number
+    as C, with a lift before each of them.
+    """
+    moves: list[str] = []
+    for x, y, to_x, to_y, c in lines:
+        moves += [f"G0 X{x} Y{y} Z4 C{c}", "G1 Z-0.3 F6000", f"G1 X{to_x} Y{to_y} F24000"]
+        moves += ["G1 Z4 F6000"]
+    return knife_program(*moves)
+
+
+SQUARE = (
+    (CUT, 0, 0, 40, 0, 0.0), (CUT, 40, 0, 40, 40, 0.0), (CUT, 40, 40, 0, 40, 0.0),
+    (CUT, 0, 40, 0, 0, 0.0),
+)  # fmt: skip
+
+
+def test_a_contour_that_starts_at_a_corner_with_a_lift_needs_no_overrun() -> None:
+    drawn = dieline(*SQUARE)
+    sides = ((0, 0, 40, 0, 0), (40, 0, 40, 40, 90), (40, 40, 0, 40, 180))
+    whole = verify(cut_lines(*sides, (0, 40, 0, 0, 270)), drawn, (0.0, 0.0), MACHINE, BOARD)
+    assert whole.findings == ()
+    short = verify(cut_lines(*sides, (0, 40, 0, 0.1, 270)), drawn, (0.0, 0.0), MACHINE, BOARD)
+    assert {finding.kind for finding in short.findings} == {"uncut"}
+    assert short.findings[0].measure == pytest.approx(0.1)
+
+
+def test_a_contour_that_starts_at_a_gentle_corner_needs_its_overrun() -> None:
+    # A corner of 10°, at which the knife is not lifted.
+    drawn = dieline((CUT, 0, 0, 40, 7.0531, 0.0), (CUT, 40, 7.0531, 40, 40, 0.0),
+                    (CUT, 40, 40, -40, 40, 0.0), (CUT, -40, 40, -40, 0, 0.0),
+                    (CUT, -40, 0, 0, 0, 0.0))  # fmt: skip
+    sides = ((0, 0, 40, 7.0531, 10), (40, 7.0531, 40, 40, 90), (40, 40, -40, 40, 180),
+             (-40, 40, -40, 0, 270), (-40, 0, 0, 0, 360))  # fmt: skip
+    verdict = verify(cut_lines(*sides), drawn, (0.0, 0.0), MACHINE, BOARD)
+    assert [finding.measure for finding in verdict.findings] == [pytest.approx(0.3527, abs=1e-4)]
+
+
+def test_a_contour_needs_its_overrun_at_a_corner_on_which_a_slit_ends() -> None:
+    drawn = dieline(*SQUARE, (CUT, 20, 20, 40, 40, 0.0))
+    sides = ((40, 40, 0, 40, 180), (0, 40, 0, 0, 270), (0, 0, 40, 0, 0))
+    slit = (20, 20, 40.24939, 40.24939, 45)
+    stops = {
+        end: verify(
+            cut_lines(slit, *sides, (40, 0, 40, end, 90)), drawn, (0.0, 0.0), MACHINE, BOARD
+        ).findings
+        for end in (40, 40.3527)
+    }
+    assert stops[40.3527] == ()
+    assert [finding.measure for finding in stops[40]] == [pytest.approx(0.3527, abs=1e-4)]
+
+
 def test_a_groove_needs_both_its_passes() -> None:
     back = (
         "G0 X78.5000 Y59.3000 C180.0000\n"

@@ -10,6 +10,11 @@ import numpy as np
 from knifetip.messages import Message
 from knifetip.verification.checks.check_base import StationCheck
 from knifetip.verification.checks.check_context import NEAR_EDGE, PRINT_TURN
+from knifetip.verification.checks.closed_runs import (
+    TrackEnds,
+    closes_at_corner,
+    closing_vertices,
+)
 from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import azimuth_at, point_at
 from knifetip.verification.expectation.edges import (
@@ -55,7 +60,8 @@ def check_track_ends(
     A track is a chain of tip paths between two lifts.  A run is a chain of tracks, each of which
     begins where the previous track ended, for example at a corner at which the lifted knife turns.
     An open run must begin at an end of an edge and stop at a planned stop.  A closed run must stop
-    on its own path, ``overrun`` after its start.
+    on its own path, ``overrun`` after its start, or at its start if that is a corner at which the
+    knife is lifted.
 
     Parameters
     ----------
@@ -83,6 +89,9 @@ def check_track_ends(
     start = point_at(check.curve[first], np.zeros(count))
     stop = point_at(check.curve[last], check.curve[last, 5])
     ahead = azimuth_at(check.curve[last], check.curve[last, 5])
+    outset = azimuth_at(check.curve[first], np.zeros(count))
+    corner = closing_vertices(check, solid_edges, start)
+    tracks = TrackEnds(start, stop, outset, ahead, corner)
 
     stop_rows = np.flatnonzero(~np.isnan(ends.stop[:, 0]))
     run_over = np.zeros(count, np.bool_)
@@ -108,6 +117,7 @@ def check_track_ends(
     ring = _points_along_runs(check, first[opens], last[closes], np.minimum(overrun, size / 2.0))
     gap = np.hypot(*(stop[closes] - ring).T)
     closed = gap <= check.slack
+    closed |= closes_at_corner(check, tracks, opens, closes)
 
     run, end = pairs_within(stop[closes], ends.stop[stop_rows], NEAR_EDGE)
     end = stop_rows[end]

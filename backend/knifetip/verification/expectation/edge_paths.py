@@ -169,6 +169,15 @@ def joined_ends(edges: Edges) -> I64:
     return link_ends(edges, 180.0)[0]
 
 
+def count_joined_ends(edges: Edges) -> I64:
+    """Return how many other ends meet each of the 2n ends of n edges, (2n,).
+
+    End 2i is the start of edge i, and end 2i + 1 is its end.  Ends of coincident edges do not meet.
+    """
+    joined = edges.compute_once("joined ends", lambda: _joined_pairs(edges))[0]
+    return np.bincount(joined, minlength=len(edges.ends))
+
+
 def continues_straight(edges: Edges) -> Bool:
     """Return the mask of the 2n ends of n edges at which another edge continues straight, (2n,).
 

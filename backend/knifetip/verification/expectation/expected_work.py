@@ -9,7 +9,7 @@ The rules are derived from the records of board and tools:
 * A blade slanted by α cuts the top face ahead of its tip by h tan α at depth h.  A cut that ends
   inside a panel stops where the cut in the top face reaches the end.  A cut that ends on another
   cut runs past its end if waste lies ahead.  If a panel lies ahead, the tip stops on the other cut.
-  A closed cut runs past its own start.
+  A closed cut runs past its own start, unless it starts at a corner at which the knife is lifted.
 """
 
 from __future__ import annotations

@@ -1,0 +1,79 @@
+"""Find the runs of a knife that close a path at a corner, where no overrun is needed.
+
+A run is a chain of tracks of the tip, each of which begins where the previous one ended; a track is
+a chain of tip paths between two lifts.  At a corner sharper than the knife's swivel angle the knife
+is lifted and turned.  Both faces are cut as far as the corner from both sides, so a closed path may
+also start and end there.
+"""
+
+from __future__ import annotations
+
+from typing import Final, NamedTuple
+
+import numpy as np
+
+from knifetip.model.tool import Knife
+from knifetip.verification.checks.check_base import StationCheck
+from knifetip.verification.columns import F64, I64, Bool
+from knifetip.verification.expectation.edge_paths import count_joined_ends
+from knifetip.verification.expectation.edges import (
+    TOUCH_DISTANCE,
+    Edges,
+    angle_between,
+    pairs_within,
+)
+
+#: Greatest error of the angle between two tip paths with rounded coordinates (degrees).
+_ANGLE_ERROR: Final = 1.0
+
+
+class TrackEnds(NamedTuple):
+    """The points at which a knife enters and leaves the board on each of t tracks."""
+
+    start: F64  #: (t, 2) mm
+    stop: F64  #: (t, 2) mm
+    outset: F64  #: (t,) degrees, direction of travel at the start
+    ahead: F64  #: (t,) degrees, direction of travel at the stop
+    corner: Bool  #: (t,) the track begins at a vertex at which a path may be closed
+
+
+def closing_vertices(check: StationCheck, edges: Edges, start: F64) -> Bool:
+    """Return the mask of the t tracks that begin at a vertex at which a path may be closed, (t,).
+
+    That is a vertex of two edges.  If three meet, one of them ends on the other two, and the rules
+    for such ends hold.  Where four or more meet, closed paths touch each other.
+
+    Parameters
+    ----------
+    check
+        The check of the knife's station.
+    edges
+        Edges that are cuts or half-cuts, without perforations.
+    start : (t, 2) mm
+        Points at which the tracks begin.
+    """
+    result = np.zeros(len(start), np.bool_)
+    if check.tool(Knife) is None:
+        return result
+    others = count_joined_ends(edges)
+    vertices = edges.ends[(others > 0) & (others != 2)]
+    result[pairs_within(start, vertices, TOUCH_DISTANCE)[0]] = True
+    return result
+
+
+def closes_at_corner(check: StationCheck, tracks: TrackEnds, first: I64, last: I64) -> Bool:
+    """Return the mask of the k runs that end at the corner at which they start, (k,).
+
+    Parameters
+    ----------
+    check
+        The check of the knife's station.
+    first, last : (k,)
+        First and last track of each run.
+    """
+    blade = check.tool(Knife)
+    swivel = blade.swivel if blade else 180.0
+    result: Bool = np.hypot(*(tracks.stop[last] - tracks.start[first]).T) <= check.slack
+    result &= tracks.corner[first]
+    result &= angle_between(tracks.ahead[last], tracks.outset[first]) > swivel - _ANGLE_ERROR
+    return result
