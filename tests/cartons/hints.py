@@ -97,6 +97,7 @@ _ACTIONS: Final[dict[str, Callable[[Refusal, Attempt], tuple[str, Attempt] | Non
     "groove.runs-out": _as_crease,
     "groove.through-cut": _shallower,
     "groove.too-short": _ignored,
+    "hpgl.press": _knife,
     "milling.shared-edge": _knife,
     "drawing.larger-than-table": _larger_machine,
     "sheet.without-outline": _whole_sheet,
