@@ -193,6 +193,9 @@ def test_a_contour_that_starts_at_a_corner_with_a_lift_needs_no_overrun() -> Non
     short = verify(cut_lines(*sides, (0, 40, 0, 0.1, 270)), drawn, (0.0, 0.0), MACHINE, BOARD)
     assert {finding.kind for finding in short.findings} == {"uncut"}
     assert short.findings[0].measure == pytest.approx(0.1)
+    # An open cut that ended here would run on by 0.3527 mm.
+    past = verify(cut_lines(*sides, (0, 40, 0, -0.3527, 270)), drawn, (0.0, 0.0), MACHINE, BOARD)
+    assert {finding.kind for finding in past.findings} == {"overcut"}
 
 
 def test_a_contour_that_starts_at_a_gentle_corner_needs_its_overrun() -> None:

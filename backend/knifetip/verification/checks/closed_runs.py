@@ -35,13 +35,15 @@ class TrackEnds(NamedTuple):
     outset: F64  #: (t,) degrees, direction of travel at the start
     ahead: F64  #: (t,) degrees, direction of travel at the stop
     corner: Bool  #: (t,) the track begins at a vertex at which a path may be closed
+    plain: Bool  #: (t,) the track begins at a vertex at which exactly two edges meet
 
 
-def closing_vertices(check: StationCheck, edges: Edges, start: F64) -> Bool:
-    """Return the mask of the t tracks that begin at a vertex at which a path may be closed, (t,).
+def closing_vertices(check: StationCheck, edges: Edges, start: F64) -> tuple[Bool, Bool]:
+    """Return the tracks that begin at a vertex at which a path may be closed, (t,), and those of
+    them at whose vertex exactly two edges meet, (t,).
 
-    That is a vertex of two edges.  If three meet, one of them ends on the other two, and the rules
-    for such ends hold.  Where four or more meet, closed paths touch each other.
+    If three edges meet, one of them ends on the other two, and the rules for such ends hold.  Where
+    four or more meet, closed paths touch each other.
 
     Parameters
     ----------
@@ -52,13 +54,12 @@ def closing_vertices(check: StationCheck, edges: Edges, start: F64) -> Bool:
     start : (t, 2) mm
         Points at which the tracks begin.
     """
-    result = np.zeros(len(start), np.bool_)
-    if check.tool(Knife) is None:
-        return result
-    others = count_joined_ends(edges)
-    vertices = edges.ends[(others > 0) & (others != 2)]
-    result[pairs_within(start, vertices, TOUCH_DISTANCE)[0]] = True
-    return result
+    masks = np.zeros((2, len(start)), np.bool_)
+    if check.tool(Knife) is not None:
+        others = count_joined_ends(edges)
+        for mask, chosen in zip(masks, ((others > 0) & (others != 2), others == 1), strict=True):
+            mask[pairs_within(start, edges.ends[chosen], TOUCH_DISTANCE)[0]] = True
+    return masks[0], masks[1]
 
 
 def closes_at_corner(check: StationCheck, tracks: TrackEnds, first: I64, last: I64) -> Bool:
@@ -77,3 +78,19 @@ def closes_at_corner(check: StationCheck, tracks: TrackEnds, first: I64, last: I
     result &= tracks.corner[first]
     result &= angle_between(tracks.ahead[last], tracks.outset[first]) > swivel - _ANGLE_ERROR
     return result
+
+
+def overruns_corner(tracks: TrackEnds, first: I64, vertex: F64) -> Bool:
+    """Return the mask of the k runs that begin at a vertex of two edges and end beside it, (k,).
+
+    Such a run closes a path, so it must not stop where an open path that ends there would stop.
+
+    Parameters
+    ----------
+    first : (k,)
+        First track of each run.
+    vertex : (k, 2) mm
+        End of the edge at whose planned stop each run ends.
+    """
+    here: Bool = np.hypot(*(tracks.start[first] - vertex).T) <= TOUCH_DISTANCE
+    return here & tracks.plain[first]

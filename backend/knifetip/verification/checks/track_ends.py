@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from knifetip.verification.checks.closed_runs import (
     TrackEnds,
     closes_at_corner,
     closing_vertices,
+    overruns_corner,
 )
 from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import azimuth_at, point_at
@@ -21,10 +22,14 @@ from knifetip.verification.expectation.edges import (
     JOIN_DISTANCE,
     TOUCH_DISTANCE,
     Edges,
+    angle_between,
     pairs_within,
 )
 from knifetip.verification.expectation.expected_work import KnifeEnds
 from knifetip.verification.findings import MAX_FINDINGS
+
+#: Greatest angle between a run and the edge along which it arrives at its end (degrees).
+_ALONG_EDGE: Final = 15.0
 
 
 class _RunStops(NamedTuple):
@@ -90,8 +95,7 @@ def check_track_ends(
     stop = point_at(check.curve[last], check.curve[last, 5])
     ahead = azimuth_at(check.curve[last], check.curve[last, 5])
     outset = azimuth_at(check.curve[first], np.zeros(count))
-    corner = closing_vertices(check, solid_edges, start)
-    tracks = TrackEnds(start, stop, outset, ahead, corner)
+    tracks = TrackEnds(start, stop, outset, ahead, *closing_vertices(check, solid_edges, start))
 
     stop_rows = np.flatnonzero(~np.isnan(ends.stop[:, 0]))
     run_over = np.zeros(count, np.bool_)
@@ -122,7 +126,9 @@ def check_track_ends(
     run, end = pairs_within(stop[closes], ends.stop[stop_rows], NEAR_EDGE)
     end = stop_rows[end]
     end_distance = np.hypot(*(stop[closes[run]] - ends.stop[end]).T)
-    order = np.lexsort((end_distance, run))
+    # Where several edges end at one point, the stop of the edge along which the run arrives counts.
+    across = angle_between(ahead[closes[run]], solid_edges.outward[end]) > _ALONG_EDGE
+    order = np.lexsort((end_distance, across, run))
     run, end, end_distance = run[order], end[order], end_distance[order]
     nearest = np.unique(run, return_index=True)[1]
     run, end, end_distance = run[nearest], end[nearest], end_distance[nearest]
@@ -130,6 +136,8 @@ def check_track_ends(
     distance = np.full(len(opens), np.inf)
     planned[run], distance[run] = end, end_distance
     right = (distance <= check.slack) & (~closed | (distance < gap))
+    near = np.flatnonzero(right)
+    right[near] = ~overruns_corner(tracks, opens[near], solid_edges.ends[planned[near]])
 
     # Without a near end ``planned`` is -1, which selects the appended False.
     ran = right & np.append(ends.meets, False)[planned]
