@@ -140,3 +140,22 @@ def test_round_blanks_may_touch() -> None:
     blanks = edges(*(line for y in (0.0, 80.0) for line in (((0, y), (80, y)), ((80, y), (0, y)))))
     line = dieline((CUT, blanks), bulge=dict.fromkeys(range(4), 1.0))
     assert refusals(compiled(line, "demo-table", "greyboard-2.0")) == []
+
+
+def test_round_blanks_may_touch_within_the_digits_of_a_drawing() -> None:
+    # The second blank is turned by 180°; the arcs of the two blanks cross each other by 0.0001 mm.
+    blank = edges(
+        ((0, 3), (10, 0)),
+        ((10, 0), (110, 0)),
+        ((110, 0), (210, 0)),
+        ((210, 0), (210, 60)),
+        ((210, 60), (110, 60)),
+        ((110, 60), (10, 60)),
+        ((10, 60), (0, 57)),
+        ((0, 57), (0, 3)),
+    )
+    turned = np.array([220.0, 60.0 + 60.0 + 2 * 0.35 * 50.0 - 0.0001]) - blank
+    line = dieline(
+        (CUT, blank), (CUT, turned), bulge=dict.fromkeys([1, 2, 4, 5, 9, 10, 12, 13], 0.35)
+    )
+    assert refusals(compiled(line, "demo-table", "b-flute")) == []

@@ -24,7 +24,7 @@ from knifetip.geometry.spatial_index.box_tree import (
     start_query,
 )
 from knifetip.geometry.spatial_index.morton import order_boxes
-from knifetip.geometry.tolerance import BULGE
+from knifetip.geometry.tolerance import BULGE, JOIN
 from knifetip.kernels import F64_1, F64_2, I32_1, I64_1, Bool_1, OutF64_2, OutI64_1, kernel
 
 #: Columns of a span: x and y of its left and right end, centre (x, y) and radius of its circle, and
@@ -73,7 +73,7 @@ def find_enclosing_faces(
     boxes = _boxes_of_spans(spans)
     # The reversed order begins at the top, so that a search finds the span of a ray early.
     order = order_boxes(boxes)[::-1].copy()
-    hit = _first_below(lowest, spans, owner, boxes[order], order)
+    hit = _first_below(lowest, spans, owner, boxes[order], order, JOIN)
     # A ray hits a component with a lower lowest point, whose enclosing face is known by then.
     order = np.argsort(lowest[:, 1], kind="stable")
     enclosing, depth = _follow_hits(order, hit, above, face.ravel(), outer, component)
@@ -100,7 +100,8 @@ def find_half_edges_below(points: F64, start: F64, end: F64, bulge: F64) -> I64:
     order = order_boxes(boxes)[::-1].copy()
     # No span has an owner, so that none is left out.
     no_owner = np.full(len(spans), -1, np.int32)
-    hit = _first_below(np.ascontiguousarray(points), spans, no_owner, boxes[order], order)
+    points = np.ascontiguousarray(points)
+    hit = _first_below(points, spans, no_owner, boxes[order], order, _MARGIN)
     result: I64 = np.where(hit < 0, -1, above[hit])
     return result
 
@@ -312,10 +313,12 @@ def _boxes_of_spans(spans: F64_2) -> Any:
 
 
 @kernel(checks_division=True)
-def _first_below(lowest: F64_2, spans: F64_2, owner: I32_1, boxes: F64_2, order: I64_1) -> Any:
+def _first_below(
+    lowest: F64_2, spans: F64_2, owner: I32_1, boxes: F64_2, order: I64_1, touch: float
+) -> Any:
     """Return the first span of another component below the lowest point of each component.
 
-    A span through the lowest point, within rounding, counts as below it: the component touches it
+    A span at most ``touch`` mm above the lowest point counts as below it: the component touches it
     from above.
 
     A span is a part of an edge that runs from left to right; a span contains its left end but not
@@ -336,6 +339,8 @@ def _first_below(lowest: F64_2, spans: F64_2, owner: I32_1, boxes: F64_2, order:
         requires.
     order : (k,)
         Index of the span of each box.
+    touch
+        Distance within which a component touches a span (mm).
 
     Returns
     -------
@@ -350,7 +355,7 @@ def _first_below(lowest: F64_2, spans: F64_2, owner: I32_1, boxes: F64_2, order:
         depth = start_query(tree, stack)
         while True:
             at, depth = next_overlap(
-                tree.boxes, tree.level, stack, depth, x, best - _MARGIN, x, y + _MARGIN, -1
+                tree.boxes, tree.level, stack, depth, x, best - _MARGIN, x, y + touch, -1
             )
             if at < 0:
                 break
@@ -358,7 +363,10 @@ def _first_below(lowest: F64_2, spans: F64_2, owner: I32_1, boxes: F64_2, order:
             if owner[i] == c or not spans[i, 0] <= x < spans[i, 2]:
                 continue
             height = _height_at(spans[i], x)
-            if height > y + _MARGIN or height < best:
+            if height > y + touch or height < best:
+                continue
+            # Of two components that touch, only the one with the lower lowest point is below.
+            if height >= y and owner[i] >= 0 and lowest[owner[i], 1] >= y:
                 continue
             slope = _slope_at(spans[i], x)
             if height > best or slope > steep or (slope == steep and i > hit[c]):
