@@ -159,3 +159,12 @@ def test_round_blanks_may_touch_within_the_digits_of_a_drawing() -> None:
         (CUT, blank), (CUT, turned), bulge=dict.fromkeys([1, 2, 4, 5, 9, 10, 12, 13], 0.35)
     )
     assert refusals(compiled(line, "demo-table", "b-flute")) == []
+
+
+def test_blanks_that_coincide_nearly_are_cleaned_within_the_limit() -> None:
+    # The last edge of the first blank is 0.009 mm from the first one of the second blank, and
+    # 0.005 mm shifted along it.
+    first = closed((0, 0), (80, 0), (80, 60), (0, 60))
+    second = closed((80.009, 0.005), (160, 0.005), (160, 60.005), (80.009, 60.005))
+    line = dieline((CUT, first), (CUT, second))
+    assert refusals(compiled(line, "demo-table", "fbb-0.4")) == []

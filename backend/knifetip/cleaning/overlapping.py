@@ -2,7 +2,9 @@
 
 Two lines overlap if both ends of the shorter line are within ``SAME``, which is 0.01 mm, of the
 longer line; two arcs overlap if the ends and the midpoint of the shorter arc are within ``SAME`` of
-the circle of the longer arc.  The common length must be greater than ``SAME``.
+the circle of the longer arc.  The common length must be greater than ``SAME``.  Where two ends are
+less than ``SAME`` apart in the direction of the edges, one end replaces the other, so the whole
+distance between them must be at most ``SAME`` too.
 
 Bounding boxes are searched for pairs of edges that may overlap.  The bounding box of a line is
 computed in a frame that is rotated nearly to the direction of the line, so that the box is thin.
@@ -222,11 +224,44 @@ def _do_overlap(rows: F64_2, i: int, j: int, same: float) -> bool:
             y = rows[j, 2 * end + 1] - rows[i, 1]
             if abs(y * dx - x * dy) > same:
                 return False
+            if _is_end_moved_too_far(
+                rows, i, rows[j, 2 * end : 2 * end + 2], y * dx - x * dy, same
+            ):
+                return False
     else:
         cx, cy, radius, _ = circle_of(rows, i)
         mx, my = middle_of(rows, j)
         for x, y in ((rows[j, 0], rows[j, 1]), (rows[j, 2], rows[j, 3]), (mx, my)):
             if abs(math.hypot(x - cx, y - cy) - radius) > same:
                 return False
+        for end in range(2):
+            point = rows[j, 2 * end : 2 * end + 2]
+            across = math.hypot(point[0] - cx, point[1] - cy) - radius
+            if _is_end_moved_too_far(rows, i, point, across, same):
+                return False
     low, high = range_of(rows, i, rows[j])
     return (min(high, 1.0) - max(low, 0.0)) * length > same
+
+
+@kernel
+def _is_end_moved_too_far(rows: F64_2, i: int, point: F64_1, across: float, same: float) -> bool:
+    """Return whether the end of an edge is more than ``same`` mm away from an end of ``rows[i]``
+    that would replace it.
+
+    Parameters
+    ----------
+    rows : (k, 5)
+        Edges: x0, y0, x1, y1, bulge.
+    point
+        End of an edge that overlaps ``rows[i]`` (mm).
+    across
+        Distance of the point from the line or the circle of ``rows[i]``, with any sign (mm).
+    same
+        Two ends are one end if they are less than this apart along the edges (mm).
+    """
+    for end in range(2):
+        x, y = point[0] - rows[i, 2 * end], point[1] - rows[i, 2 * end + 1]
+        square = x * x + y * y
+        if square > same * same and square - across * across < same * same:
+            return True
+    return False
