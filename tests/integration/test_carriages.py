@@ -122,7 +122,7 @@ def test_all_carriages_are_parked_at_the_start_and_each_before_another_moves() -
         # Carriage 2 stays where it worked while carriage 1 comes.
         (r"^G0 V14\S+\n", "", "verify.heads-too-near"),
         # The first carriage is sent beside the parked second one, and back.
-        (r"^(G0 X\S+ Y[1-9].*)$", r"\1\nG0 V300.0000\nG0 V1420.0000", "verify.heads-too-near"),
+        (r"^(G0 X\S+ Y[1-9].*)$", r"\1\nG0 V290.0000\nG0 V1420.0000", "verify.heads-too-near"),
         # The carriages are not parked.
         (r"^G0 Y-220\.0000 V1420\.0000\n", "", "verify.head-not-located"),
         # They are parked one after the other, so that the first may meet the second.
