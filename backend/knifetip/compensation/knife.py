@@ -26,6 +26,7 @@ import numpy as np
 
 from knifetip.compensation.contour_starts import lifting_corners
 from knifetip.compensation.tracks import Strokes, at_height, headings
+from knifetip.compensation.unwinding import TurnLimits, lifts_to_unwind
 from knifetip.errors import EdgeTooShort
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import left_normal
@@ -51,7 +52,8 @@ def knife_toolpath(operation: Operation) -> Toolpath:
     """Return the toolpath of a knife along every path of an operation.
 
     At corners sharper than the knife's ``swivel`` angle (degrees) the blade is lifted and turned
-    above the board; at other corners it turns in the board.
+    above the board; at other corners it turns in the board.  It is lifted, too, where C would leave
+    its limits (see ``unwinding``).
 
     Raises
     ------
@@ -69,6 +71,9 @@ def knife_toolpath(operation: Operation) -> Toolpath:
     begins[paths.first[:-1]] = True
     turned = c_start - np.roll(c_end, 1)
     down = begins | (np.abs(turned) > blade.swivel)
+    length = arc.length(paths.start, paths.end, paths.bulge)
+    limits = TurnLimits(*operation.turn_limits, blade.period)
+    down = lifts_to_unwind(c_start, c_end, length, down, limits)
     height = operation.caliper + operation.clearance
     start_pose = np.column_stack([_head(paths.start, c_start, blade), z, c_start])
     end_pose = np.column_stack([_head(paths.end, c_end, blade), z, c_end])

@@ -61,6 +61,7 @@ class Operation:
     #: (p, 2) depth of a crease exactly at the start and the end of each path (mm); (0, 2) for
     #: other line types
     end_depth: F64 = field(default_factory=lambda: np.zeros((0, 2)))
+    turn_limits: tuple[float, float] = (-math.inf, math.inf)  #: limits of the heading C (degrees)
     side: int = 0  #: side of the tool: +1 left of travel, -1 right, 0 on the line
     corner: str = "B"  #: type of convex corners: B, C, D or auto
     k: float = 0.5  #: parameter of type D

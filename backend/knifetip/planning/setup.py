@@ -44,6 +44,7 @@ class Setup:
             Kinds of the starts and of the finishes of the paths, see ``End``.
         """
         machine, board, tool = self.machine, self.board, self.station.tool
+        c = machine.carriage_of(self.station).axes[3]
         return Operation(
             paths=paths,
             line_type=line_type,
@@ -54,7 +55,8 @@ class Setup:
             clearance=machine.clearance,
             feed=tool.feed,
             plunge=tool.plunge,
-            swivel=machine.carriage_of(self.station).axes[3].velocity * 60.0,
+            swivel=c.velocity * 60.0,
+            turn_limits=(c.low - self.station.c, c.high - self.station.c),
             end_clearance=board.end_clearance,
             overcut=board.groove_overcut,
             short_crease=board.short_crease,
