@@ -100,7 +100,10 @@ def _drawn_outline(dieline: Dieline) -> BoardOutline:
     side[inner | (outside[:, 0] == outside[:, 1])] = 0
     if not side.any():
         raise PlanError("sheet.without-outline")
-    return BoardOutline.from_cuts(ends, bulge, side)
+    # Ends that meet are exactly equal in the division, so the outline has no gaps.
+    return BoardOutline.from_cuts(
+        np.stack([division.start, division.end], axis=1), division.bulge, side
+    )
 
 
 def sheet_run_outs(

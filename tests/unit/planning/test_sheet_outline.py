@@ -63,6 +63,16 @@ def test_a_run_out_into_a_notch_of_the_sheet_is_left_out() -> None:
     assert (notch, edge > 0.0) == (0.0, True)
 
 
+def test_the_ends_of_an_outline_are_equal_where_they_meet() -> None:
+    # The ends at the middle of the sides differ by rounding, as those of copies of a blank do.
+    sides = closed((0, 0), (150, 0), (300, 0), (300, 100), (300, 200), (0, 200), (0, 100))
+    sides[:, 0, 1] += np.where(sides[:, 0, 1] == 100.0, 1.4e-14, 0.0)
+    outline = sheet_outline(Sheet(), dieline((LineType.CUT, sides)), MACHINE)
+    begins, ends = sorted(outline.start.tolist()), sorted(outline.end.tolist())
+    assert len(begins) == 7
+    assert begins == ends
+
+
 def test_parts_in_a_window_are_no_edge_of_the_sheet() -> None:
     window = closed((50, 50), (150, 50), (150, 150), (50, 150))
     part = closed((60, 60), (90, 60), (90, 90), (60, 90))
