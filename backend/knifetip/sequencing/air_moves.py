@@ -263,18 +263,23 @@ def _distance_outside(x: float, y: float, start: F64_2, end: F64_2, bulge: F64_1
     inside.
 
     ``start``, ``end`` (mm) and ``bulge`` are the start points, end points and bulges of the lines
-    and arcs of all chains.  A point is inside if a ray from it crosses the chords an odd number of
-    times.  For every arc, the area between the arc and its chord counts as one more crossing if the
-    point is in it.
+    and arcs of all chains.  Edges that meet have exactly equal end points, so that no ray passes
+    between them.
+
+    A point is inside if a ray from it crosses the chords an odd number of times.  For every arc,
+    the area between the arc and its chord counts as one more crossing if the point is in it.  A
+    point on a chord counts as a point to the right of it, or above a horizontal chord, in both.
     """
     nearest = np.inf
     inside = False
     for row in range(len(bulge)):
         ax, ay = start[row, 0], start[row, 1]
         bx, by = end[row, 0], end[row, 1]
-        if (ay > y) != (by > y) and x < ax + (y - ay) / (by - ay) * (bx - ax):
-            inside = not inside
         ux, uy = bx - ax, by - ay
+        side = ux * (y - ay) - uy * (x - ax)
+        on_left = side > 0.0 or (side == 0.0 and (uy < 0.0 or (uy == 0.0 and ux > 0.0)))
+        if (ay > y) != (by > y) and on_left == (uy > 0.0):
+            inside = not inside
         square = ux * ux + uy * uy
         if square == 0.0:
             continue
@@ -288,8 +293,7 @@ def _distance_outside(x: float, y: float, start: F64_2, end: F64_2, bulge: F64_1
         radius = math.hypot(ax - cx, ay - cy)
         away = math.hypot(x - cx, y - cy)
         # An arc that turns left lies to the right of its chord, and vice versa.
-        side = ux * (y - ay) - uy * (x - ax)
-        if away < radius and (side < 0.0) == (b > 0.0) and side != 0.0:
+        if away < radius and on_left == (b < 0.0):
             inside = not inside
         sweep = 4.0 * math.atan(b)
         turned = math.atan2(y - cy, x - cx) - math.atan2(ay - cy, ax - cx)

@@ -99,6 +99,19 @@ def test_the_board_ends_at_its_arcs() -> None:
     np.testing.assert_allclose(interference(pose, circle, FACE, BOARD), [0.75, 0.75, 0.0, 0.0])
 
 
+def test_a_point_on_the_chord_of_an_arc_is_on_the_board() -> None:
+    # The chords of the four half circles around the square are its sides, in all directions.
+    bulged = outline(closed((0, 0), (100, 0), (100, 100), (0, 100)), np.ones(4))
+    on_chords = np.array([(50.0, 0.0), (100.0, 50.0), (50.0, 100.0), (0.0, 50.0)])
+    pose = np.column_stack([on_chords, np.full(4, 1.0), np.zeros(4)])
+    circle = TipCircle(5.0, 0.0, 0.0)
+    np.testing.assert_allclose(interference(pose, circle, FACE, bulged), 1.0)
+    back = Paths(bulged.end, bulged.start, -bulged.bulge, bulged.first)
+    np.testing.assert_allclose(interference(pose, circle, FACE, back), 1.0)
+    waisted = Paths(bulged.start, bulged.end, np.full(4, -0.5), bulged.first)
+    np.testing.assert_allclose(interference(pose, circle, FACE, waisted), 0.0)
+
+
 def test_a_tip_that_swings_over_the_board_is_detected() -> None:
     # The tip's circle is 10 mm to the left of a head at x = -8: at C 90 at x = -18, at 270 at 2.
     circle = TipCircle(1.0, 10.0, 0.0)
