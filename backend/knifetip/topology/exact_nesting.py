@@ -24,7 +24,7 @@ from knifetip.geometry.spatial_index.box_tree import (
     start_query,
 )
 from knifetip.geometry.spatial_index.morton import order_boxes
-from knifetip.geometry.tolerance import BULGE, JOIN
+from knifetip.geometry.tolerance import BULGE, GAP
 from knifetip.kernels import F64_1, F64_2, I32_1, I64_1, Bool_1, OutF64_2, OutI64_1, kernel
 
 #: Columns of a span: x and y of its left and right end, centre (x, y) and radius of its circle, and
@@ -73,7 +73,7 @@ def find_enclosing_faces(
     boxes = _boxes_of_spans(spans)
     # The reversed order begins at the top, so that a search finds the span of a ray early.
     order = order_boxes(boxes)[::-1].copy()
-    hit = _first_below(lowest, spans, owner, boxes[order], order, JOIN)
+    hit = _first_below(lowest, spans, owner, boxes[order], order, GAP)
     # A ray hits a component with a lower lowest point, whose enclosing face is known by then.
     order = np.argsort(lowest[:, 1], kind="stable")
     enclosing, depth = _follow_hits(order, hit, above, face.ravel(), outer, component)

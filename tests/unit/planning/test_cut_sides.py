@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -47,6 +48,23 @@ def test_the_waste_is_on_the_right_of_a_counter_clockwise_outline(
 
 def test_only_the_outer_of_two_circles_bounds_a_part() -> None:
     circles = edges(((0, 0), (20, 0)), ((20, 0), (0, 0)), ((5, 0), (9, 0)), ((9, 0), (5, 0)))
+    assert (cut_sides(circles, np.ones(4)).waste != 0).tolist() == [True, True, False, False]
+
+
+@pytest.mark.parametrize("overlap", [0.0, 0.0003, 0.009, 0.04])
+def test_round_parts_that_touch_are_not_inside_each_other(overlap: float) -> None:
+    # The lowest point of the upper circle lies on the lower circle, or inside it by rounding.
+    circles = edges(
+        ((0, 0), (20, 0)), ((20, 0), (0, 0)),
+        ((0, 20 - overlap), (20, 20 - overlap)), ((20, 20 - overlap), (0, 20 - overlap)),
+    )  # fmt: skip
+    assert (cut_sides(circles, np.ones(4)).waste != 0).all()
+
+
+@pytest.mark.parametrize("distance", [0.0003, 0.01, 0.04])
+def test_a_circle_above_the_lowest_point_of_another_is_inside_it(distance: float) -> None:
+    y = distance - 5.0
+    circles = edges(((0, 0), (20, 0)), ((20, 0), (0, 0)), ((5, y), (15, y)), ((15, y), (5, y)))
     assert (cut_sides(circles, np.ones(4)).waste != 0).tolist() == [True, True, False, False]
 
 
