@@ -15,6 +15,7 @@ from knifetip.geometry import arc
 from knifetip.geometry.azimuth import left_normal, unit_vectors
 from knifetip.geometry.chain import outward_directions
 from knifetip.geometry.columns import F64, I32, I64, Bool
+from knifetip.geometry.intersect import intersect_pairs
 from knifetip.geometry.path import Paths, select_paths
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import ANGLE, BULGE, GAP
@@ -178,7 +179,21 @@ def inner_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, I64, F64]
         crossing &= np.hypot(*(position - touched).T) > GAP
     hit = np.flatnonzero(crossing)
     chord = i[hit]
-    return owner[chord], cut[j[hit]], low[chord] + along[hit] * size[chord]
+    segment, crossed, fraction = owner[chord], cut[j[hit]], low[chord] + along[hit] * size[chord]
+    # A chord deviates from its arc, which would shift a crossing along the segment.
+    bent = np.flatnonzero(
+        (np.abs(paths.bulge[segment]) >= BULGE) | (np.abs(bulge[crossed]) >= BULGE)
+    )
+    row, other = segment[bent], crossed[bent]
+    exact = intersect_pairs(
+        paths.start[row], paths.end[row], paths.bulge[row],
+        ends[other, 0], ends[other, 1], bulge[other],
+    )  # fmt: skip
+    away = ((exact.points - position[hit[bent], None]) ** 2).sum(axis=2)
+    nearest = np.where(np.isnan(away), np.inf, away).argmin(axis=1)
+    found = exact.count > 0
+    fraction[bent[found]] = exact.first[np.arange(len(bent)), nearest][found]
+    return segment, crossed, fraction
 
 
 def _split_into_chords(start: F64, end: F64, bulge: F64) -> tuple[F64, I64, F64, F64]:

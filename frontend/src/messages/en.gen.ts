@@ -3952,7 +3952,7 @@ export const TEXTS = {
     "hint": ""
   },
   "verify.wrong-depth": {
-    "text": "The {tool:tool} is {depth:.3f} mm below the top face of the board instead of {planned:.3f} mm.",
+    "text": "The {tool:tool} is {depth:.4f} mm below the top face of the board instead of {planned:.4f} mm.",
     "hint": "Compile the job again for this board."
   },
   "verify.wrong-feed": {

@@ -662,8 +662,8 @@ MESSAGES: Final[Entries] = {
         "grooved in the direction from the start to the end of the edge"
     ),
     "verify.wrong-depth": entry(
-        "The {tool:tool} is {depth:.3f} mm below the top face of the board instead of "
-        "{planned:.3f} mm.",
+        "The {tool:tool} is {depth:.4f} mm below the top face of the board instead of "
+        "{planned:.4f} mm.",
         "Compile the job again for this board.",
         tool="text",
         depth="number",
