@@ -6,6 +6,8 @@ The drawings below were refused wrongly when random cartons first contained them
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -14,7 +16,9 @@ from knifetip.geometry.columns import F64
 from knifetip.library import load
 from knifetip.model.choices import Choices
 from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.interpretation import Interpretation
 from knifetip.model.sheet import Sheet
+from knifetip.model.verdict import Severity
 from knifetip.pipeline import Compiled
 from tests.cartons.campaign import Tally, run
 from tests.cartons.job import random_job
@@ -168,3 +172,77 @@ def test_blanks_that_coincide_nearly_are_cleaned_within_the_limit() -> None:
     second = closed((80.009, 0.005), (160, 0.005), (160, 60.005), (80.009, 60.005))
     line = dieline((CUT, first), (CUT, second))
     assert refusals(compiled(line, "demo-table", "fbb-0.4")) == []
+
+
+def faults(made: Compiled) -> list[str]:
+    """Return the findings that no user can accept."""
+    return [f.text for f in made.verdict.findings if f.severity is Severity.FAULT]
+
+
+def test_a_crease_shorter_than_the_distance_of_touching_does_not_continue_itself() -> None:
+    # A tiny triangle at the end of a long crease.
+    folds = edges(
+        ((20.0, 30.0), (60.0, 30.0)),
+        ((60.0, 30.0), (60.0138, 29.9683)),
+        ((60.0138, 29.9683), (60.0378, 29.9729)),
+        ((60.0378, 29.9729), (60.0, 30.0)),
+    )
+    line = dieline((CUT, closed((0, 0), (120, 0), (120, 100), (0, 100))), (CREASE, folds))
+    assert faults(compiled(line, "demo-table", "fbb-0.4")) == []
+
+
+def test_arcs_cross_a_crease_where_they_are() -> None:
+    # Between two holes of radius 20 mm, 9.4 mm of the crease remain.  The wheel is pressed there at
+    # a depth that depends on this length.
+    turn = np.radians(102.0)
+    step = 20.0 * np.array([np.cos(turn), np.sin(turn)])
+    halves = [
+        (tuple(centre + way * step), tuple(centre - way * step))
+        for centre in (np.array([35.0, 50.0]), np.array([84.4, 50.0]))
+        for way in (1.0, -1.0)
+    ]
+    panel = closed((0, 0), (120, 0), (120, 100), (0, 100))
+    line = dieline(
+        (CUT, panel),
+        (CUT, edges(*halves)),
+        (CREASE, edges(((2.0, 50.0), (118.0, 50.0)))),
+        bulge=dict.fromkeys(range(4, 8), 1.0),
+    )
+    assert refusals(compiled(line, "demo-table", "e-flute")) == []
+
+
+def test_creases_around_a_corner_with_gaps_are_set_back_alike() -> None:
+    # The ends of the upright creases are 0.054 mm apart; ends of others lie between them.
+    folds = edges(
+        ((75.488, 323.03707), (75.488, 374.0676)),
+        ((75.488, 260.0), (75.488, 322.98351)),
+        ((75.51897, 323.05432), (100.0, 347.53535)),
+        ((110.0, 323.02338), (75.52158, 323.02338)),
+        ((40.0, 323.02338), (75.52433, 323.02338)),
+    )
+    panel = closed((0, 240), (120, 240), (120, 400), (0, 400))
+    assert refusals(compiled(dieline((CUT, panel), (CREASE, folds)), "demo-table", "b-flute")) == []
+
+
+@pytest.mark.corpus
+@pytest.mark.parametrize(
+    ("name", "board"),
+    [
+        ("generated__florianfesti__boxes/PaperBox_100x40x140.dxf", "fbb-0.4"),
+        ("skymakerolof__dxf/test/resources/blocks1.dxf", "e-flute"),
+    ],
+)
+def test_edges_without_a_line_type_may_be_creased(corpus: Path, name: str, board: str) -> None:
+    read = pipeline.read((corpus / name).read_bytes(), "mm")
+    decided = pipeline.interpret(read, Interpretation()).line_type.copy()
+    decided[decided == LineType.UNCLASSIFIED] = CREASE
+    line = pipeline.interpret(read, Interpretation(overrides=decided.tobytes()))
+    made = pipeline.compile(read, line, load.machine("demo-table"), load.board(board))
+    wrong = [f for f in made.verdict.findings if f.severity is Severity.FAULT]
+    assert [f.text for f in wrong if line.line_type[f.edge] == CREASE] == []
+
+
+# The ends are 0.054 mm apart, or two creases overlap by 0.3 mm in slightly different directions.
+@pytest.mark.parametrize("number", [579, 636])
+def test_creases_that_nearly_meet_at_a_corner_are_set_back_alike(number: int) -> None:
+    assert attempt_job(random_job(302, number)).fate in ("accepted", "by hint")

@@ -8,11 +8,12 @@ from typing import Final
 import numpy as np
 
 from knifetip.geometry import arc
-from knifetip.geometry.azimuth import azimuth
-from knifetip.geometry.chain import chain, continues_straight
-from knifetip.geometry.columns import F64, I32, U8
+from knifetip.geometry.azimuth import azimuth, unit_vectors
+from knifetip.geometry.chain import chain
+from knifetip.geometry.columns import F64, I32, U8, Bool
 from knifetip.geometry.path import Paths
-from knifetip.geometry.tolerance import ANGLE
+from knifetip.geometry.spatial_index.box_pairs import box_pairs
+from knifetip.geometry.tolerance import ANGLE, GAP, POINT
 from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.operation import End, Operation
@@ -125,12 +126,33 @@ def _crease_paths(dieline: Dieline, rows: I32) -> tuple[Paths, I32, tuple[U8, U8
     bulge = np.concatenate([bulge, dieline.bulge[rows[~plain]]])[order]
     chains = chain(ends, bulge, ANGLE)
     paths, source = close_joints(chains.paths(ends, bulge)), row[order][chains.order]
-    # Chains end where several edges continue in one direction: such ends are not free.  The ends
-    # of a closed path are free if it has a corner there.
-    continued = continues_straight(end_points(paths)[0], end_directions(paths))
-    start, finish = np.split(np.where(continued, End.CONTINUED, End.FREE), 2)
+    start, finish = np.split(np.where(_continued_ends(paths), End.CONTINUED, End.FREE), 2)
     path_of = paths.path_of
     paths, segment, split = split_at_cuts(paths, cut_ends, cut_bulge)
     old_path = path_of[segment[paths.first[:-1]]]
     kinds = np.where(split, End.FREE, np.stack([start, finish], axis=1)[old_path]).astype(np.uint8)
     return paths, source[segment], (kinds[:, 0], kinds[:, 1])
+
+
+def _continued_ends(paths: Paths) -> Bool:
+    """Return the mask of the ends of p paths at which a crease continues straight, (2p,).
+
+    The starts of all paths come first, then the finishes.  A crease continues at an end if a
+    segment passes or begins less than ``GAP`` from the end, has the direction of the end there, and
+    leads on by more than ``GAP``.
+    """
+    (points, _), outward = end_points(paths), -end_directions(paths)
+    result = np.zeros(len(points), np.bool_)
+    boxes = arc.bounding_boxes(paths.start, paths.end, paths.bulge)
+    end, row = box_pairs(np.hstack([points, points]), boxes, GAP)
+    if len(end) == 0:
+        return result
+    segments = paths.start[row], paths.end[row], paths.bulge[row]
+    fraction = arc.nearest_fraction(*segments, points[end])
+    cosine = (unit_vectors(arc.tangent_at(*segments, fraction)) * outward[end]).sum(axis=1)
+    ahead = np.where(cosine > 0.0, 1.0 - fraction, fraction) * arc.length(*segments)
+    straight = np.abs(cosine) >= np.cos(np.radians(ANGLE)) - 1e-12
+    # Drawings contain distances of exactly ``GAP``, which must not depend on rounding.
+    near = np.hypot(*(arc.point_at(*segments, fraction) - points[end]).T) < GAP - POINT
+    result[end[straight & near & (ahead > GAP + POINT)]] = True
+    return result

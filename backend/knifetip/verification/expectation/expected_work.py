@@ -23,7 +23,7 @@ from knifetip.model.board import Board
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import CreaseWheel
 from knifetip.verification.columns import F64, Bool
-from knifetip.verification.curves.curve import azimuth_at, line_curves, point_at
+from knifetip.verification.curves.curve import azimuth_at, point_at
 from knifetip.verification.expectation.crease_depth import depth_towards
 from knifetip.verification.expectation.edge_paths import EdgePaths, edge_paths, link_ends
 from knifetip.verification.expectation.edges import (
@@ -36,8 +36,8 @@ from knifetip.verification.expectation.edges import (
 from knifetip.verification.expectation.waste_ahead import waste_ahead
 from knifetip.verification.tools import OperationKind
 
-#: Distance past the end of a crease within which another may continue it (mm).
-_CONTINUATION_PROBE: Final = 0.5
+#: Distances that drawings contain, such as 0.05 mm, may differ by this from rounding (mm).
+_LIMIT_SLACK: Final = 1e-6
 
 
 #: A wheel that would be pressed by this depth or less is not pressed (mm).
@@ -96,13 +96,14 @@ def expected_creases(
     """
     depth = depth_towards(edges.outward, board)
     contact = np.sqrt(np.maximum(depth * (2.0 * wheel.radius - depth), 0.0))
-    link, goes_on = link_ends(edges, STRAIGHT_ANGLE)
-    goes_on |= _continued_ends(edges, edges if all_creases is None else all_creases)
+    link, _ = link_ends(edges, STRAIGHT_ANGLE)
     if split_ends is not None:
-        goes_on[split_ends] = False
         link[split_ends] = -1
         link[(link >= 0) & split_ends[link]] = -1
     paths = edge_paths(edges, link)
+    goes_on = _continued_ends(edges, edges if all_creases is None else all_creases)
+    if split_ends is not None:
+        goes_on[split_ends] = False
     open_ = paths.first >= 0
     free = [open_ & ~goes_on[np.maximum(end, 0)] for end in (paths.first, paths.last)]
     back = [
@@ -137,30 +138,25 @@ def expected_creases(
 
 
 def _continued_ends(edges: Edges, all_creases: Edges) -> Bool:
-    """Return the mask of the 2n ends of n edges at which an edge of ``all_creases`` continues,
-    (2n,).
+    """Return the mask of the 2n ends of n edges at which a crease continues, (2n,).
 
-    End 2i is the start of edge i, and end 2i + 1 is its end.
+    An end is continued if an edge of ``all_creases`` lies less than ``TOUCH_DISTANCE`` from it, has
+    the direction of the end at the nearest point, and is there more than ``TOUCH_DISTANCE`` long in
+    this direction.  End 2i is the start of edge i, and end 2i + 1 is its end.
     """
-    ahead = np.radians(edges.outward)
-    step = _CONTINUATION_PROBE * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
-    probe = line_curves(edges.ends, edges.ends + step)
-    overlaps = all_creases.find_overlaps(probe, TOUCH_DISTANCE)
-    own = edges.row[overlaps.curve // 2] == all_creases.row[overlaps.edge]
-    turn = angle_between(
-        edges.outward[overlaps.curve],
-        azimuth_at(all_creases.curve[overlaps.edge], overlaps.place[:, 0]),
-        180.0,
-    )
-    begins = overlaps.along[:, 0] <= TOUCH_DISTANCE
+    met = all_creases.touched_by_points(edges.ends, TOUCH_DISTANCE)
+    end, curve = met.curve, all_creases.curve[met.edge]
+    place = np.clip(met.place.mean(axis=1), 0.0, curve[:, 5])
+    turn = angle_between(azimuth_at(curve, place), edges.outward[end])
+    rest = np.where(turn < 90.0, curve[:, 5] - place, place)
+    distance = np.hypot(*(point_at(curve, place) - edges.ends[end]).T)
     continues = (
-        ~own
-        & begins
-        & (turn <= STRAIGHT_ANGLE)
-        & (np.diff(overlaps.along)[:, 0] > 0.5 * _CONTINUATION_PROBE)
+        (np.minimum(turn, 180.0 - turn) <= STRAIGHT_ANGLE)
+        & (distance < TOUCH_DISTANCE - _LIMIT_SLACK)
+        & (rest > TOUCH_DISTANCE + _LIMIT_SLACK)
     )
     result = np.zeros(len(edges.ends), np.bool_)
-    result[overlaps.curve[continues]] = True
+    result[end[continues]] = True
     return result
 
 
