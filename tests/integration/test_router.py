@@ -329,3 +329,11 @@ def test_a_part_in_a_hole_that_is_too_narrow_all_round_is_left_out() -> None:
     assert len(result.areas.bulge) == 4 + 1 + 4 + 1
     start, end = result.areas.ends[:, 0], result.areas.ends[:, 1]
     np.testing.assert_allclose(end, np.roll(start, -1, axis=0))
+
+
+@pytest.mark.parametrize("name", ["router-table", "laser-table"])
+def test_a_slit_on_which_other_slits_end_is_accepted(name: str) -> None:
+    # Each piece between the ends is shorter than half of the slit.
+    slits = edges(((150, 120), (150, 180)), ((150, 140), (90, 140)), ((150, 160), (200, 160)))
+    result = verdict_of(dieline(FRAME, (CUT, slits)), machine=load.machine(name))
+    assert not has_faults(result), result.findings[:3]

@@ -508,9 +508,13 @@ class _MillingCheck:
         overlaps = find_overlaps(
             self.centres.curve, own, np.zeros(len(own)), own[:, 5], self.tolerance
         )
-        size = np.diff(overlaps.along)[:, 0] >= 0.5 * self.centres.curve[overlaps.curve, 5]
+        # An open cut that other cuts meet is divided there, so a path may follow several pieces.
+        rows = np.unique(overlaps.curve)
+        left, spans = uncovered_curves(overlaps, self.centres.curve)
+        elsewhere = np.bincount(left, np.diff(spans)[:, 0], minlength=len(self.centres.z))[rows]
+        size = self.centres.curve[rows, 5]
         result = np.zeros(len(self.centres.z), np.bool_)
-        result[overlaps.curve[size]] = True
+        result[rows[elsewhere <= 0.5 * size + EPSILON]] = True
         return result
 
     def _check_open_ends(self) -> None:
