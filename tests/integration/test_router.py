@@ -331,6 +331,46 @@ def test_a_part_in_a_hole_that_is_too_narrow_all_round_is_left_out() -> None:
     np.testing.assert_allclose(end, np.roll(start, -1, axis=0))
 
 
+@pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
+@pytest.mark.parametrize("excess", [-5e-4, -1e-6, 0.0, 6e-7, 2e-5, 5e-4, 2e-3])
+def test_a_round_hole_as_wide_as_the_cutter_is_made(excess: float, dialect: str) -> None:
+    right = 156.0 + 2.0 * excess
+    hole = edges(((150, 150), (right, 150)), ((right, 150), (150, 150)))
+    line = dieline(FRAME, (CUT, hole), bulge={4: 1.0, 5: 1.0})
+    result = verdict_of(line, dialect=dialect)
+    assert not result.findings
+    # Without the hole in the program, its edges are shortfalls or faults.
+    work = [compensate(operation) for operation in plan(dieline(FRAME), ROUTER, BOARD)]
+    text = process(sequence(work, ROUTER), ROUTER, dialect).text
+    assert {one.edge for one in verify(text, line, (0.0, 0.0), ROUTER, BOARD).findings} >= {4, 5}
+
+
+def test_a_round_hole_beside_which_the_cutter_plunges_is_refused(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    hole = edges(((150, 150), (156, 150)), ((156, 150), (150, 150)))
+    line = dieline(FRAME, (CUT, hole), bulge={4: 1.0, 5: 1.0})
+    right = original(centre_paths, "_widen_round_holes")
+
+    def moved(paths: Paths, distance: float, side: int) -> Paths:
+        paths = right(paths, distance, side)
+        shift = np.where((np.abs(paths.bulge) > 0.5)[:, None], (0.012, 0.0), 0.0)
+        return replace(paths, start=paths.start + shift, end=paths.end + shift)
+
+    monkeypatch.setattr(centre_paths, "_widen_round_holes", moved)
+    assert {one.edge for one in verdict_of(line).findings if one.refuses} & {4, 5}
+
+
+def test_an_arc_round_a_corner_beside_another_edge_is_no_deviation_from_it() -> None:
+    # The slot is as wide as the cutter at its mouth and narrower inside.  The centre goes in by
+    # 0.04 mm along the slanted side, and back on the arc round the corner of the other side.
+    left = closed((100, 60), (200, 60), (200, 120), (131.64, 120), (131.64, 123), (200, 126),
+                  (200, 190), (100, 190))  # fmt: skip
+    right = np.array([(403.0, 0.0)]) + left * (-1.0, 1.0)
+    result = verdict_of(dieline((CUT, left), (CUT, right)))
+    assert not has_faults(result), result.findings[:3]
+
+
 @pytest.mark.parametrize("name", ["router-table", "laser-table"])
 def test_a_slit_on_which_other_slits_end_is_accepted(name: str) -> None:
     # Each piece between the ends is shorter than half of the slit.

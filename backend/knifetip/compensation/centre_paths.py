@@ -9,7 +9,7 @@ Source: the paper "Tool radius compensation", eqs 1–5.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Final
 
@@ -28,12 +28,16 @@ from knifetip.geometry import arc
 from knifetip.geometry.azimuth import unit_vectors
 from knifetip.geometry.columns import F64, I32, U8, Bool
 from knifetip.geometry.path import Paths, longest_segments, start_at, start_in_middle
+from knifetip.geometry.tolerance import BULGE
 from knifetip.messages import Message
 from knifetip.model.operation import Operation
 from knifetip.model.tool import DiscTool
 from knifetip.offset.offset_paths import OffsetPaths, offset_paths
 from knifetip.offset.self_contact import find_self_contact
 
+#: Radius of the circle on which the cutter's centre runs in a hole that is as wide as the cutter,
+#: and greatest difference between the radii of such a hole and of the cutter (mm).
+_HOLE_MARGIN: Final = 0.001
 #: Largest angle by which a corner may turn less than a lead-in round it (degrees).
 _ANGLE_TOLERANCE: Final = 1e-6
 
@@ -157,7 +161,7 @@ def _offset(operation: Operation, distance: float, kind: U8, k: F64) -> OffsetPa
     group = np.where(paths.closed, 0, 1 + np.arange(len(paths)))
     try:
         return offset_paths(
-            paths, distance, operation.side,
+            _widen_round_holes(paths, distance, operation.side), distance, operation.side,
             corner=kind, k=k, interference=operation.interference, group=group,
         )  # fmt: skip
     except (CompensationError, GeometryError) as reason:
@@ -175,6 +179,44 @@ def _offset(operation: Operation, distance: float, kind: U8, k: F64) -> OffsetPa
         elif edges:
             message = Message("error.at-edges", edges=edges, error=message)
         raise CompensationError(message, source=edges) from None
+
+
+def _widen_round_holes(paths: Paths, distance: float, side: int) -> Paths:
+    """Return contours in which round holes as wide as the cutter are a little wider.
+
+    In such a hole the cutter only plunges, and the digits of the drawing decide whether the offset
+    is a point, nothing, or too small to be printed.  The radius becomes ``distance`` plus
+    ``_HOLE_MARGIN``, which gives the smallest circle that a program prints.
+
+    Parameters
+    ----------
+    paths
+        Contours; those of holes have the cutter on their inner side.
+    distance : mm
+        Distance of the cutter's centre from the contours.
+    side
+        Side of the cutter: +1 left, -1 right.
+    """
+    bent = np.abs(paths.bulge) > BULGE
+    rows = np.flatnonzero(bent)
+    if len(rows) == 0:
+        return paths
+    centre = np.zeros((len(bent), 2))
+    centre[rows] = arc.centre(paths.start[rows], paths.end[rows], paths.bulge[rows])
+    middle = centre[paths.first[:-1]][paths.path_of]
+    radius = np.hypot(*(paths.start - middle).T)
+    is_round = bent & (np.hypot(*(centre - middle).T) <= _HOLE_MARGIN)
+    is_round &= np.abs(radius - distance) < _HOLE_MARGIN
+    whole = np.bincount(paths.path_of, ~is_round, len(paths)) == 0.0
+    widened = (whole & paths.closed & (side * paths.areas > 0.0))[paths.path_of]
+    factor = np.where(widened, (distance + _HOLE_MARGIN) / np.maximum(radius, _HOLE_MARGIN), 1.0)
+    return replace(
+        paths,
+        start=np.where(
+            widened[:, None], middle + (paths.start - middle) * factor[:, None], paths.start
+        ),
+        end=np.where(widened[:, None], middle + (paths.end - middle) * factor[:, None], paths.end),
+    )
 
 
 def _crosses_itself(paths: Paths) -> bool:

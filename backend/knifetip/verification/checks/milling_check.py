@@ -27,7 +27,11 @@ from knifetip.verification.checks.bridge_check import check_bridges, order_bridg
 from knifetip.verification.checks.check_context import DEPTH_TOLERANCE, NEAR_EDGE, CheckContext
 from knifetip.verification.checks.cut_faces import split_curves
 from knifetip.verification.checks.milling_geometry import spans_near_points
-from knifetip.verification.checks.milling_shortfalls import report_unreached, report_wide_slits
+from knifetip.verification.checks.milling_shortfalls import (
+    distance_from_disc,
+    report_unreached,
+    report_wide_slits,
+)
 from knifetip.verification.checks.pass_depth import too_deep_spans, unfinished_spans
 from knifetip.verification.checks.unreached_areas import unreached_areas
 from knifetip.verification.columns import F64, I32, I64, Bool
@@ -35,7 +39,7 @@ from knifetip.verification.curves.curve import left_distance, line_curves, point
 from knifetip.verification.curves.intervals import EPSILON, uncovered_curves, uncovered_edges
 from knifetip.verification.curves.overlap import find_overlaps
 from knifetip.verification.expectation.cutter_paths import CutterPaths, cutter_paths
-from knifetip.verification.expectation.edges import Edges, edges_from_curves
+from knifetip.verification.expectation.edges import Edges, edges_from_curves, pairs_within
 from knifetip.verification.expectation.expected_work import knife_ends
 from knifetip.verification.expectation.outline import CutOutlines, count_enclosing, find_outlines
 from knifetip.verification.findings import MAX_FINDINGS
@@ -43,6 +47,12 @@ from knifetip.verification.tools import Disc, expected_tool
 
 #: Twice the rounding of printed coordinates (mm).
 PRINT_ROUNDING: Final = 1e-4
+#: Greatest distance of an arc's printed centre from the corner that it goes round, and difference
+#: between its radius and that of the disc (mm).
+_CORNER_ERROR: Final = 5e-4
+#: Greatest difference between the radius of an arc and that of the disc, if they count as equal
+#: (mm): that of a hole whose circle was drawn with three digits.
+_SAME_WIDTH: Final = 0.0011
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -246,6 +256,11 @@ class _MillingCheck:
         figure = overlaps.distance + rounds[overlaps.curve] + fit_error
         # A path that crosses the tolerance band leads in or out.
         runs = overlaps.best & (overlaps.distance < 0.99 * self.tolerance)
+        # Round the corner of one edge the centre may pass the path beside another edge.  Such an
+        # arc does not count for the other edge.
+        passes = self._goes_round_corner(centres.curve)[overlaps.curve]
+        passes &= figure > self.tolerance
+        runs &= ~passes
         self.context.figures.record_deviation(
             self.edges.row[edge[runs]],
             overlaps.distance[runs],
@@ -288,7 +303,52 @@ class _MillingCheck:
                 line=int(centres.line[overlaps.curve[row]]),
                 severity=severity,
             )
-        return uncovered_edges(edge, low, high, self.size)
+        filled = self._filled_arcs(centres.curve)
+        return uncovered_edges(
+            np.concatenate([edge[~passes], filled]),
+            np.concatenate([low[~passes], np.zeros(len(filled))]),
+            np.concatenate([high[~passes], self.size[filled]]),
+            self.size,
+        )
+
+    def _goes_round_corner(self, centres: F64) -> Bool:
+        """Return the mask of those of n paths of the disc's centre that are arcs round an end of an
+        edge, (n,).
+
+        On such an arc the disc touches the end of the edge.  ``centres`` (n, 6) are lines and arcs.
+        """
+        result = np.zeros(len(centres), np.bool_)
+        if self._disc_is_round:
+            is_near = np.abs(centres[:, 3] - self.reach[0]) <= _CORNER_ERROR
+            arcs = np.flatnonzero((centres[:, 0] != 0.0) & is_near)
+            corners = self.edges.ends[np.repeat(self.bounds.closing, 2)]
+            result[arcs[pairs_within(centres[arcs, 1:3], corners, _CORNER_ERROR)[0]]] = True
+        return result
+
+    def _filled_arcs(self, centres: F64) -> I64:
+        """Return the indices of the arcs that are as wide as the disc, and along which it lies.
+
+        Beside such an arc the centre stays at one point, so it has no path to follow.  The disc
+        lies along the arc if no point of the arc is farther from it than half the tolerance; the
+        other half is left to the rounding of corners by the controller.
+
+        ``centres`` are the paths of the disc's centre through the board, (n, 6).
+        """
+        curve = self.edges.curve
+        is_bent = (curve[:, 0] != 0.0) & self.bounds.closing
+        is_inside = (curve[:, 0] > 0.0) != self.bounds.board_left
+        as_wide = np.abs(curve[:, 3] - self.reach[0]) <= _SAME_WIDTH
+        arcs = np.flatnonzero(is_bent & is_inside & as_wide)
+        if len(arcs) == 0 or len(centres) == 0 or not self._disc_is_round:
+            return np.zeros(0, np.int64)
+        points = [
+            point_at(curve[arcs], fraction * curve[arcs, 5])
+            for fraction in np.linspace(0.0, 1.0, 9)
+        ]
+        distance = distance_from_disc(np.concatenate(points), centres, self.reach)
+        farthest = distance.reshape(len(points), -1).max(axis=0)
+        result: I64 = arcs[farthest <= 0.5 * self.tolerance]
+        return result
 
     def _record_untouched(
         self, pieces: CutterPaths, edge: I64, begin: F64, end: F64

@@ -134,7 +134,8 @@ def disc_penetration(points: F64, edge: F64, reach: F64) -> F64:
     scaled = np.hypot(*(to / np.where(np.abs(axes) > EPSILON, axes, EPSILON)).T)
     size = np.abs(axes).min(axis=1)
     bent = np.where(outer, 1.0 - scaled, scaled - 1.0) * size
-    # The disc does not fit into the arc.
-    bent = np.where(~outer & (axes <= EPSILON).any(axis=1), reach.max(), bent)
+    # The disc does not fit into the circle of the arc: it extends farthest on the centre's side.
+    too_small = ~outer & (axes <= EPSILON).any(axis=1)
+    bent = np.where(too_small, distance + reach.max() - edge[:, 3], bent)
     result: F64 = np.where(straight, flat, bent)
     return result

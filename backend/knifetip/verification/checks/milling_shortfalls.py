@@ -84,7 +84,7 @@ def report_unreached(
     worst = np.zeros(len(edges))
     curve = edges.curve[edge]
     points = [point_at(curve, begin + fraction * (end - begin)) for fraction in _FRACTIONS]
-    distance = _distance_from_disc(np.concatenate(points), centres, reach)
+    distance = distance_from_disc(np.concatenate(points), centres, reach)
     np.maximum.at(worst, edge, distance.reshape(len(_FRACTIONS), -1).max(axis=0))
     np.maximum.at(context.figures.unreached_distance, edges.row, worst)
     radius = float(reach.max())
@@ -180,7 +180,7 @@ def report_wide_slits(
         )
 
 
-def _distance_from_disc(points: F64, centres: F64, reach: F64) -> F64:
+def distance_from_disc(points: F64, centres: F64, reach: F64) -> F64:
     """Return the distance of each of n points from the area that the disc sweeps, (n,) mm.
 
     The distance is 0 inside the swept area, and at most ``_FARTHEST``.
