@@ -377,3 +377,17 @@ def test_a_slit_on_which_other_slits_end_is_accepted(name: str) -> None:
     slits = edges(((150, 120), (150, 180)), ((150, 140), (90, 140)), ((150, 160), (200, 160)))
     result = verdict_of(dieline(FRAME, (CUT, slits)), machine=load.machine(name))
     assert not has_faults(result), result.findings[:3]
+
+
+def test_leads_may_cross_a_crease_after_the_first_cut_of_its_outline() -> None:
+    # In the hole the lead-outs of all passes but the last one cross the creases.
+    stations = [
+        replace(held, tool=replace(held.tool, step=1.2)) if isinstance(held.tool, Cutter) else held
+        for held in ROUTER.stations
+    ]
+    machine = replace(ROUTER, stations=tuple(stations))
+    hole = closed((120, 100), (180, 100), (180, 160), (120, 160))
+    creases = edges(((130, 104), (170, 104)), ((130, 156), (170, 156)),
+                    ((124, 110), (124, 150)), ((176, 110), (176, 150)))  # fmt: skip
+    result = verdict_of(dieline(FRAME, (CUT, hole), (LineType.CREASE, creases)), machine=machine)
+    assert not has_faults(result), result.findings[:3]

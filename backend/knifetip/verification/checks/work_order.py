@@ -55,6 +55,7 @@ from knifetip.verification.expectation.edges import (
 )
 from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.kinematics import TipPaths
+from knifetip.verification.tools import OperationKind
 
 #: Line types that no tool makes.
 _NO_WORK: Final = (LineType.UNCLASSIFIED, LineType.IGNORED)
@@ -233,15 +234,17 @@ def _check_other_edges(
     cuts
         All cuts.
     work
-        All tip paths.
+        All tip paths; those of routers and lasers are skipped here.
     spans
-        Stretches of cuts that the tools have cut; their tip paths are skipped here.
+        Stretches of cuts that the tools have cut; their tip paths are skipped, too.
     rules
         The program lines after which the faces must not be worked.  Of several rules that a path
         breaks the first one is reported.
     """
     checked = work.line > min(rule.line.min() for rule in rules)
     checked[spans.path] = False
+    # A router or a laser makes cuts only; its leads may cross a crease.
+    checked[work.operation == OperationKind.MILL] = False
     rows = np.flatnonzero(checked)
     if len(rows) == 0:
         return
