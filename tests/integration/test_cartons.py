@@ -238,11 +238,19 @@ def test_edges_without_a_line_type_may_be_creased(corpus: Path, name: str, board
     decided[decided == LineType.UNCLASSIFIED] = CREASE
     line = pipeline.interpret(read, Interpretation(overrides=decided.tobytes()))
     made = pipeline.compile(read, line, load.machine("demo-table"), load.board(board))
-    wrong = [f for f in made.verdict.findings if f.severity is Severity.FAULT]
-    assert [f.text for f in wrong if line.line_type[f.edge] == CREASE] == []
+    assert faults(made) == []
 
 
 # The ends are 0.054 mm apart, or two creases overlap by 0.3 mm in slightly different directions.
 @pytest.mark.parametrize("number", [579, 636])
 def test_creases_that_nearly_meet_at_a_corner_are_set_back_alike(number: int) -> None:
     assert attempt_job(random_job(302, number)).fate in ("accepted", "by hint")
+
+
+def test_a_slit_whose_last_edge_is_shorter_than_the_lead_is_accepted() -> None:
+    # The knife stops before the corner, so it arrives in the direction of the edge before it.
+    slit = edges(((60, 20), (60, 50)), ((60, 50), (60.3, 50)))
+    other = edges(((60.3, 50.06), (60.3, 80)))
+    panel = closed((0, 0), (120, 0), (120, 100), (0, 100))
+    line = dieline((CUT, panel), (CUT, slit), (CUT, other))
+    assert refusals(compiled(line, "demo-table", "b-flute")) == []

@@ -127,7 +127,7 @@ def check_track_ends(
     end = stop_rows[end]
     end_distance = np.hypot(*(stop[closes[run]] - ends.stop[end]).T)
     # Where several edges end at one point, the stop of the edge along which the run arrives counts.
-    across = angle_between(ahead[closes[run]], solid_edges.outward[end]) > _ALONG_EDGE
+    across = angle_between(ahead[closes[run]], ends.ahead[end]) > _ALONG_EDGE
     order = np.lexsort((end_distance, across, run))
     run, end, end_distance = run[order], end[order], end_distance[order]
     nearest = np.unique(run, return_index=True)[1]

@@ -165,6 +165,7 @@ class KnifeEnds:
     """The points at which a knife should stop, one for each of the 2n ends of n edges."""
 
     stop: F64  #: (2n, 2) mm in sheet coordinates, NaN if the knife does not stop
+    ahead: F64  #: (2n,) degrees, direction in which the knife arrives at the stop
     free: Bool  #: (2n,) the end lies inside a panel
     meets: Bool  #: (2n,) the end lies on another through cut
     overrun: F64  #: (2n,) mm, planned overrun of the tip past the end
@@ -218,6 +219,7 @@ def knife_ends(
     past = np.where(runs_over, overrun, 0.0)
     stop = edges.ends + past[:, None] * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
     stop[~meets & ~free] = np.nan
+    arrival = edges.outward.copy()
     # Go back by the lead from a free end along its path, over several edges if necessary.
     free_ends = np.flatnonzero(free)
     if len(free_ends):
@@ -227,7 +229,9 @@ def knife_ends(
         position = np.where(at_last, paths.length[path] - lead, lead)
         row, place = paths.locate(path, np.clip(position, 0.0, paths.length[path]), edges.curve)
         stop[free_ends] = point_at(edges.curve[row], place)
-    return KnifeEnds(stop, free, meets, past, paths)
+        turned = np.where(at_last == paths.flipped[row], 180.0, 0.0)
+        arrival[free_ends] = azimuth_at(edges.curve[row], place) + turned
+    return KnifeEnds(stop, arrival, free, meets, past, paths)
 
 
 def groove_continues(edges: Edges) -> Bool:
