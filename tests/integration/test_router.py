@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import Any
 
@@ -390,4 +391,14 @@ def test_leads_may_cross_a_crease_after_the_first_cut_of_its_outline() -> None:
     creases = edges(((130, 104), (170, 104)), ((130, 156), (170, 156)),
                     ((124, 110), (124, 150)), ((176, 110), (176, 150)))  # fmt: skip
     result = verdict_of(dieline(FRAME, (CUT, hole), (LineType.CREASE, creases)), machine=machine)
+    assert not has_faults(result), result.findings[:3]
+
+
+@pytest.mark.parametrize("excess", [-1e-9, 1e-9])
+def test_rounded_corners_with_the_radius_of_the_cutter_are_made(excess: float) -> None:
+    r = 3.0 + excess
+    hole = closed((120 + r, 100), (180 - r, 100), (180, 100 + r), (180, 160 - r),
+                  (180 - r, 160), (120 + r, 160), (120, 160 - r), (120, 100 + r))  # fmt: skip
+    bend = dict.fromkeys((5, 7, 9, 11), math.tan(math.pi / 8.0))
+    result = verdict_of(dieline(FRAME, (CUT, hole), bulge=bend))
     assert not has_faults(result), result.findings[:3]

@@ -109,6 +109,18 @@ def nearest_along(curve: F64, point: F64, reach: F64) -> F64:
     return result
 
 
+def _angle_beside_arc(angle: F64, arcs: F64) -> F64:
+    """Return the angle between a direction and the nearest radius of each of n arcs, (n,) rad.
+
+    The result is 0 for a direction, as seen from the arc's centre, in which the arc lies.
+    ``angle`` (n,) are the directions (rad), and ``arcs`` (n, 6) rows as in ``curves.curve``.
+    """
+    past = np.mod(arcs[:, 0] * (angle - arcs[:, 4]), 2.0 * np.pi)
+    sweep = arcs[:, 5] / arcs[:, 3]
+    result: F64 = np.where(past <= sweep, 0.0, np.minimum(past - sweep, 2.0 * np.pi - past))
+    return result
+
+
 def disc_penetration(points: F64, edge: F64, reach: F64) -> F64:
     """Return how far a disc or ellipse centred at each of n points extends past an edge, (n,) mm.
 
@@ -134,8 +146,11 @@ def disc_penetration(points: F64, edge: F64, reach: F64) -> F64:
     scaled = np.hypot(*(to / np.where(np.abs(axes) > EPSILON, axes, EPSILON)).T)
     size = np.abs(axes).min(axis=1)
     bent = np.where(outer, 1.0 - scaled, scaled - 1.0) * size
-    # The disc does not fit into the circle of the arc: it extends farthest on the centre's side.
-    too_small = ~outer & (axes <= EPSILON).any(axis=1)
-    bent = np.where(too_small, distance + reach.max() - edge[:, 3], bent)
+    # The disc does not fit into the circle of the arc.  Of all radii of the arc the one nearest in
+    # direction to the disc's centre shows how far the disc extends.
+    narrow = np.flatnonzero(~outer & (axes <= EPSILON).any(axis=1) & ~straight)
+    beside = _angle_beside_arc(np.arctan2(to[narrow, 1], to[narrow, 0]), edge[narrow])
+    across = np.sqrt(np.maximum(reach.max() ** 2 - (distance[narrow] * np.sin(beside)) ** 2, 0.0))
+    bent[narrow] = distance[narrow] * np.cos(beside) + across - edge[narrow, 3]
     result: F64 = np.where(straight, flat, bent)
     return result
