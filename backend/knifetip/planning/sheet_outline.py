@@ -21,6 +21,7 @@ from typing import Final
 import numpy as np
 
 from knifetip.errors import PlanError
+from knifetip.geometry import arc
 from knifetip.geometry.azimuth import left_normal
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.path import Paths
@@ -55,7 +56,7 @@ def sheet_outline(sheet: Sheet, dieline: Dieline, machine: Machine) -> BoardOutl
     ------
     PlanError
         The drawing does not fit on the sheet, the sheet does not fit on the table, or the cuts form
-        no closed outline.
+        no closed outline around all other lines.
     """
     if not sheet.is_rectangle:
         return _drawn_outline(dieline)
@@ -89,7 +90,11 @@ def sheet_outline(sheet: Sheet, dieline: Dieline, machine: Machine) -> BoardOutl
 
 
 def _drawn_outline(dieline: Dieline) -> BoardOutline:
-    """Return the outer contours of the cuts; raise ``PlanError`` if there are none."""
+    """Return the outer contours of the cuts; raise ``PlanError`` if there are none, or if a
+    crease, groove or perforation lies outside them.
+
+    Such a line outside shows that the outline of its blank is not closed.
+    """
     cuts = np.flatnonzero(dieline.line_type == LineType.CUT)
     ends, bulge = dieline.ends[cuts], dieline.bulge[cuts]
     division = subdivide(ends, bulge)
@@ -98,7 +103,12 @@ def _drawn_outline(dieline: Dieline) -> BoardOutline:
     # Contours inside another one bound holes and the parts in them, not the sheet.
     inner = division.depth[division.component] > 0
     side[inner | (outside[:, 0] == outside[:, 1])] = 0
-    if not side.any():
+    ignored = (LineType.CUT, LineType.IGNORED, LineType.UNCLASSIFIED)
+    others = np.flatnonzero(~np.isin(dieline.line_type, ignored))
+    begin, stop = dieline.ends[others, 0], dieline.ends[others, 1]
+    # Not at the middle: below it, round blanks touch and may overlap by rounding.
+    probe = arc.point_at(begin, stop, dieline.bulge[others], np.full(len(others), 0.37))
+    if not side.any() or (division.count_enclosing(probe) == 0).any():
         raise PlanError("sheet.without-outline")
     # Ends that meet are exactly equal in the division, so the outline has no gaps.
     return BoardOutline.from_cuts(

@@ -73,6 +73,17 @@ def test_the_ends_of_an_outline_are_equal_where_they_meet() -> None:
     assert begins == ends
 
 
+def test_a_window_is_no_sheet_for_creases_around_it() -> None:
+    # The outline has a gap of 0.2 mm at a corner, so only the window is closed.
+    window = closed((50, 50), (150, 50), (150, 150), (50, 150))
+    opened = BLANK.copy()
+    opened[0, 0, 0] = 0.2
+    fold = edges(((200, 0), (200, 200)))
+    drawn = dieline((LineType.CUT, np.concatenate([window, opened])), (LineType.CREASE, fold))
+    with pytest.raises(PlanError, match="no closed outline"):
+        sheet_outline(Sheet(), drawn, MACHINE)
+
+
 def test_parts_in_a_window_are_no_edge_of_the_sheet() -> None:
     window = closed((50, 50), (150, 50), (150, 150), (50, 150))
     part = closed((60, 60), (90, 60), (90, 90), (60, 90))
