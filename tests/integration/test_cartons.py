@@ -68,7 +68,10 @@ def test_a_wheel_that_turns_at_a_joint_with_a_gap_does_not_travel() -> None:
 def test_rounded_blanks_do_not_exceed_the_travel_of_a_flat_cutter(seed: int, number: int) -> None:
     job = random_job(seed, number)
     assert job.machine.name == "flat-cutter-hpgl"
-    assert attempt_job(job).fate == "accepted"
+    outcome = attempt_job(job)
+    # The outline of the second drawing is open, so its sheet is not known.
+    assert set(outcome.followed) <= {"sheet.without-outline: no sheet"}
+    assert outcome.fate in ("accepted", "by hint")
 
 
 @pytest.mark.parametrize("space", [3.0, 10.0])

@@ -90,10 +90,10 @@ def sheet_outline(sheet: Sheet, dieline: Dieline, machine: Machine) -> BoardOutl
 
 
 def _drawn_outline(dieline: Dieline) -> BoardOutline:
-    """Return the outer contours of the cuts; raise ``PlanError`` if there are none, or if a
-    crease, groove or perforation lies outside them.
+    """Return the outer contours of the cuts; raise ``PlanError`` if there are none, or if some
+    line lies outside them and is not connected with them.
 
-    Such a line outside shows that the outline of its blank is not closed.
+    Such a line shows that the outline of its blank is not closed, or does not belong to a blank.
     """
     cuts = np.flatnonzero(dieline.line_type == LineType.CUT)
     ends, bulge = dieline.ends[cuts], dieline.bulge[cuts]
@@ -103,12 +103,15 @@ def _drawn_outline(dieline: Dieline) -> BoardOutline:
     # Contours inside another one bound holes and the parts in them, not the sheet.
     inner = division.depth[division.component] > 0
     side[inner | (outside[:, 0] == outside[:, 1])] = 0
+    closed = np.zeros(len(division.depth), np.bool_)
+    closed[division.component[side != 0]] = True
+    apart = ~inner & ~closed[division.component]
     ignored = (LineType.CUT, LineType.IGNORED, LineType.UNCLASSIFIED)
     others = np.flatnonzero(~np.isin(dieline.line_type, ignored))
     begin, stop = dieline.ends[others, 0], dieline.ends[others, 1]
     # Not at the middle: below it, round blanks touch and may overlap by rounding.
     probe = arc.point_at(begin, stop, dieline.bulge[others], np.full(len(others), 0.37))
-    if not side.any() or (division.count_enclosing(probe) == 0).any():
+    if not side.any() or apart.any() or (division.count_enclosing(probe) == 0).any():
         raise PlanError("sheet.without-outline")
     # Ends that meet are exactly equal in the division, so the outline has no gaps.
     return BoardOutline.from_cuts(

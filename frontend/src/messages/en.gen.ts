@@ -3144,7 +3144,7 @@ export const TEXTS = {
     "hint": "Enter the size and the margin of the sheet on the table, or check the unit of the drawing."
   },
   "sheet.without-outline": {
-    "text": "The cuts of the drawing form no closed outline around its creases, grooves and perforations, so the outline of the sheet is not known.",
+    "text": "The cuts of the drawing form no closed outline around all of its other lines, so the outline of the sheet is not known.",
     "hint": "Enter the width and the height of the sheet, or close the outline of the drawing."
   },
   "store.no-column": {

@@ -84,6 +84,17 @@ def test_a_window_is_no_sheet_for_creases_around_it() -> None:
         sheet_outline(Sheet(), drawn, MACHINE)
 
 
+def test_cuts_outside_all_outlines_leave_the_sheet_unknown() -> None:
+    apart = edges(((320, 20), (320, 180)))
+    drawn = dieline((LineType.CUT, np.concatenate([BLANK, apart])))
+    with pytest.raises(PlanError, match="no closed outline"):
+        sheet_outline(Sheet(), drawn, MACHINE)
+    # A cut that runs past the outline belongs to the blank.
+    crossing = edges(((280, 100), (320, 100)))
+    drawn = dieline((LineType.CUT, np.concatenate([BLANK, crossing])))
+    assert len(sheet_outline(Sheet(), drawn, MACHINE).bulge) >= 4
+
+
 def test_parts_in_a_window_are_no_edge_of_the_sheet() -> None:
     window = closed((50, 50), (150, 50), (150, 150), (50, 150))
     part = closed((60, 60), (90, 60), (90, 90), (60, 90))

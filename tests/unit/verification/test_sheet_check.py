@@ -107,3 +107,20 @@ def test_the_area_of_a_round_sheet_is_bounded_by_its_arcs() -> None:
     points = np.array([(50.0, 49.0), (50.0, 51.0), (50.0, -60.0)])
     assert area.contains(points).tolist() == [True, False, False]
     assert area.distances(points[:, None]) == pytest.approx([1.0, 1.0, 10.0], abs=2e-3)
+
+
+@pytest.mark.parametrize("kind", [LineType.CUT, LineType.CREASE])
+@pytest.mark.parametrize(("x", "known"), [(320.0, False), (290.0, True)])
+def test_an_edge_outside_all_outlines_leaves_the_sheet_unknown(
+    kind: LineType, x: float, known: bool
+) -> None:
+    blank = closed((0, 0), (300, 0), (300, 200), (0, 200))
+    drawn = dieline((LineType.CUT, blank), (kind, edges(((x, 20), (x, 180)))))
+    area = place_sheet(Sheet(), place_edges(drawn, (0.0, 0.0)))
+    assert len(area.start) == (4 if known else 0)
+
+
+def test_a_cut_across_the_outline_belongs_to_the_sheet() -> None:
+    blank = closed((0, 0), (300, 0), (300, 200), (0, 200))
+    drawn = dieline((LineType.CUT, np.concatenate([blank, edges(((280, 100), (320, 100)))])))
+    assert len(place_sheet(Sheet(), place_edges(drawn, (0.0, 0.0))).start) >= 4

@@ -47,8 +47,8 @@ MESSAGES: Final[Entries] = {
         needed_y="number",
     ),
     "sheet.without-outline": entry(
-        "The cuts of the drawing form no closed outline around its creases, grooves and "
-        "perforations, so the outline of the sheet is not known.",
+        "The cuts of the drawing form no closed outline around all of its other lines, so the "
+        "outline of the sheet is not known.",
         "Enter the width and the height of the sheet, or close the outline of the drawing.",
     ),
     "zone.work": entry(

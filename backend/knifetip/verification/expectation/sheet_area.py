@@ -17,10 +17,16 @@ from knifetip.model.sheet import Sheet
 from knifetip.verification.columns import F64, Bool
 from knifetip.verification.curves.curve import point_at
 from knifetip.verification.expectation.edges import TOUCH_DISTANCE, Edges
-from knifetip.verification.expectation.outline import find_outlines
+from knifetip.verification.expectation.outline import (
+    CutOutlines,
+    count_enclosing,
+    find_outlines,
+)
 
 #: Greatest distance between an arc and the chords that replace it (mm).
 _SAGITTA: Final = 1e-3
+#: Place on an edge, as a fraction of its length, at which it must be on the sheet.
+_PROBE: Final = 0.37
 #: Greatest number of distances that are computed at once.
 _BATCH: Final = 500_000
 
@@ -71,13 +77,19 @@ def place_sheet(sheet: Sheet, edges: Edges) -> SheetArea:
     """Return the area of a sheet on which the edges of a drawing are made.
 
     ``edges`` are all edges of the drawing in sheet coordinates.  The area has no chords if the
-    sheet was cut to the outline of the drawing, and the cuts form no outline.
+    sheet was cut to the outline of the drawing, and its edges do not show where that is: the cuts
+    form no outline, or an edge lies outside every outline and is not connected with any.
     """
-    if not sheet.is_rectangle:
-        cuts = edges.with_types(LineType.CUT)
-        bounds = find_outlines(cuts)
-        return SheetArea(*_chords(cuts.curve[bounds.outer & (bounds.depth == 0)]))
     has_work = ~np.isin(edges.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED))
+    if not sheet.is_rectangle:
+        bounds = find_outlines(edges.with_types(LineType.CUT))
+        others = edges.curve[has_work & (edges.line_type != LineType.CUT)]
+        sheet_edge = bounds.outer & (bounds.depth == 0)
+        area = SheetArea(*_chords(bounds.edges.curve[sheet_edge]))
+        probes = point_at(others, _PROBE * others[:, 5])
+        if _has_cuts_apart(bounds, area) or (count_enclosing(probes, bounds) == 0).any():
+            return SheetArea(area.start[:0], area.end[:0])
+        return area
     points = np.concatenate(_chords(edges.curve[has_work]))
     if len(points) == 0:
         return SheetArea(points, points)
@@ -85,6 +97,22 @@ def place_sheet(sheet: Sheet, edges: Edges) -> SheetArea:
     size = np.array([sheet.width, sheet.height])
     corners = low + size * np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
     return SheetArea(corners, np.roll(corners, -1, axis=0))
+
+
+def _has_cuts_apart(bounds: CutOutlines, area: SheetArea) -> bool:
+    """Return whether some connected cuts lie outside the area and do not end on it.
+
+    ``bounds`` are the outlines that the cuts form, and ``area`` is what they enclose.
+    """
+    outside = np.flatnonzero((bounds.depth == 0) & ~bounds.closing)
+    outside = outside[~np.isin(bounds.component[outside], bounds.component[bounds.closing])]
+    if len(outside) == 0 or len(area.start) == 0:
+        return len(outside) > 0
+    curve = bounds.edges.curve[outside]
+    ends = np.concatenate([point_at(curve, np.zeros(len(curve))), point_at(curve, curve[:, 5])])
+    held = (count_enclosing(ends, bounds) > 0) | area.touches(ends)
+    component = np.tile(bounds.component[outside], 2)
+    return not np.isin(component, component[held]).all()
 
 
 def _chords(curve: F64) -> tuple[F64, F64]:
