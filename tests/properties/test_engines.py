@@ -137,12 +137,21 @@ def test_mirroring_a_cut_mirrors_the_path_of_a_knife(length: float, bulge: float
     np.testing.assert_allclose(after.bulge, -before.bulge)
 
 
+def fed_moves(path: Toolpath) -> F64:
+    """Return start and end of each move at feed, sorted by the start, (n, 6)."""
+    fed = np.flatnonzero(path.motion == Motion.FEED)
+    moves = np.hstack([path.pose[fed, :3], path.pose[fed + 1, :3]])
+    sorted_moves: F64 = moves[np.lexsort(np.round(moves, 6).T)]
+    return sorted_moves
+
+
 @given(start=st.integers(0, 4), width=st.floats(20.0, 300.0))
 def test_a_closed_contour_is_cut_alike_from_any_first_edge(start: int, width: float) -> None:
     corners = [(0, 0), (width, 0), (width + 5, 30), (width, 50), (-60, 50)]
     ends = np.roll(closed(*corners), -start, axis=0)
     path, first = made(LineType.CUT, ends), made(LineType.CUT, closed(*corners))
-    np.testing.assert_allclose(path.pose[:, :3], first.pose[:, :3], atol=1e-9)
+    # Where it starts among its corners is chosen by time later; the work is the same.
+    np.testing.assert_allclose(fed_moves(path), fed_moves(first), atol=1e-9)
 
 
 @thousand
