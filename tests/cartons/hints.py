@@ -1,4 +1,4 @@
-"""Follow the hints of refusals: change a job as the hint of its refusal says."""
+"""Change a refused job in the way that the hint of the refusal recommends."""
 
 from __future__ import annotations
 
@@ -14,8 +14,9 @@ if TYPE_CHECKING:
 
 
 def follow(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
-    """Return what the hint of a refusal says to do, and the job changed so; None if it says
-    nothing that can be done here.
+    """Follow the hint of a refusal: return a description of the change, and the changed job.
+
+    Returns None if the change cannot be made automatically.
     """
     action = _ACTIONS.get(refusal.code)
     return None if action is None else action(refusal, attempt)

@@ -50,7 +50,8 @@ def judge(_job: Job, outcome: Outcome) -> str:
         effect = oracle.effect_of(text)
     except NotExecuted as fault:
         return f"not executed: {fault}"
-    # Beside a sheet that was cut to size, tools may stay low, which this controller does not know.
+    # The effects do not take the size of the sheet into account, so low moves beside it would count
+    # as dangers.
     on_table = attempt.choices.sheet is None
     if attempt.choices.lift == "clearance" and on_table and effect.dangers:
         return effect.dangers[0]

@@ -61,7 +61,7 @@ def accept_in_block(
 
 
 def find_same_exceptions(block: bytes, earlier: bytes) -> list[dict[str, Any]]:
-    """Return the findings that are accepted in an earlier verdict and refuse a present program.
+    """Return the findings that refuse a program and are accepted in the verdict of an earlier job.
 
     Two findings are the same if their edge, their code and their measure agree.
 

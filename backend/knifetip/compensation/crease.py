@@ -21,7 +21,7 @@ from knifetip.model.operation import End, Operation
 from knifetip.model.tool import CreaseWheel
 from knifetip.model.toolpath import Toolpath
 
-#: Least length over which the wheel is rolled (mm).
+#: On a shorter length the wheel does not roll (mm).
 _LEAST_LENGTH: Final = 1e-5
 #: Least depth at which the wheel is pressed (mm).
 _LEAST_DEPTH: Final = 0.001

@@ -119,7 +119,7 @@ def _begin_contours(operation: Operation, blade: Knife) -> tuple[Paths, I32, Boo
     rows : (n,)
         Segment of the operation from which each returned segment comes.
     smooth : (p,)
-        Mask of the closed paths that start in the middle of a segment.
+        True for each closed path that starts in the middle of a segment.
     """
     paths, closed = operation.paths, operation.finish == End.CLOSED
     begin: I32 = np.asarray(paths.first[:-1])

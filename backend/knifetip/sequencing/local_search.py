@@ -151,8 +151,7 @@ def _try_moves(
 
 @kernel(allocates=False)
 def _improve_track(track: int, tour: Tour, tracks: Tracks, freed: OutF64_1) -> Any:
-    """Search the changes of the tour near one track, and apply the first one that shortens the
-    tour.
+    """Apply the first change near a track that shortens the tour.
 
     Returns the first and last position of the tour that changed, and the change of the tour's time
     (s, negative).  Returns (0, -1, 0) if no change shortens the tour.

@@ -103,7 +103,7 @@ def removal_gain(first: int, last: int, tour: Tour, tracks: Tracks) -> float:
 
 @inline_kernel
 def swap_change(first: int, middle: int, last: int, tour: Tour, tracks: Tracks) -> float:
-    """Return the increase of the time of the tour if two neighbouring sections are swapped (s).
+    """Return how much longer a tour takes if two neighbouring sections are swapped (s).
 
     The first section contains the positions from ``first`` to ``middle - 1``, the second those from
     ``middle`` to ``last``.

@@ -146,8 +146,8 @@ def disc_penetration(points: F64, edge: F64, reach: F64) -> F64:
     scaled = np.hypot(*(to / np.where(np.abs(axes) > EPSILON, axes, EPSILON)).T)
     size = np.abs(axes).min(axis=1)
     bent = np.where(outer, 1.0 - scaled, scaled - 1.0) * size
-    # The disc does not fit into the circle of the arc.  Of all radii of the arc the one nearest in
-    # direction to the disc's centre shows how far the disc extends.
+    # Where the circle of the arc is smaller than the disc, the disc extends past the arc by most
+    # along the radius that is nearest in direction to the disc's centre.
     narrow = np.flatnonzero(~outer & (axes <= EPSILON).any(axis=1) & ~straight)
     beside = _angle_beside_arc(np.arctan2(to[narrow, 1], to[narrow, 0]), edge[narrow])
     across = np.sqrt(np.maximum(reach.max() ** 2 - (distance[narrow] * np.sin(beside)) ** 2, 0.0))

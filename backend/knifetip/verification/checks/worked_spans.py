@@ -24,7 +24,8 @@ from knifetip.verification.tools import OperationKind, expected_tool
 MIN_LENGTH: Final = 0.1
 
 
-#: Beside a corner of 28° a cutter leaves this many radii of either edge untouched.
+#: At an inner corner of 28° a cutter cannot reach the first part of either edge.  The length of
+#: this part is this number times the radius of the cutter.
 _CORNER_RATIO: Final = 4.0
 
 
