@@ -48,7 +48,7 @@ async def claim(service: ServiceDep, request: Request, claimant: ClaimIn) -> Cla
             if time.monotonic() - recorded_at >= _CONTACT_INTERVAL:
                 recorded_at = time.monotonic()
                 await service.threads.claims(
-                    service.store.gateways.record_contact, claimant.machine, claimant.gateway
+                    service.store.machines.record_contact, claimant.machine, claimant.gateway
                 )
             # A disconnected gateway would never start the job.
             if await request.is_disconnected():

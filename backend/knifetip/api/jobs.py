@@ -301,7 +301,7 @@ def accept_shortfalls(service: ServiceDep, id: JobId, exceptions: ExceptionsIn) 
     """
     chosen = _shortfalls(exceptions)
     acceptance = Acceptance(exceptions.by, exceptions.reason, service.store.database.clock())
-    row = service.store.jobs.accept(
+    row = service.store.operators.accept(
         id,
         partial(accept_in_block, chosen=chosen, acceptance=acceptance),
         Actor(ActorKind.OPERATOR, exceptions.by),
@@ -318,7 +318,7 @@ def accept_shortfalls(service: ServiceDep, id: JobId, exceptions: ExceptionsIn) 
 @router.post("/{id}/release")
 def release_job(service: ServiceDep, id: JobId) -> JobOut:
     """Queue a job that has the state ``ready``, so that its machine can claim it."""
-    return job_out(service.store, service.store.jobs.release(id))
+    return job_out(service.store, service.store.operators.release(id))
 
 
 @router.post("/{id}/confirm")
@@ -332,14 +332,14 @@ def confirm_job(service: ServiceDep, id: JobId, confirmation: ConfirmIn | None =
     """
     confirmed = confirmation or ConfirmIn()
     return job_out(
-        service.store, service.store.jobs.confirm(id, confirmed.board or "", confirmed.by)
+        service.store, service.store.operators.confirm(id, confirmed.board or "", confirmed.by)
     )
 
 
 @router.post("/{id}/hold")
 def hold_job(service: ServiceDep, id: JobId) -> JobOut:
     """Request to hold a job; its state is ``held`` as soon as the machine has stopped."""
-    return job_out(service.store, service.store.jobs.hold(id))
+    return job_out(service.store, service.store.operators.hold(id))
 
 
 @router.post("/{id}/resume")
@@ -349,31 +349,31 @@ def resume_job(service: ServiceDep, id: JobId) -> JobOut:
     A job can make several copies, each on a new sheet.  If the job is held between two copies,
     the call also confirms that the sheet of the next copy is on the table.
     """
-    return job_out(service.store, service.store.jobs.resume(id))
+    return job_out(service.store, service.store.operators.resume(id))
 
 
 @router.post("/{id}/cancel")
 def cancel_job(service: ServiceDep, id: JobId) -> JobOut:
     """Cancel a job: a running job when the machine has stopped, any other job immediately."""
-    return job_out(service.store, service.store.jobs.cancel(id))
+    return job_out(service.store, service.store.operators.cancel(id))
 
 
 @router.post("/{id}/finish")
 def finish_job(service: ServiceDep, id: JobId) -> JobOut:
     """Declare that all sheets of an interrupted job are complete."""
-    return job_out(service.store, service.store.jobs.declare_finished(id))
+    return job_out(service.store, service.store.operators.declare_finished(id))
 
 
 @router.post("/{id}/requeue")
 def requeue_job(service: ServiceDep, id: JobId) -> JobOut:
     """Queue an interrupted job again, from its first program line; the table must be clear."""
-    return job_out(service.store, service.store.jobs.requeue(id))
+    return job_out(service.store, service.store.operators.requeue(id))
 
 
 @router.post("/{id}/scrap")
 def scrap_job(service: ServiceDep, id: JobId) -> JobOut:
     """Give up an interrupted job and free the table of its machine."""
-    return job_out(service.store, service.store.jobs.scrap(id))
+    return job_out(service.store, service.store.operators.scrap(id))
 
 
 def job_out(store: Store, row: Job) -> JobOut:

@@ -19,8 +19,8 @@ router = APIRouter(prefix="/machines", tags=["machines"])
 @router.get("")
 def list_machines(service: ServiceDep) -> list[MachineOut]:
     """List the machines of the library with their current jobs."""
-    connected = service.store.gateways.connected_machines(ABSENT)
-    on_table = service.store.gateways.jobs_on_tables()
+    connected = service.store.machines.connected_machines(ABSENT)
+    on_table = service.store.machines.jobs_on_tables()
     return [
         _machine_out(load.machine(name), name in connected, on_table.get(name))
         for name in load.names("machines")
@@ -33,8 +33,8 @@ def get_machine(service: ServiceDep, name: MachineName) -> MachineOut:
     machine = load.machine(check_library_name("machines", name))
     return _machine_out(
         machine,
-        name in service.store.gateways.connected_machines(ABSENT),
-        service.store.gateways.jobs_on_tables().get(name),
+        name in service.store.machines.connected_machines(ABSENT),
+        service.store.machines.jobs_on_tables().get(name),
     )
 
 

@@ -15,8 +15,8 @@ from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 from knifetip.errors import LibraryError
-from knifetip.jobs.gateway_store import Queue
 from knifetip.jobs.job import Confirmation, State
+from knifetip.jobs.machine_queues import Queue
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.languages.registry import find_language
@@ -40,7 +40,7 @@ class Waiting(NamedTuple):
 def waiting_of(store: Store, jobs: Sequence[Job]) -> list[Waiting]:
     """Return the reasons why jobs wait, one per job; queries the store only if a job is queued."""
     machines = {row.machine for row in jobs if row.state == State.QUEUED}
-    queues = store.gateways.queues(machines, ABSENT) if machines else {}
+    queues = store.machines.queues(machines, ABSENT) if machines else {}
     return [_waiting(row, queues.get(row.machine)) for row in jobs]
 
 

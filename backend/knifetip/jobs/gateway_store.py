@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,7 +16,6 @@ from knifetip.jobs.interruption import interruption
 from knifetip.jobs.job import (
     CLOCK,
     LEASED,
-    ON_TABLE,
     Action,
     Actor,
     ActorKind,
@@ -24,14 +23,10 @@ from knifetip.jobs.job import (
     State,
     action_between,
 )
-from knifetip.jobs.tables import Gateway, Job
+from knifetip.jobs.machine_queues import CLAIMED, MachineQueues, next_queued
+from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE, Transitions, stale_epoch_error
 from knifetip.messages import Message
-
-#: A job that a gateway has claimed and that waits for the operator's confirmation.
-CLAIMED = sa.and_(Job.state == State.QUEUED, Job.confirmation != Confirmation.NONE)
-#: The order in which the jobs of a machine are claimed.
-_TURN = (Job.priority.desc(), Job.queued, Job.serial)
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,92 +41,15 @@ class GatewayReport:
     seconds_left: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Queue:
-    """State of the queue of a machine: the next queued job, and the job that occupies the machine.
-
-    A job occupies the machine if it is on the table, or is claimed and waits for a confirmation.
-    """
-
-    first: str  #: next job to be claimed; empty if none
-    ahead: str  #: job on the table, or claimed and not confirmed; empty if none
-    ahead_state: str
-    connected: bool  #: whether a gateway is connected, see ``connected_machines``
-
-
 class GatewayStore:
-    """Repository operations for gateways on jobs, and the list of known gateways."""
+    """Repository operations for gateways on the jobs of their machines."""
 
-    def __init__(self, database: Database, transitions: Transitions) -> None:
+    def __init__(
+        self, database: Database, transitions: Transitions, machines: MachineQueues
+    ) -> None:
         self._db = database
         self._transitions = transitions
-
-    def record_contact(self, machine: str, name: str) -> None:
-        """Store the present time as the time of the last request of a gateway.
-
-        Parameters
-        ----------
-        machine
-            Name of the machine to which the gateway belongs.
-        name
-            Name of the gateway.
-        """
-        with self._db.writing() as session:
-            session.merge(Gateway(machine=machine, name=name, seen=self._db.clock()))
-
-    def connected_machines(self, max_age: float) -> set[str]:
-        """Return the names of the machines whose gateway is connected.
-
-        A gateway is connected if it requested a job in the last ``max_age`` seconds, or has a valid
-        lease of a job.
-        """
-        now = self._db.clock()
-        recent_requests = sa.select(Gateway.machine).where(Gateway.seen > now - max_age)
-        leased_jobs = sa.select(Job.machine).where(
-            sa.or_(Job.state.in_(LEASED), CLAIMED), Job.lease > now
-        )
-        with self._db.reading() as session:
-            return {*session.scalars(recent_requests), *session.scalars(leased_jobs)}
-
-    def jobs_on_tables(self) -> dict[str, str]:
-        """Return the ids of the jobs that are on the table of a machine, by name of the machine.
-
-        Machines without a job on their table are omitted.
-        """
-        query = sa.select(Job.machine, Job.id).where(Job.state.in_(ON_TABLE))
-        with self._db.reading() as session:
-            return {row.machine: row.id for row in session.execute(query)}
-
-    def queues(self, machines: Collection[str], max_age: float) -> dict[str, Queue]:
-        """Return the state of the queue of each machine, by name of the machine.
-
-        The state includes whether the gateway of the machine is connected.
-
-        Parameters
-        ----------
-        machines
-            Names of the machines.
-        max_age
-            A gateway counts as connected if its last request is at most this old (s), or if it has
-            a valid lease of a job.
-        """
-        connected = self.connected_machines(max_age)
-        ahead = sa.select(Job.machine, Job.id, Job.state).where(
-            Job.machine.in_(machines), sa.or_(Job.state.in_(ON_TABLE), CLAIMED)
-        )
-        queues: dict[str, Queue] = {}
-        with self._db.reading() as session:
-            jobs_ahead = {row.machine: row for row in session.execute(ahead)}
-            for machine in machines:
-                first = session.scalar(_next_queued(machine).with_only_columns(Job.id)) or ""
-                job_ahead = jobs_ahead.get(machine)
-                queues[machine] = Queue(
-                    first,
-                    "" if job_ahead is None else job_ahead.id,
-                    "" if job_ahead is None else job_ahead.state,
-                    machine in connected,
-                )
-        return queues
+        self._machines = machines
 
     def claim(self, machine: str, gateway: str, *, manual: bool) -> Job | None:
         """Assign the next queued job of a machine to a gateway, and return the job.
@@ -160,7 +78,7 @@ class GatewayStore:
         """
         waiting = sa.select(Job).where(Job.machine == machine, CLAIMED)
         with self._db.reading() as session:
-            if not session.scalar(sa.select(waiting.exists() | _next_queued(machine).exists())):
+            if not session.scalar(sa.select(waiting.exists() | next_queued(machine).exists())):
                 return None
         try:
             with self._db.writing() as session:
@@ -171,15 +89,15 @@ class GatewayStore:
                     self.give_back(session, row, CLOCK, silent_gateway_message(row.owner))
                     row = None
                 if row is None:
-                    next_queued = _next_queued(machine).execution_options(populate_existing=True)
-                    row = session.scalar(next_queued.with_for_update(skip_locked=True))
+                    following = next_queued(machine).execution_options(populate_existing=True)
+                    row = session.scalar(following.with_for_update(skip_locked=True))
                 if row is None:
                     return None
                 id = row.id
                 self._assign(session, row, gateway, manual)
                 return self._transitions.lock(session, id)
         except IntegrityError as reason:
-            raise _busy_error(machine, self.jobs_on_tables().get(machine, "")) from reason
+            raise _busy_error(machine, self._machines.jobs_on_tables().get(machine, "")) from reason
 
     def _assign(self, session: Session, row: Job, gateway: str, manual: bool) -> None:
         changes: dict[str, Any] = {
@@ -538,19 +456,6 @@ def silent_gateway_message(gateway: str) -> Message:
         Name of the gateway.
     """
     return Message("job.gateway-fell-silent", gateway=gateway)
-
-
-def _next_queued(machine: str) -> sa.Select[Job]:
-    return (
-        sa.select(Job)
-        .where(
-            Job.machine == machine,
-            Job.state == State.QUEUED,
-            Job.confirmation == Confirmation.NONE,
-        )
-        .order_by(*_TURN)
-        .limit(1)
-    )
 
 
 def is_claimed(row: Job) -> bool:

@@ -6,9 +6,10 @@ import sqlalchemy as sa
 
 from knifetip.jobs.compile_store import CompileStore
 from knifetip.jobs.database import Database
-from knifetip.jobs.gateway_store import CLAIMED, GatewayStore, is_claimed, silent_gateway_message
+from knifetip.jobs.gateway_store import GatewayStore, is_claimed, silent_gateway_message
 from knifetip.jobs.interruption import interruption
 from knifetip.jobs.job import CLOCK, LEASED, Action, Confirmation, State
+from knifetip.jobs.machine_queues import CLAIMED
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import Transitions
 from knifetip.messages import Message

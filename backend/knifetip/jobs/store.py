@@ -19,6 +19,8 @@ from knifetip.jobs.event_store import EventStore
 from knifetip.jobs.gateway_store import GatewayStore
 from knifetip.jobs.job_store import JobStore
 from knifetip.jobs.lease_sweep import LeaseSweep
+from knifetip.jobs.machine_queues import MachineQueues
+from knifetip.jobs.operator_store import OperatorStore
 from knifetip.jobs.profile_store import ProfileStore
 from knifetip.jobs.transitions import Transitions
 
@@ -41,7 +43,9 @@ class Store:
         self.jobs = JobStore(self.database, transitions)
         self.events = EventStore(self.database)
         self.compiles = CompileStore(self.database, transitions)
-        self.gateways = GatewayStore(self.database, transitions)
+        self.operators = OperatorStore(self.database, transitions)
+        self.machines = MachineQueues(self.database)
+        self.gateways = GatewayStore(self.database, transitions, self.machines)
         self.leases = LeaseSweep(self.database, transitions, self.compiles, self.gateways)
         self.profiles = ProfileStore(self.database)
 

@@ -108,7 +108,7 @@ def test_a_job_that_waits_for_the_operator_lists_board_tools_and_stations(store:
         "Oscillating knife (station 1), Crease wheel (station 2).",
         "Check the table, then confirm the job to start it.",
     )
-    store.jobs.confirm(job.id)
+    store.operators.confirm(job.id)
     assert shown(store, job) == (
         "machine",
         f"The operator confirmed the job, and {TITLE} is starting.",
@@ -137,7 +137,7 @@ def test_a_machine_without_a_gateway_is_named(store: Store, clock: Clock) -> Non
         f"that sends jobs to the machine) is not connected to the server.",
     )
     assert shown(store, job)[:2] == absent
-    store.gateways.record_contact("demo-table", "gateway")
+    store.machines.record_contact("demo-table", "gateway")
     assert shown(store, job) == (
         "machine",
         f"The job waits until the gateway of {TITLE} (the program that sends jobs to the machine) "
@@ -163,7 +163,7 @@ def test_the_first_in_the_queue_waits_for_the_job_ahead_and_the_others_for_their
         "Confirm or cancel that job.",
     )
     assert waits(store, jobs[2]).waiting_for == "turn"
-    store.jobs.confirm(job.id)
+    store.operators.confirm(job.id)
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=1))
     assert str(waits(store, jobs[1]).message).endswith("which is running.")
     clock.now += LEASE + 1.0
@@ -175,7 +175,7 @@ def test_the_first_in_the_queue_waits_for_the_job_ahead_and_the_others_for_their
 def test_between_two_copies_the_next_sheet_is_asked_for(store: Store) -> None:
     job = queued(store, copies=2)
     held = claimed(store)
-    store.jobs.confirm(job.id)
+    store.operators.confirm(job.id)
     store.gateways.heartbeat(job.id, held.epoch, GatewayReport(line=0, waiting=True))
     assert waits(store, job) == Waiting()
     store.gateways.heartbeat(job.id, held.epoch, GatewayReport(line=90, copies_done=1, held=True))
@@ -185,7 +185,7 @@ def test_between_two_copies_the_next_sheet_is_asked_for(store: Store) -> None:
         "Put a new sheet of Corrugated, E-flute 1.6 mm on the table, "
         "then confirm the new sheet. The machine then starts the next copy.",
     )
-    store.jobs.confirm(job.id)
+    store.operators.confirm(job.id)
     assert waits(store, job) == Waiting()
 
 

@@ -178,7 +178,7 @@ def test_a_compile_tells_its_stage_and_is_broken_off_when_its_job_is_cancelled(
     thread = threading.Thread(target=service.compile, args=(begin(store, service),))
     thread.start()
     assert begun(store, job.id).progress == 0.7
-    store.jobs.cancel(job.id)
+    store.operators.cancel(job.id)
     thread.join(5.0)
     assert not thread.is_alive()
     assert store.jobs.get(job.id).state == "cancelled"
@@ -193,7 +193,7 @@ def test_a_silent_compile_keeps_its_lease(
     lease = begun(store, job.id).lease
     time.sleep(2.2)
     assert store.jobs.get(job.id).lease > lease + 1.0
-    store.jobs.cancel(job.id)
+    store.operators.cancel(job.id)
     thread.join(5.0)
 
 

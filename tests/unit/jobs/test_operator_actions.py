@@ -70,11 +70,13 @@ def short(store: Store) -> str:
 
 def accept(store: Store, id: str) -> Job:
     columns = VerdictColumns(b"", {"seconds": 1.0, "accepted": True}, None, [])
-    return store.jobs.accept(id, lambda _block, _summary: columns, OPERATOR, stored("Accepted."))
+    return store.operators.accept(
+        id, lambda _block, _summary: columns, OPERATOR, stored("Accepted.")
+    )
 
 
 def queued(store: Store) -> str:
-    return store.jobs.release(compiled(store)).id
+    return store.operators.release(compiled(store)).id
 
 
 def claimed(store: Store, *, manual: bool = True) -> str:
@@ -104,7 +106,7 @@ def running_unconfirmed(store: Store) -> str:
 
 
 def hold_requested(store: Store) -> str:
-    return store.jobs.hold(running(store)).id
+    return store.operators.hold(running(store)).id
 
 
 def held(store: Store) -> str:
@@ -114,19 +116,19 @@ def held(store: Store) -> str:
 
 
 def resume_requested(store: Store) -> str:
-    return store.jobs.resume(held(store)).id
+    return store.operators.resume(held(store)).id
 
 
 def needing_sheet(store: Store) -> str:
     id = claimed(store)
-    store.jobs.confirm(id)
+    store.operators.confirm(id)
     report(store, id, WAITING)
     report(store, id, GatewayReport(line=LINES, copies_done=1, held=True))
     return id
 
 
 def cancel_requested(store: Store) -> str:
-    return store.jobs.cancel(running(store)).id
+    return store.operators.cancel(running(store)).id
 
 
 def interrupted(store: Store) -> str:
@@ -142,11 +144,11 @@ def done(store: Store) -> str:
 
 
 def scrapped(store: Store) -> str:
-    return store.jobs.scrap(interrupted(store)).id
+    return store.operators.scrap(interrupted(store)).id
 
 
 def cancelled(store: Store) -> str:
-    return store.jobs.cancel(received(store)).id
+    return store.operators.cancel(received(store)).id
 
 
 Make = Callable[[Store], str]
@@ -173,14 +175,14 @@ EXPECTED: dict[Make, tuple[State, str]] = {
 }
 METHODS: dict[OperatorAction, Callable[[Store, str], Job]] = {
     OperatorAction.ACCEPT: accept,
-    OperatorAction.RELEASE: lambda store, id: store.jobs.release(id),
-    OperatorAction.CONFIRM: lambda store, id: store.jobs.confirm(id),
-    OperatorAction.HOLD: lambda store, id: store.jobs.hold(id),
-    OperatorAction.RESUME: lambda store, id: store.jobs.resume(id),
-    OperatorAction.REQUEUE: lambda store, id: store.jobs.requeue(id),
-    OperatorAction.FINISH: lambda store, id: store.jobs.declare_finished(id),
-    OperatorAction.SCRAP: lambda store, id: store.jobs.scrap(id),
-    OperatorAction.CANCEL: lambda store, id: store.jobs.cancel(id),
+    OperatorAction.RELEASE: lambda store, id: store.operators.release(id),
+    OperatorAction.CONFIRM: lambda store, id: store.operators.confirm(id),
+    OperatorAction.HOLD: lambda store, id: store.operators.hold(id),
+    OperatorAction.RESUME: lambda store, id: store.operators.resume(id),
+    OperatorAction.REQUEUE: lambda store, id: store.operators.requeue(id),
+    OperatorAction.FINISH: lambda store, id: store.operators.declare_finished(id),
+    OperatorAction.SCRAP: lambda store, id: store.operators.scrap(id),
+    OperatorAction.CANCEL: lambda store, id: store.operators.cancel(id),
 }
 
 

@@ -161,7 +161,7 @@ def waiting(store: Store, **more: object) -> Job:
 def fed(store: Store, **more: object) -> Job:
     """Return a confirmed job that runs on a machine with manual feed."""
     job = waiting(store, **more)
-    store.jobs.confirm(job.id)
+    store.operators.confirm(job.id)
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
     return store.jobs.get(job.id)
 
@@ -194,7 +194,7 @@ def test_a_job_that_was_not_ordered_to_be_queued_waits_to_be_released(store: Sto
     store.compiles.save_result(job.id, job.epoch, RESULT)
     assert store.jobs.get(job.id).state == "ready"
     assert store.gateways.claim("table", "gateway", manual=False) is None
-    assert store.jobs.release(job.id).state == "queued"
+    assert store.operators.release(job.id).state == "queued"
 
 
 def test_a_verdict_outside_tolerance_refuses_the_job_with_its_edges(store: Store) -> None:
@@ -211,7 +211,7 @@ def test_a_verdict_outside_tolerance_refuses_the_job_with_its_edges(store: Store
 def test_the_event_is_written_with_the_move_or_not_at_all(store: Store) -> None:
     job = queued(store)
     with pytest.raises(WrongState):
-        store.jobs.release(job.id)
+        store.operators.release(job.id)
     assert course(store, job.id)[-1] == "queued"
     assert len(course(store, job.id)) == 4
 
@@ -220,8 +220,8 @@ def test_the_event_is_written_with_the_move_or_not_at_all(store: Store) -> None:
 def test_a_received_job_can_only_be_cancelled(store: Store, move: str) -> None:
     job = ordered(store)
     with pytest.raises(WrongState, match="is received"):
-        getattr(store.jobs, move)(job.id)
-    assert store.jobs.cancel(job.id).state == "cancelled"
+        getattr(store.operators, move)(job.id)
+    assert store.operators.cancel(job.id).state == "cancelled"
 
 
 @pytest.mark.parametrize("move", ["release", "requeue", "scrap", "hold", "resume", "cancel"])
@@ -229,12 +229,12 @@ def test_a_job_that_is_done_stays_done(store: Store, move: str) -> None:
     job = running(store)
     store.gateways.finish(job.id, job.epoch, "done")
     with pytest.raises(WrongState, match="is done"):
-        getattr(store.jobs, move)(job.id)
+        getattr(store.operators, move)(job.id)
 
 
 def test_a_job_that_does_not_exist_is_named(store: Store) -> None:
     with pytest.raises(NoSuchJob, match="Job 'nothing' does not exist"):
-        store.jobs.cancel("nothing")
+        store.operators.cancel("nothing")
     with pytest.raises(NoSuchJob, match="does not exist"):
         store.drawings.get("nothing")
 
@@ -317,7 +317,7 @@ def test_each_claim_has_a_new_epoch_and_an_earlier_owner_is_refused(
     job = running(store)
     clock.now += LEASE + 0.1
     store.leases.run()
-    store.jobs.requeue(job.id)
+    store.operators.requeue(job.id)
     again = store.gateways.claim("table", "other gateway", manual=False)
     assert again is not None
     assert again.epoch > job.epoch
@@ -346,7 +346,7 @@ def test_a_silent_gateway_interrupts_its_job_and_never_queues_it(
         "gateway stopped responding. The machine may have "
         "executed more program lines than the gateway reported."
     )
-    assert store.gateways.jobs_on_tables() == {"table": job.id}
+    assert store.machines.jobs_on_tables() == {"table": job.id}
 
 
 def test_a_heartbeat_renews_the_lease(store: Store, clock: Clock) -> None:
@@ -370,13 +370,13 @@ def test_an_interrupted_job_is_queued_again_from_its_first_line_or_scrapped(stor
     job = running(store)
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=100))
     store.gateways.finish(job.id, job.epoch, "interrupted", stored("A belt tore."))
-    again = store.jobs.requeue(job.id)
+    again = store.operators.requeue(job.id)
     assert (again.state, again.line, again.message) == ("queued", 0, None)
     second = store.gateways.claim("table", "gateway", manual=False)
     assert second is not None
     store.gateways.finish(second.id, second.epoch, "interrupted")
-    assert store.jobs.scrap(second.id).state == "scrapped"
-    assert store.gateways.jobs_on_tables() == {}
+    assert store.operators.scrap(second.id).state == "scrapped"
+    assert store.machines.jobs_on_tables() == {}
 
 
 def test_copies_that_were_cut_before_an_interruption_count(store: Store) -> None:
@@ -387,7 +387,7 @@ def test_copies_that_were_cut_before_an_interruption_count(store: Store) -> None
         == "Copy 1 of 3 of the job is finished. The next copy needs a new sheet of board."
     )
     store.gateways.finish(job.id, job.epoch, "interrupted")
-    store.jobs.requeue(job.id)
+    store.operators.requeue(job.id)
     again = store.gateways.claim("table", "gateway", manual=False)
     assert again is not None
     store.gateways.heartbeat(
@@ -399,7 +399,7 @@ def test_copies_that_were_cut_before_an_interruption_count(store: Store) -> None
 def test_a_resume_starts_one_copy_and_not_the_one_after(store: Store) -> None:
     job = fed(store, copies=3)
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=LINES, copies_done=1, held=True))
-    store.jobs.resume(job.id)
+    store.operators.resume(job.id)
     assert (
         store.gateways.heartbeat(
             job.id, job.epoch, GatewayReport(line=LINES, copies_done=1, held=True)
@@ -423,8 +423,8 @@ def test_a_claim_by_hand_waits_and_runs_when_it_is_confirmed(store: Store) -> No
     job = waiting(store)
     assert (job.state, job.owner, job.confirmation) == ("queued", "gateway", "awaited")
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
-    assert store.gateways.jobs_on_tables() == {}
-    confirmed = store.jobs.confirm(job.id, board="e-flute", by="Kim")
+    assert store.machines.jobs_on_tables() == {}
+    confirmed = store.operators.confirm(job.id, board="e-flute", by="Kim")
     assert (confirmed.state, confirmed.confirmation) == ("queued", "given")
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
     assert store.jobs.get(job.id).state == "running"
@@ -444,37 +444,37 @@ def test_a_claim_by_hand_waits_and_runs_when_it_is_confirmed(store: Store) -> No
 
 def test_a_confirmation_that_is_repeated_changes_nothing(store: Store) -> None:
     job = waiting(store)
-    store.jobs.confirm(job.id)
+    store.operators.confirm(job.id)
     events = len(course(store, job.id))
-    assert store.jobs.confirm(job.id).confirmation == "given"
+    assert store.operators.confirm(job.id).confirmation == "given"
     assert len(course(store, job.id)) == events
     store.gateways.heartbeat(job.id, job.epoch, WAITING)
-    assert store.jobs.confirm(job.id).state == "running"
+    assert store.operators.confirm(job.id).state == "running"
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5)) == "continue"
 
 
 def test_a_job_that_does_not_wait_cannot_be_confirmed(store: Store) -> None:
     job = queued(store)
     with pytest.raises(WrongState, match="has not claimed it yet"):
-        store.jobs.confirm(job.id)
+        store.operators.confirm(job.id)
     job = fed(store)
-    store.jobs.hold(job.id)
+    store.operators.hold(job.id)
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5, held=True))
     with pytest.raises(WrongState, match="does not wait for a new sheet") as caught:
-        store.jobs.confirm(job.id)
+        store.operators.confirm(job.id)
     assert caught.value.hint == "Resume the job."
-    store.jobs.cancel(job.id)
+    store.operators.cancel(job.id)
     with pytest.raises(WrongState, match="being cancelled"):
-        store.jobs.confirm(job.id)
+        store.operators.confirm(job.id)
     store.gateways.finish(job.id, job.epoch, "cancelled")
     with pytest.raises(WrongState, match="is cancelled"):
-        store.jobs.confirm(job.id)
+        store.operators.confirm(job.id)
 
 
 def test_a_job_on_a_machine_that_feeds_itself_has_nothing_to_confirm(store: Store) -> None:
     job = running(store)
     with pytest.raises(WrongState, match="is running"):
-        store.jobs.confirm(job.id)
+        store.operators.confirm(job.id)
 
 
 def test_another_board_on_the_table_is_refused(store: Store) -> None:
@@ -483,7 +483,7 @@ def test_another_board_on_the_table_is_refused(store: Store) -> None:
         WrongState,
         match=r"needs the board e-flute, but the confirmation names the board 'greyboard-2\.0'",
     ):
-        store.jobs.confirm(job.id, board="greyboard-2.0")
+        store.operators.confirm(job.id, board="greyboard-2.0")
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
 
 
@@ -511,7 +511,7 @@ def test_the_database_itself_refuses_a_second_claim_that_waits(store: Store) -> 
 
 def test_a_confirmation_counts_for_its_claim_only(store: Store) -> None:
     job = waiting(store)
-    store.jobs.confirm(job.id)
+    store.operators.confirm(job.id)
     again = store.gateways.claim("table", "gateway", manual=True)
     assert again is not None
     assert store.gateways.heartbeat(again.id, again.epoch, WAITING) == "wait"
@@ -521,7 +521,7 @@ def test_a_waiting_claim_whose_gateway_falls_silent_is_given_back(
     store: Store, clock: Clock
 ) -> None:
     job = waiting(store)
-    store.jobs.confirm(job.id)
+    store.operators.confirm(job.id)
     clock.now += LEASE + 0.1
     store.leases.run()
     with pytest.raises(StaleEpoch):
@@ -542,7 +542,7 @@ def test_a_waiting_claim_that_has_run_out_is_not_confirmed_and_goes_to_another_g
     job = waiting(store)
     clock.now += LEASE + 0.1
     with pytest.raises(WrongState, match="does not respond"):
-        store.jobs.confirm(job.id)
+        store.operators.confirm(job.id)
     again = store.gateways.claim("table", "other", manual=True)
     assert again is not None
     assert (again.id, again.owner) == (job.id, "other")
@@ -557,13 +557,13 @@ def test_a_heartbeat_keeps_a_waiting_claim_alive_and_its_machine_connected(
         clock.now += LEASE / 2
         assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
         store.leases.run()
-        assert store.gateways.connected_machines(1.0) == {"table"}
+        assert store.machines.connected_machines(1.0) == {"table"}
     assert store.jobs.get(job.id).owner == "gateway"
 
 
 def test_a_waiting_job_is_cancelled_at_once_and_its_gateway_drops_it(store: Store) -> None:
     job = waiting(store)
-    assert store.jobs.cancel(job.id).state == "cancelled"
+    assert store.operators.cancel(job.id).state == "cancelled"
     with pytest.raises(StaleEpoch):
         store.gateways.heartbeat(job.id, job.epoch, WAITING)
     other = queued(store)
@@ -603,22 +603,22 @@ def test_a_gateway_that_runs_without_a_confirmation_is_held_until_somebody_confi
     )
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, held=True)) == "hold"
     with pytest.raises(WrongState, match="has not confirmed"):
-        store.jobs.resume(job.id)
-    store.jobs.confirm(job.id)
+        store.operators.resume(job.id)
+    store.operators.confirm(job.id)
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, held=True)) == "resume"
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=3)) == "continue"
 
 
 def test_a_hold_between_confirmation_and_start_keeps_the_machine_waiting(store: Store) -> None:
     job = fed(store)
-    store.jobs.hold(job.id)
+    store.operators.hold(job.id)
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
     assert store.jobs.get(job.id).state == "held"
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
-    store.jobs.resume(job.id)
+    store.operators.resume(job.id)
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
     assert store.jobs.get(job.id).state == "running"
-    store.jobs.cancel(job.id)
+    store.operators.cancel(job.id)
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "cancel"
 
 
@@ -628,8 +628,8 @@ def test_a_new_sheet_is_confirmed_by_either_command(store: Store, command: str) 
     between = GatewayReport(line=LINES, copies_done=1, held=True)
     assert store.gateways.heartbeat(job.id, job.epoch, between) == "continue"
     assert (store.jobs.get(job.id).state, store.jobs.get(job.id).confirmation) == ("held", "sheet")
-    getattr(store.jobs, command)(job.id)
-    assert store.jobs.confirm(job.id).requested_action == "resume"
+    getattr(store.operators, command)(job.id)
+    assert store.operators.confirm(job.id).requested_action == "resume"
     assert store.gateways.heartbeat(job.id, job.epoch, between) == "resume"
     assert (
         store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=1, copies_done=1))
@@ -645,7 +645,7 @@ def test_a_copy_that_begins_without_its_sheet_confirmed_is_held(store: Store) ->
     assert (
         store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, copies_done=1)) == "hold"
     )
-    store.jobs.confirm(job.id)
+    store.operators.confirm(job.id)
     assert (
         store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, copies_done=1))
         == "continue"
@@ -662,7 +662,7 @@ def test_a_machine_that_feeds_itself_goes_on_to_the_next_copy_unless_it_is_held(
         store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5, copies_done=1))
         == "continue"
     )
-    store.jobs.hold(job.id)
+    store.operators.hold(job.id)
     between = GatewayReport(line=LINES, copies_done=2, held=True)
     assert store.gateways.heartbeat(job.id, job.epoch, between) == "continue"
     assert store.jobs.get(job.id).state == "held"
@@ -675,7 +675,7 @@ def test_an_interrupted_job_that_is_queued_again_keeps_its_place(
     clock.now += 1.0
     queued(store)
     store.gateways.finish(job.id, job.epoch, "interrupted")
-    store.jobs.requeue(job.id)
+    store.operators.requeue(job.id)
     again = store.gateways.claim("table", "gateway", manual=True)
     assert again is not None
     assert again.id == job.id
@@ -705,7 +705,7 @@ def test_a_late_report_that_the_job_is_done_ends_it(store: Store, clock: Clock) 
         "A late report of the gateway arrived: The machine executed every line of the program.",
     )
     assert store.gateways.finish(job.id, job.epoch, "done").state == "done"
-    assert store.gateways.jobs_on_tables() == {}
+    assert store.machines.jobs_on_tables() == {}
 
 
 @pytest.mark.parametrize("outcome", ["interrupted", "cancelled"])
@@ -727,7 +727,7 @@ def test_a_late_report_counts_only_while_the_job_is_interrupted(store: Store, cl
         store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=60))
     with pytest.raises(StaleEpoch):
         store.gateways.finish(job.id, job.epoch - 1, "done")
-    store.jobs.requeue(job.id)
+    store.operators.requeue(job.id)
     with pytest.raises(StaleEpoch):
         store.gateways.finish(job.id, job.epoch, "done")
     again = store.gateways.claim("table", "gateway", manual=False)
@@ -735,7 +735,7 @@ def test_a_late_report_counts_only_while_the_job_is_interrupted(store: Store, cl
     store.gateways.finish(again.id, again.epoch, "interrupted")
     with pytest.raises(StaleEpoch):
         store.gateways.finish(job.id, job.epoch, "done")
-    store.jobs.scrap(job.id)
+    store.operators.scrap(job.id)
     with pytest.raises(StaleEpoch):
         store.gateways.finish(again.id, again.epoch, "done")
 
@@ -749,7 +749,7 @@ def test_a_job_interrupted_at_its_last_line_is_not_offered_to_be_cut_again(
     assert "again" not in hint_of(row)
     assert "finished" in hint_of(row)
     with pytest.raises(WrongState) as caught:
-        store.jobs.cancel(job.id)
+        store.operators.cancel(job.id)
     assert "again" not in caught.value.hint
 
 
@@ -778,7 +778,7 @@ def test_a_copy_that_was_cut_to_its_last_line_is_counted(store: Store, clock: Cl
 
 def test_an_operator_declares_an_interrupted_job_finished(store: Store, clock: Clock) -> None:
     job = interrupted(store, clock, 200, copies=2)
-    row = store.jobs.declare_finished(job.id)
+    row = store.operators.declare_finished(job.id)
     assert (row.state, row.line, row.copies_done, row.message) == ("done", LINES, 2, None)
     last = store.events.of_job(job.id)[-1]
     assert (last.who, str(last.message)) == (
@@ -787,14 +787,14 @@ def test_an_operator_declares_an_interrupted_job_finished(store: Store, clock: C
         "had stopped at program line 200 of 231.",
     )
     with pytest.raises(WrongState, match="is done"):
-        store.jobs.declare_finished(job.id)
+        store.operators.declare_finished(job.id)
 
 
 @pytest.mark.parametrize("state", ["ready", "queued", "running"])
 def test_only_an_interrupted_job_can_be_declared_finished(store: Store, state: str) -> None:
     job = {"ready": compiling, "queued": queued, "running": running}[state](store)
     with pytest.raises(WrongState):
-        store.jobs.declare_finished(job.id)
+        store.operators.declare_finished(job.id)
 
 
 def test_a_service_that_could_not_be_reached_takes_nothing_from_gateways(
@@ -812,14 +812,14 @@ def test_a_service_that_could_not_be_reached_takes_nothing_from_gateways(
 
 def test_hold_and_resume_go_through_the_gateway(store: Store) -> None:
     job = running(store)
-    assert store.jobs.hold(job.id).state == "running"
+    assert store.operators.hold(job.id).state == "running"
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5)) == "hold"
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=6)) == "hold"
     assert (
         store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=6, held=True)) == "continue"
     )
     assert store.jobs.get(job.id).state == "held"
-    assert store.jobs.resume(job.id).requested_action == "resume"
+    assert store.operators.resume(job.id).requested_action == "resume"
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=6, held=True)) == "resume"
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=7)) == "continue"
     assert store.jobs.get(job.id).state == "running"
@@ -827,10 +827,10 @@ def test_hold_and_resume_go_through_the_gateway(store: Store) -> None:
 
 def test_a_running_job_is_cancelled_by_its_gateway(store: Store) -> None:
     job = running(store)
-    assert store.jobs.cancel(job.id).state == "running"
+    assert store.operators.cancel(job.id).state == "running"
     with pytest.raises(WrongState, match="being cancelled"):
-        store.jobs.resume(job.id)
-    assert store.jobs.cancel(job.id).requested_action == "cancel"
+        store.operators.resume(job.id)
+    assert store.operators.cancel(job.id).requested_action == "cancel"
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5)) == "cancel"
     assert store.gateways.finish(job.id, job.epoch, "cancelled").state == "cancelled"
 
@@ -839,7 +839,7 @@ def test_an_interrupted_job_cannot_be_cancelled_away_from_its_table(store: Store
     job = running(store)
     store.gateways.finish(job.id, job.epoch, "interrupted")
     with pytest.raises(WrongState) as caught:
-        store.jobs.cancel(job.id)
+        store.operators.cancel(job.id)
     assert caught.value.hint == hint_of(store.jobs.get(job.id))
     assert caught.value.hint.startswith(
         "Look for the cause in the log of the gateway. Check the "
@@ -852,7 +852,7 @@ def test_an_interrupted_job_cannot_be_cancelled_away_from_its_table(store: Store
 
 def test_a_compile_that_was_cancelled_cannot_leave_its_result(store: Store) -> None:
     job = compiling(store)
-    store.jobs.cancel(job.id)
+    store.operators.cancel(job.id)
     assert not store.compiles.report_progress(job.id, job.epoch, Stage.PLAN, 0.1)
     with pytest.raises(WrongState):
         store.compiles.save_result(job.id, job.epoch, RESULT)
@@ -915,7 +915,7 @@ def test_every_change_calls_its_subscribers_and_progress_does_not(store: Store) 
         job = compiling(store)
         changes = len(calls)
         store.compiles.report_progress(job.id, job.epoch, Stage.PLAN, 0.1)
-    store.jobs.cancel(job.id)
+    store.operators.cancel(job.id)
     # A drawing, an order and the start of its compilation.
     assert (changes, len(calls)) == (3, 3)
 
@@ -978,7 +978,7 @@ def test_a_drawing_with_jobs_is_kept(store: Store) -> None:
 def test_events_are_numbered_upwards_and_never_twice(store: Store) -> None:
     job = queued(store)
     last = store.events.last_id()
-    store.jobs.cancel(job.id)
+    store.operators.cancel(job.id)
     (event,) = store.events.after(last)
     assert (event.subject, event.state, event.who) == (job.id, "cancelled", "operator")
     assert event.id > last
@@ -987,16 +987,16 @@ def test_events_are_numbered_upwards_and_never_twice(store: Store) -> None:
 def test_a_gateway_is_connected_while_it_asks_and_while_it_works(
     store: Store, clock: Clock
 ) -> None:
-    assert store.gateways.connected_machines(6.0) == set()
-    store.gateways.record_contact("table", "gateway")
-    store.gateways.record_contact("table", "gateway")
-    assert store.gateways.connected_machines(6.0) == {"table"}
+    assert store.machines.connected_machines(6.0) == set()
+    store.machines.record_contact("table", "gateway")
+    store.machines.record_contact("table", "gateway")
+    assert store.machines.connected_machines(6.0) == {"table"}
     clock.now += 7.0
-    assert store.gateways.connected_machines(6.0) == set()
+    assert store.machines.connected_machines(6.0) == set()
     job = running(store)
-    assert store.gateways.connected_machines(6.0) == {"table"}
+    assert store.machines.connected_machines(6.0) == {"table"}
     clock.now += LEASE + 1.0
-    assert store.gateways.connected_machines(6.0) == set()
+    assert store.machines.connected_machines(6.0) == set()
     assert store.jobs.get(job.id).state == "running"
 
 

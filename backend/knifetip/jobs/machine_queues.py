@@ -1,0 +1,118 @@
+"""State of the queues of machines: which gateways are connected, and which jobs come next."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+import sqlalchemy as sa
+
+from knifetip.jobs.database import Database
+from knifetip.jobs.job import LEASED, ON_TABLE, Confirmation, State
+from knifetip.jobs.tables import Gateway, Job
+
+#: A job that a gateway has claimed and that waits for the operator's confirmation.
+CLAIMED = sa.and_(Job.state == State.QUEUED, Job.confirmation != Confirmation.NONE)
+#: The order in which the jobs of a machine are claimed.
+_TURN = (Job.priority.desc(), Job.queued, Job.serial)
+
+
+@dataclass(frozen=True, slots=True)
+class Queue:
+    """State of the queue of a machine: the next queued job, and the job that occupies the machine.
+
+    A job occupies the machine if it is on the table, or is claimed and waits for a confirmation.
+    """
+
+    first: str  #: next job to be claimed; empty if none
+    ahead: str  #: job on the table, or claimed and not confirmed; empty if none
+    ahead_state: str
+    connected: bool  #: whether a gateway is connected, see ``connected_machines``
+
+
+class MachineQueues:
+    """Repository of the connections of gateways, and of the state of the queues of machines."""
+
+    def __init__(self, database: Database) -> None:
+        self._db = database
+
+    def record_contact(self, machine: str, name: str) -> None:
+        """Store the present time as the time of the last request of a gateway.
+
+        Parameters
+        ----------
+        machine
+            Name of the machine to which the gateway belongs.
+        name
+            Name of the gateway.
+        """
+        with self._db.writing() as session:
+            session.merge(Gateway(machine=machine, name=name, seen=self._db.clock()))
+
+    def connected_machines(self, max_age: float) -> set[str]:
+        """Return the names of the machines whose gateway is connected.
+
+        A gateway is connected if it requested a job in the last ``max_age`` seconds, or has a valid
+        lease of a job.
+        """
+        now = self._db.clock()
+        recent_requests = sa.select(Gateway.machine).where(Gateway.seen > now - max_age)
+        leased_jobs = sa.select(Job.machine).where(
+            sa.or_(Job.state.in_(LEASED), CLAIMED), Job.lease > now
+        )
+        with self._db.reading() as session:
+            return {*session.scalars(recent_requests), *session.scalars(leased_jobs)}
+
+    def jobs_on_tables(self) -> dict[str, str]:
+        """Return the ids of the jobs that are on the table of a machine, by name of the machine.
+
+        Machines without a job on their table are omitted.
+        """
+        query = sa.select(Job.machine, Job.id).where(Job.state.in_(ON_TABLE))
+        with self._db.reading() as session:
+            return {row.machine: row.id for row in session.execute(query)}
+
+    def queues(self, machines: Collection[str], max_age: float) -> dict[str, Queue]:
+        """Return the state of the queue of each machine, by name of the machine.
+
+        The state includes whether the gateway of the machine is connected.
+
+        Parameters
+        ----------
+        machines
+            Names of the machines.
+        max_age
+            A gateway counts as connected if its last request is at most this old (s), or if it has
+            a valid lease of a job.
+        """
+        connected = self.connected_machines(max_age)
+        ahead = sa.select(Job.machine, Job.id, Job.state).where(
+            Job.machine.in_(machines), sa.or_(Job.state.in_(ON_TABLE), CLAIMED)
+        )
+        queues: dict[str, Queue] = {}
+        with self._db.reading() as session:
+            jobs_ahead = {row.machine: row for row in session.execute(ahead)}
+            for machine in machines:
+                first = session.scalar(next_queued(machine).with_only_columns(Job.id)) or ""
+                job_ahead = jobs_ahead.get(machine)
+                queues[machine] = Queue(
+                    first,
+                    "" if job_ahead is None else job_ahead.id,
+                    "" if job_ahead is None else job_ahead.state,
+                    machine in connected,
+                )
+        return queues
+
+
+def next_queued(machine: str) -> sa.Select[Job]:
+    """Return a query for the queued job of a machine that is to be claimed next."""
+    return (
+        sa.select(Job)
+        .where(
+            Job.machine == machine,
+            Job.state == State.QUEUED,
+            Job.confirmation == Confirmation.NONE,
+        )
+        .order_by(*_TURN)
+        .limit(1)
+    )

@@ -1,0 +1,373 @@
+"""Actions of operators on stored jobs, such as release, confirm, hold and cancel."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import fields
+from typing import Any
+
+import sqlalchemy as sa
+from sqlalchemy.orm import Session
+
+from knifetip.errors import WrongState
+from knifetip.jobs.compile_result import VerdictColumns
+from knifetip.jobs.database import Database, short
+from knifetip.jobs.job import (
+    ADVICE,
+    LEASED,
+    OPERATOR,
+    Action,
+    Actor,
+    ActorKind,
+    Confirmation,
+    State,
+    sources,
+)
+from knifetip.jobs.operator_actions import (
+    OperatorAction,
+    allowed_actions,
+    awaits_confirmation,
+    has_only_shortfalls,
+    is_fully_executed,
+)
+from knifetip.jobs.tables import Job
+from knifetip.jobs.transitions import Transitions, advice
+from knifetip.messages import Message
+
+
+class OperatorStore:
+    """Actions of operators on stored jobs; each method stores one action with its event."""
+
+    def __init__(self, database: Database, transitions: Transitions) -> None:
+        self._db = database
+        self._transitions = transitions
+
+    def accept(
+        self,
+        id: str,
+        accepted: Callable[[bytes, Mapping[str, Any]], VerdictColumns],
+        actor: Actor,
+        event: Message,
+    ) -> Job:
+        """Accept shortfalls of a refused job, and return the job.
+
+        If nothing else refuses its program, the job becomes ``ready``, or ``queued`` if it was
+        ordered with immediate release.
+
+        Parameters
+        ----------
+        id
+            Id of the job.
+        accepted
+            Returns the new verdict from the stored verdict and its summary.
+        actor
+            The user who accepts the shortfalls.
+        event
+            Description of the decision, for the log of events.
+
+        Raises
+        ------
+        WrongState
+            The job is not ``refused``, or not only because of shortfalls.
+        """
+        with self._db.writing() as session:
+            row = self._transitions.lock(session, id)
+            if row.state not in sources(Action.ACCEPT, ActorKind.OPERATOR):
+                raise self._transitions.refusal(session, id, State.READY)
+            if row.verdict is None or not has_only_shortfalls(row):
+                raise WrongState("job.no-shortfalls", job=id)
+            stored = accepted(row.verdict, row.verdict_summary or {})
+            columns: dict[str, Any] = {
+                field.name: getattr(stored, field.name) for field in fields(stored)
+            }
+            if stored.message is None:
+                self._transitions.move(session, id, Action.ACCEPT, actor, event, **columns)
+                if row.release:
+                    self._transitions.release_by_order(session, id)
+            else:
+                self._change(session, id, **columns)
+                self._transitions.write_event(session, "job", id, State.REFUSED, actor, event)
+            return self._transitions.lock(session, id)
+
+    def release(self, id: str) -> Job:
+        """Move a ready job to the queue of its machine, and return it.
+
+        Raises
+        ------
+        WrongState
+            The job is not ``ready``.
+        """
+        with self._db.writing() as session:
+            self._transitions.move(
+                session,
+                id,
+                Action.RELEASE,
+                OPERATOR,
+                Message("job.released"),
+                queued=self._db.clock(),
+            )
+            return self._transitions.lock(session, id)
+
+    def requeue(self, id: str) -> Job:
+        """Queue an interrupted job again, at its former position in the queue, and return it.
+
+        The operator calls this after clearing the table.
+
+        Raises
+        ------
+        WrongState
+            The job is not ``interrupted``, or its last copy was executed to the last program line.
+        """
+        with self._db.writing() as session:
+            row = self._transitions.lock(session, id)
+            if is_fully_executed(row):
+                raise WrongState("job.fully-executed", job=id, lines=row.lines)
+            self._transitions.move(
+                session,
+                id,
+                Action.REQUEUE,
+                OPERATOR,
+                Message("job.requeued"),
+                lease=0.0,
+                line=0,
+                position=None,
+                message=None,
+                requested_action="",
+                seconds_left=None,
+            )
+            return self._transitions.lock(session, id)
+
+    def scrap(self, id: str) -> Job:
+        """Move an interrupted job to ``scrapped`` and return it.
+
+        The job is not made again, and the table of its machine is free for another job.
+
+        Raises
+        ------
+        WrongState
+            The job is not ``interrupted``.
+        """
+        with self._db.writing() as session:
+            self._transitions.move(
+                session, id, Action.SCRAP, OPERATOR, Message("job.scrapped"), requested_action=""
+            )
+            return self._transitions.lock(session, id)
+
+    def declare_finished(self, id: str) -> Job:
+        """Move an interrupted job to ``done`` and return it.
+
+        An operator calls this after finding that all sheets of the job are complete.
+
+        Raises
+        ------
+        WrongState
+            The job is not ``interrupted``.
+        """
+        with self._db.writing() as session:
+            row = self._transitions.lock(session, id)
+            self._transitions.move(
+                session,
+                id,
+                Action.FINISH,
+                OPERATOR,
+                Message("job.declared-finished", line=row.line, lines=row.lines),
+                line=row.lines,
+                copies_done=row.copies,
+                message=None,
+                requested_action="",
+                lease=0.0,
+                seconds_left=0.0,
+            )
+            return self._transitions.lock(session, id)
+
+    def confirm(self, id: str, board: str = "", by: str = "") -> Job:
+        """Store the operator's confirmation that the machine may begin, and return the job.
+
+        The operator confirms that the table is clear and that the board and the tools of the job
+        are in place.  The gateway then starts the claimed job, or the next copy of a job that waits
+        for a new sheet.  A job that was started before its confirmation, and was therefore held, is
+        resumed.  A repeated confirmation has no effect.
+
+        Parameters
+        ----------
+        id
+            Id of the job.
+        board
+            Name of the board on the table; "" if the operator does not name it.
+        by
+            Name of the operator, for the log of events.
+
+        Raises
+        ------
+        WrongState
+            The job does not wait for a confirmation, or needs another board.
+        """
+        with self._db.writing() as session:
+            row = self._transitions.lock(session, id)
+            if board and board != row.board:
+                raise WrongState("job.other-board", job=id, board=row.board, given=short(board))
+            confirmed = row.confirmation == Confirmation.GIVEN and row.requested_action != "cancel"
+            starts = row.state in (State.QUEUED, State.RUNNING) or row.requested_action == "resume"
+            if confirmed and starts:
+                return row
+            self._check_waiting(row)
+            sheet = row.confirmation == Confirmation.SHEET
+            action = "" if row.state == State.QUEUED else "resume"
+            self._change(
+                session, id, confirmation=Confirmation.GIVEN.value, requested_action=action
+            )
+            event = Message(
+                "job.confirmed-sheet" if sheet else "job.confirmed-table", board=row.board
+            )
+            self._transitions.write_event(
+                session, "job", id, row.state, Actor(ActorKind.OPERATOR, by), event
+            )
+            return self._transitions.lock(session, id)
+
+    def _check_waiting(self, row: Job) -> None:
+        """Raise ``WrongState`` unless the job waits for the operator's confirmation."""
+        if awaits_confirmation(row, self._db.clock()):
+            return
+        if row.requested_action == OperatorAction.CANCEL:
+            raise WrongState("job.being-cancelled", job=row.id)
+        if row.confirmation in (Confirmation.AWAITED, Confirmation.SHEET):
+            raise WrongState("job.gateway-silent", gateway=row.owner, job=row.id)
+        match row.state:
+            case State.QUEUED:
+                raise WrongState("job.not-taken", job=row.id, machine=row.machine)
+            case State.HELD:
+                raise WrongState("job.no-sheet-awaited", job=row.id)
+            case State.RUNNING:
+                raise WrongState("job.nothing-to-confirm", job=row.id)
+            case _:
+                raise WrongState(
+                    "job.no-confirmation-awaited",
+                    job=row.id,
+                    state=row.state,
+                    advice=advice(row.state, row.message),
+                )
+
+    def hold(self, id: str) -> Job:
+        """Store an operator's request to hold a job, and return the job.
+
+        The gateway of the job carries out the request.  The job becomes ``held`` when the machine
+        has stopped.
+
+        Raises
+        ------
+        WrongState
+            The job cannot be held now.
+        """
+        return self._request(id, OperatorAction.HOLD)
+
+    def resume(self, id: str) -> Job:
+        """Store an operator's request to resume a job, and return the job.
+
+        The gateway of the job carries out the request.  Between two copies, the request also
+        confirms that a new sheet is on the table.
+
+        Raises
+        ------
+        WrongState
+            The job cannot be resumed now.
+        """
+        return self._request(id, OperatorAction.RESUME)
+
+    def cancel(self, id: str) -> Job:
+        """Cancel a job and return it.
+
+        If the job is running or held, only a request is stored: the job becomes ``cancelled`` when
+        its gateway has stopped the machine.
+
+        Raises
+        ------
+        WrongState
+            The job is interrupted or has already ended.
+        """
+        with self._db.writing() as session:
+            state = session.scalar(sa.select(Job.state).where(Job.id == id).with_for_update())
+            if state not in LEASED:
+                self._transitions.move(
+                    session,
+                    id,
+                    Action.CANCEL,
+                    OPERATOR,
+                    Message("job.cancelled"),
+                    message=None,
+                    stage="",
+                    confirmation=Confirmation.NONE.value,
+                )
+                return self._transitions.lock(session, id)
+        return self._request(id, OperatorAction.CANCEL)
+
+    def _request(self, id: str, action: OperatorAction) -> Job:
+        """Store an operator's request for the gateway of a job; return the job.
+
+        A repeated request has no effect.
+
+        Parameters
+        ----------
+        id
+            Id of a job that is on a table.
+        action
+            Requested action: hold, resume or cancel.
+
+        Raises
+        ------
+        WrongState
+            The job does not allow the action in its present state.
+        """
+        with self._db.writing() as session:
+            row = self._transitions.lock(session, id)
+            if action not in allowed_actions(row, self._db.clock()):
+                raise _refused_request_error(row, action)
+            if row.requested_action == action:
+                return row
+            changes = {"requested_action": action.value}
+            if action is OperatorAction.RESUME and row.confirmation == Confirmation.SHEET:
+                changes["confirmation"] = Confirmation.GIVEN.value
+            self._change(session, id, **changes)
+            event = Message("job.action-requested", action=action)
+            self._transitions.write_event(session, "job", id, row.state, OPERATOR, event)
+            return self._transitions.lock(session, id)
+
+    def _change(self, session: Session, id: str, **changes: Any) -> None:
+        """Set columns of a job that the transaction of the caller has locked.
+
+        Parameters
+        ----------
+        session
+            Session with the transaction of the caller.
+        id
+            Id of the locked job.
+        **changes
+            New values of columns, by name of the column.
+        """
+        statement = sa.update(Job).where(Job.id == id)
+        # Rows that this session has loaded keep their values; ``Transitions.lock`` reloads them.
+        statement = statement.execution_options(synchronize_session=False)
+        session.execute(statement.values(updated=self._db.clock(), **changes))
+
+
+def _refused_request_error(row: Job, action: OperatorAction) -> WrongState:
+    """Return the error that a job does not allow the action in its present state.
+
+    Parameters
+    ----------
+    row
+        The job.
+    action
+        Action that the operator requested.
+    """
+    if action is OperatorAction.RESUME and row.confirmation == Confirmation.AWAITED:
+        return WrongState("job.not-confirmed", job=row.id)
+    if row.requested_action == OperatorAction.CANCEL:
+        return WrongState("job.cancelled-before-request", job=row.id, request=action)
+    return WrongState(
+        "job.wrong-state-for-request",
+        job=row.id,
+        state=row.state,
+        request=action,
+        states=sources(Action(action), ActorKind.GATEWAY),
+        advice=ADVICE[State(row.state)],
+    )
