@@ -15,17 +15,9 @@ from knifetip.api.overrides import merge_overrides
 from knifetip.api.parameters import Cursor, DataFormat, IdempotencyKey, JobId, Limit
 from knifetip.api.queue import queued
 from knifetip.api.revisions import check_revision
-from knifetip.api.schemas.jobs import (
-    ConfirmIn,
-    EarlierExceptions,
-    ExceptionsIn,
-    JobEvent,
-    JobIn,
-    JobOut,
-    JobState,
-    VerdictOut,
-    VerdictSummary,
-)
+from knifetip.api.schemas.jobs import ConfirmIn, JobEvent, JobOut, JobState
+from knifetip.api.schemas.orders import ExceptionsIn, JobIn
+from knifetip.api.schemas.verdicts import EarlierExceptions, VerdictOut, VerdictSummary
 from knifetip.api.service import (
     BINARY,
     Service,

@@ -10,13 +10,12 @@ finish, requeue   declare an interrupted job finished, or queue it again
 from __future__ import annotations
 
 from typing import Annotated, Any
-from urllib.parse import quote
 
 import typer
 
 from knifetip.cli.drawing import Json
+from knifetip.cli.job_client import JobClient
 from knifetip.cli.terminal import print_json
-from knifetip.errors import JobError
 from knifetip.messages import from_json, hint, render
 
 Server = Annotated[
@@ -38,82 +37,12 @@ _CANCEL = (
     "The machine holds, lifts the tool and releases its stations. The board on the table is "
     "probably lost."
 )
-
-
-class JobClient:
-    """HTTP client for the routes of the server under ``/api/jobs``."""
-
-    def __init__(self, server: str, key: str = "") -> None:
-        self._headers = {"X-Knifetip": "cli"}
-        if key:
-            self._headers["Authorization"] = f"Bearer {key}"
-        self._server = server.rstrip("/")
-
-    def request(
-        self,
-        method: str,
-        path: str = "",
-        *,
-        params: dict[str, Any] | None = None,
-        body: dict[str, str] | None = None,
-    ) -> Any:
-        """Send a request to a path under ``/api/jobs`` and return the decoded JSON answer.
-
-        Parameters
-        ----------
-        method, path
-            HTTP method, and path after ``/api/jobs``.
-        params
-            Query parameters; None for none.
-        body
-            JSON body; None for none.
-
-        Raises
-        ------
-        JobError
-            The server cannot be reached or refuses the request; the error contains the message of
-            the server, if the server sent one.
-        """
-        import httpx  # imported here: slow, and other commands do not need it
-
-        url = f"{self._server}/api/jobs{path}"
-        try:
-            answer = httpx.request(
-                method, url, params=params, json=body, headers=self._headers, timeout=30.0
-            )
-        except (httpx.HTTPError, httpx.InvalidURL) as reason:
-            raise JobError("server.unreachable", server=self._server, reason=reason) from reason
-        try:
-            content = answer.json()
-        except ValueError:
-            content = {}
-        if answer.is_success:
-            return content
-        if isinstance(content, dict) and "detail" in content:
-            raise JobError(from_json({"text": content["detail"], **content}))
-        raise JobError("server.answered", url=url, status=answer.status_code)
-
-    def job(self, id: str) -> dict[str, Any]:
-        """Return the job with an id as JSON data."""
-        return dict(self.request("GET", _path(id)))
-
-    def command(self, id: str, command: str, body: dict[str, str] | None = None) -> dict[str, Any]:
-        """Send a command for a job to the server; return the changed job as JSON data.
-
-        Parameters
-        ----------
-        id
-            Id of the job.
-        command
-            Name of the command, such as ``hold``.
-        body
-            JSON body of the request; None for none.
-        """
-        return dict(self.request("POST", f"{_path(id)}/{command}", body=body))
-
-
-def _path(id: str) -> str:
-    return f"/{quote(id, safe='')}"
+_PLAIN_COMMANDS = {
+    "hold": "Pause a running job; the command resume continues it.",
+    "resume": "Continue a paused job (state held).",
+    "finish": "Mark an interrupted job as finished, because all its sheets are completely cut.",
+    "requeue": "Queue an interrupted job again; a new sheet is cut from the first program line.",
+}
 
 
 def register(app: typer.Typer) -> None:
@@ -123,105 +52,101 @@ def register(app: typer.Typer) -> None:
         no_args_is_help=True,
     )
     app.add_typer(job, name="job")
-
-    @job.command("list")
-    def list_jobs(
-        server: Server = SERVER,
-        key: Key = "",
-        state: Annotated[
-            list[str] | None,
-            typer.Option(
-                help="List only jobs in this state, such as queued or running; may be repeated. "
-                "Default: all jobs."
-            ),
-        ] = None,
-        limit: Annotated[
-            int, typer.Option(min=1, max=500, help="Largest number of jobs to list.")
-        ] = 50,
-        json: Json = False,
-    ) -> None:
-        """List jobs, newest first, with the allowed actions in brackets."""
-        params: dict[str, Any] = {"limit": limit, "state": state or []}
-        rows = JobClient(server, key).request("GET", params=params)
-        if json:
-            print_json(rows)
-            return
-        for row in rows:
-            waits = f"  waits for {row['waiting_for']}" if row["waiting_for"] else ""
-            actions = f"  [{', '.join(row['actions'])}]" if row["actions"] else ""
-            typer.echo(
-                f"{row['id']}  {row['state']:11} {row['machine']:14} {row['board']:14} "
-                f"{row['drawing_name']}{waits}{actions}"
-            )
-
-    @job.command("show")
-    def show_job(id: Id, server: Server = SERVER, key: Key = "", json: Json = False) -> None:
-        """Show state, progress and allowed actions of a job."""
-        row = JobClient(server, key).job(id)
-        if json:
-            print_json(row)
-            return
-        _print_job(row)
-
-    @job.command()
-    def confirm(
-        id: Id,
-        server: Server = SERVER,
-        key: Key = "",
-        board: Annotated[
-            str,
-            typer.Option(
-                help="Name of the board on the table; the server refuses the "
-                "confirmation if the job "
-                "needs a different board. Default: not checked."
-            ),
-        ] = "",
-        by: Annotated[
-            str,
-            typer.Option(
-                help="Name of the person who confirms, which is stored with the job. Default: none."
-            ),
-        ] = "",
-    ) -> None:
-        """Confirm that table, board and tools are ready.
-
-        The machine then starts.
-        """
-        body = {name: value for name, value in (("board", board), ("by", by)) if value}
-        _print_job(JobClient(server, key).command(id, "confirm", body))
-
-    @job.command()
-    def cancel(id: Id, server: Server = SERVER, key: Key = "", yes: Yes = False) -> None:
-        """Cancel a job; asks for confirmation first."""
-        client = JobClient(server, key)
-        if not yes:
-            row = client.job(id)
-            effect = _CANCEL if row["state"] in _ON_TABLE else f"The job is {row['state']}."
-            typer.confirm(f"{effect} Cancel job {id}?", abort=True, err=True)
-        _print_job(client.command(id, "cancel"))
-
-    @job.command()
-    def scrap(id: Id, server: Server = SERVER, key: Key = "", yes: Yes = False) -> None:
-        """Scrap an interrupted job and free its table.
-
-        Asks for confirmation first.
-        """
-        client = JobClient(server, key)
-        if not yes:
-            effect = "The remaining copies will not be made, and the table is freed."
-            typer.confirm(f"{effect} Scrap job {id}?", abort=True, err=True)
-        _print_job(client.command(id, "scrap"))
-
+    job.command("list")(list_jobs)
+    job.command("show")(show_job)
+    job.command("confirm")(confirm_job)
+    job.command("cancel")(cancel_job)
+    job.command("scrap")(scrap_job)
     for name, help_text in _PLAIN_COMMANDS.items():
         _add_command(job, name, help_text)
 
 
-_PLAIN_COMMANDS = {
-    "hold": "Pause a running job; the command resume continues it.",
-    "resume": "Continue a paused job (state held).",
-    "finish": "Mark an interrupted job as finished, because all its sheets are completely cut.",
-    "requeue": "Queue an interrupted job again; a new sheet is cut from the first program line.",
-}
+def list_jobs(
+    server: Server = SERVER,
+    key: Key = "",
+    state: Annotated[
+        list[str] | None,
+        typer.Option(
+            help="List only jobs in this state, such as queued or running; may be repeated. "
+            "Default: all jobs."
+        ),
+    ] = None,
+    limit: Annotated[
+        int, typer.Option(min=1, max=500, help="Largest number of jobs to list.")
+    ] = 50,
+    json: Json = False,
+) -> None:
+    """List jobs, newest first, with the allowed actions in brackets."""
+    params: dict[str, Any] = {"limit": limit, "state": state or []}
+    rows = JobClient(server, key).request("GET", params=params)
+    if json:
+        print_json(rows)
+        return
+    for row in rows:
+        waits = f"  waits for {row['waiting_for']}" if row["waiting_for"] else ""
+        actions = f"  [{', '.join(row['actions'])}]" if row["actions"] else ""
+        typer.echo(
+            f"{row['id']}  {row['state']:11} {row['machine']:14} {row['board']:14} "
+            f"{row['drawing_name']}{waits}{actions}"
+        )
+
+
+def show_job(id: Id, server: Server = SERVER, key: Key = "", json: Json = False) -> None:
+    """Show state, progress and allowed actions of a job."""
+    row = JobClient(server, key).job(id)
+    if json:
+        print_json(row)
+        return
+    _print_job(row)
+
+
+def confirm_job(
+    id: Id,
+    server: Server = SERVER,
+    key: Key = "",
+    board: Annotated[
+        str,
+        typer.Option(
+            help="Name of the board on the table; the server refuses the "
+            "confirmation if the job "
+            "needs a different board. Default: not checked."
+        ),
+    ] = "",
+    by: Annotated[
+        str,
+        typer.Option(
+            help="Name of the person who confirms, which is stored with the job. Default: none."
+        ),
+    ] = "",
+) -> None:
+    """Confirm that table, board and tools are ready.
+
+    The machine then starts.
+    """
+    body = {name: value for name, value in (("board", board), ("by", by)) if value}
+    _print_job(JobClient(server, key).command(id, "confirm", body))
+
+
+def cancel_job(id: Id, server: Server = SERVER, key: Key = "", yes: Yes = False) -> None:
+    """Cancel a job; asks for confirmation first."""
+    client = JobClient(server, key)
+    if not yes:
+        row = client.job(id)
+        effect = _CANCEL if row["state"] in _ON_TABLE else f"The job is {row['state']}."
+        typer.confirm(f"{effect} Cancel job {id}?", abort=True, err=True)
+    _print_job(client.command(id, "cancel"))
+
+
+def scrap_job(id: Id, server: Server = SERVER, key: Key = "", yes: Yes = False) -> None:
+    """Scrap an interrupted job and free its table.
+
+    Asks for confirmation first.
+    """
+    client = JobClient(server, key)
+    if not yes:
+        effect = "The remaining copies will not be made, and the table is freed."
+        typer.confirm(f"{effect} Scrap job {id}?", abort=True, err=True)
+    _print_job(client.command(id, "scrap"))
 
 
 def _add_command(app: typer.Typer, name: str, help_text: str) -> None:

@@ -52,101 +52,101 @@ def register(app: typer.Typer) -> None:
         no_args_is_help=True,
     )
     app.add_typer(profile, name="profile")
+    profile.command("list")(list_profiles)
+    profile.command("show")(show_profile)
+    profile.command("export")(export_profile)
+    profile.command("import")(import_profile)
 
-    @profile.command("list")
-    def list_profiles(database: Database = None, json: Json = False) -> None:
-        """List the profiles of the library and of a server's database."""
-        stored = stored_profiles(database)
-        rows = [
-            (name, custom_profiles.parse_text(name, text).title, "kept")
-            for name, text in stored.items()
-        ]
-        rows += [
-            (name, load.profile(name).title, "shipped")
-            for name in load.names("profiles")
-            if name not in stored
-        ]
-        if json:
-            print_json(
-                [{"name": name, "title": title, "where": where} for name, title, where in rows]
-            )
-            return
-        for name, title, where in rows:
-            typer.echo(f"{name:28} {where:8} {title}")
 
-    @profile.command("show")
-    def show_profile(name: Name, database: Database = None, json: Json = False) -> None:
-        """Show the rules of a profile.
+def list_profiles(database: Database = None, json: Json = False) -> None:
+    """List the profiles of the library and of a server's database."""
+    stored = stored_profiles(database)
+    rows = [
+        (name, custom_profiles.parse_text(name, text).title, "kept")
+        for name, text in stored.items()
+    ]
+    rows += [
+        (name, load.profile(name).title, "shipped")
+        for name in load.names("profiles")
+        if name not in stored
+    ]
+    if json:
+        print_json([{"name": name, "title": title, "where": where} for name, title, where in rows])
+        return
+    for name, title, where in rows:
+        typer.echo(f"{name:28} {where:8} {title}")
 
-        The first rule that matches an edge decides its line type.
-        """
-        rules = find_profile(name, database)
-        about = profile_json(name, rules)
-        if json:
-            print_json(about)
-            return
-        typer.echo(rules.title)
-        for number, rule in enumerate(about["rules"], 1):
-            typer.echo(f"{number:4} {rule['type']:12} {rule['conditions']['text']}")
 
-    @profile.command("export")
-    def export(
-        name: Name,
-        output: Annotated[
-            Path | None,
-            typer.Option(
-                "-o", "--output", help="File to write the profile to. Default: standard output."
-            ),
-        ] = None,
-        database: Database = None,
-    ) -> None:
-        """Write a profile as a TOML file.
+def show_profile(name: Name, database: Database = None, json: Json = False) -> None:
+    """Show the rules of a profile.
 
-        The file can be edited and used with --profile FILE.toml.
-        """
-        text = profile_toml(name, database)
-        if output is None:
-            typer.echo(text, nl=False)
-        else:
-            write_bytes(output, text.encode())
+    The first rule that matches an edge decides its line type.
+    """
+    rules = find_profile(name, database)
+    about = profile_json(name, rules)
+    if json:
+        print_json(about)
+        return
+    typer.echo(rules.title)
+    for number, rule in enumerate(about["rules"], 1):
+        typer.echo(f"{number:4} {rule['type']:12} {rule['conditions']['text']}")
 
-    @profile.command("import")
-    def import_profile(
-        file: Annotated[Path, typer.Argument(metavar="FILE", help="TOML file of the profile.")],
-        name: Annotated[
-            str | None,
-            typer.Option(
-                help="Name under which the profile is stored. Default: the name of the file."
-            ),
-        ] = None,
-        database: Database = None,
-        replace: Annotated[
-            bool, typer.Option(help="Replace an existing profile with this name.")
-        ] = False,
-    ) -> None:
-        """Check a profile file and store it in a database.
 
-        Without a database the file is only checked.
-        """
-        profile_name = custom_profiles.check_name(name or file.stem.lower())
-        try:
-            text = read_bytes(file).decode("utf-8-sig")
-        except UnicodeDecodeError as reason:
-            raise ProfileError("profile.not-utf8", name=file) from reason
-        rules = custom_profiles.parse_text(profile_name, text)
-        typer.echo(f"{profile_name}: {rules.title}, {len(rules.rules)} rules")
-        url = database_of(database)
-        if url is None:
-            typer.echo("No database: the profile was not stored. Name one with --database.")
-            return
-        if profile_name in load.names("profiles"):
-            raise LibraryError("profile.shipped-command", name=profile_name)
-        from knifetip.jobs.store import Store
+def export_profile(
+    name: Name,
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "-o", "--output", help="File to write the profile to. Default: standard output."
+        ),
+    ] = None,
+    database: Database = None,
+) -> None:
+    """Write a profile as a TOML file.
 
-        store = Store(url)
-        try:
-            store.migrate()
-            row = store.profiles.save(profile_name, rules.title, text, None, anyway=replace)
-        finally:
-            store.close()
-        typer.echo(f"stored as version {row.version}")
+    The file can be edited and used with --profile FILE.toml.
+    """
+    text = profile_toml(name, database)
+    if output is None:
+        typer.echo(text, nl=False)
+    else:
+        write_bytes(output, text.encode())
+
+
+def import_profile(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="TOML file of the profile.")],
+    name: Annotated[
+        str | None,
+        typer.Option(help="Name under which the profile is stored. Default: the name of the file."),
+    ] = None,
+    database: Database = None,
+    replace: Annotated[
+        bool, typer.Option(help="Replace an existing profile with this name.")
+    ] = False,
+) -> None:
+    """Check a profile file and store it in a database.
+
+    Without a database the file is only checked.
+    """
+    profile_name = custom_profiles.check_name(name or file.stem.lower())
+    try:
+        text = read_bytes(file).decode("utf-8-sig")
+    except UnicodeDecodeError as reason:
+        raise ProfileError("profile.not-utf8", name=file) from reason
+    rules = custom_profiles.parse_text(profile_name, text)
+    typer.echo(f"{profile_name}: {rules.title}, {len(rules.rules)} rules")
+    url = database_of(database)
+    if url is None:
+        typer.echo("No database: the profile was not stored. Name one with --database.")
+        return
+    if profile_name in load.names("profiles"):
+        raise LibraryError("profile.shipped-command", name=profile_name)
+    from knifetip.jobs.store import Store
+
+    store = Store(url)
+    try:
+        store.migrate()
+        row = store.profiles.save(profile_name, rules.title, text, None, anyway=replace)
+    finally:
+        store.close()
+    typer.echo(f"stored as version {row.version}")

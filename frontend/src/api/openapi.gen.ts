@@ -954,7 +954,7 @@ export interface components {
             reason: string;
             /**
              * At
-             * @description Time of the decision (seconds since 1970)
+             * @description Time of the decision (seconds since 1970-01-01 UTC)
              */
             at: number;
         };
@@ -1706,7 +1706,7 @@ export interface components {
             job: string;
             /**
              * Created
-             * @description Time of the earlier order (seconds since 1970)
+             * @description Time at which the earlier job was created (seconds since 1970-01-01 UTC)
              */
             created: number;
             /**
@@ -1896,17 +1896,17 @@ export interface components {
             measure: number;
             /**
              * Edge
-             * @description Row of the edge in the drawing, counted from 0; -1 if the fault concerns no edge
+             * @description Row of the edge in the drawing, counted from 0; -1 if the finding concerns no edge
              */
             edge: number;
             /**
              * Handle
-             * @description Handle of the edge's entity; empty if the fault concerns no edge
+             * @description Handle of the edge's entity; empty if the finding concerns no edge
              */
             handle: string;
             /**
              * Line
-             * @description Program line, counted from 1; -1 if the fault concerns no line
+             * @description Program line, counted from 1; -1 if the finding concerns no line
              */
             line: number;
         };
