@@ -14,12 +14,11 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
-from typing import Final
 
 import numpy as np
 
 from knifetip.errors import PlanError
-from knifetip.geometry.columns import F64, I32, I64, U8, Bool
+from knifetip.geometry.columns import F64, I32, I64, U8, Bool, hand_over
 from knifetip.geometry.path import Paths
 from knifetip.model.machine import Machine, Station
 from knifetip.model.tool import Reversal
@@ -27,16 +26,17 @@ from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.sequencing.air_moves import interference, lift_clear, turns_outside_board, unwind
 from knifetip.sequencing.keep_out import avoid_zones
 from knifetip.sequencing.order import short_order
+from knifetip.sequencing.passes import (
+    PassOrder,
+    columns_of,
+    find_passes,
+    heading_ranges,
+    order_passes,
+    rows_that_move,
+    turn_passes,
+)
 from knifetip.sequencing.rest_time import rest_times
 from knifetip.sequencing.travel import check_travel
-
-#: Motion of each kind of move when it is run backwards.
-_REVERSED: Final = np.arange(len(Motion), dtype=np.uint8)
-_REVERSED[[Motion.LIFT, Motion.LEAD_IN, Motion.LEAD_OUT]] = (
-    Motion.PLUNGE,
-    Motion.LEAD_OUT,
-    Motion.LEAD_IN,
-)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -216,23 +216,17 @@ def _order_tracks(
     count
         Number that the first of the returned tracks gets; the tracks are numbered in their order.
     """
-    # A pass is a run of rows between two rapids; the passes with one track number are one track.
     # Old rapids are dropped; new ones lead to the start of each pass.
-    inner = np.flatnonzero((toolpath.track >= 0) & (toolpath.motion != Motion.RAPID))
-    number = toolpath.track[inner]
-    breaks = np.flatnonzero((np.diff(inner) > 1) | (np.diff(number) != 0)) + 1
-    first = inner[np.concatenate([[0], breaks])]
-    last = inner[np.concatenate([breaks - 1, [len(inner) - 1]])]
-    number = toolpath.track[first]
-    opens = np.flatnonzero(np.concatenate([[True], number[1:] != number[:-1]]))
-    passes = np.diff(np.append(opens, len(first)))
-    closes = opens + passes - 1
+    columns = columns_of(toolpath)
+    passes = find_passes(columns.motion, columns.track)
+    first, last, opens = passes.first, passes.last, passes.opens[:-1]
+    pass_count, closes = np.diff(passes.opens), passes.opens[1:] - 1
 
     reversal, rotation = station.tool.reversal
-    if reversal == Reversal.SIDES and (passes % 2).any():
+    if reversal == Reversal.SIDES and (pass_count % 2).any():
         reversal = Reversal.ONE
     period = station.tool.period
-    columns = [0, 1, 3]
+    plane = [0, 1, 3]
     entry, leave = toolpath.pose[first[opens]], toolpath.pose[last[closes] + 1]
     if reversal == Reversal.SIDES:
         far, near = toolpath.pose[first[opens + 1]], toolpath.pose[last[closes - 1] + 1]
@@ -242,59 +236,43 @@ def _order_tracks(
     x, y, _, c = machine.carriage_of(station).axes
     axes = (x, y, c)
     order, flip = short_order(
-        np.stack([entry, far])[..., columns],
-        np.stack([leave, near])[..., columns],
-        current[columns],
+        np.stack([entry, far])[..., plane],
+        np.stack([leave, near])[..., plane],
+        current[plane],
         np.array([[axis.velocity for axis in axes], [axis.acceleration for axis in axes]]),
         period,
         reversal,
     )
-    # The passes in new order: those of a reversed track are reversed, or swapped in pairs.
-    owner = np.repeat(np.arange(len(order)), passes[order])
-    ordinal = np.arange(len(first)) - np.repeat(
-        np.cumsum(passes[order]) - passes[order], passes[order]
+    ordered = order_passes(
+        columns,
+        passes,
+        PassOrder(order, flip, reversal == Reversal.SIDES, reversal == Reversal.EITHER),
+        float(rotation),
     )
-    other = ordinal ^ 1 if reversal == Reversal.SIDES else passes[order][owner] - 1 - ordinal
-    pass_of = opens[order][owner] + np.where(flip[owner], other, ordinal)
-    back = flip[owner] & (reversal == Reversal.EITHER)
-    # Row 0 of each pass is the rapid to its start.
-    size = last[pass_of] - first[pass_of] + 2
-    run = np.repeat(np.arange(len(pass_of)), size)
-    step = np.arange(len(run)) - np.repeat(np.cumsum(size) - size, size)
-    head = step == 0
-    reverse = back[run]
-    ends = np.where(reverse, last[pass_of][run] + 1 - step, first[pass_of][run] + step)
-    rows = np.where(reverse, ends, ends - 1)
-    rows[head] = first[pass_of]
-    motion = np.where(reverse, _REVERSED[toolpath.motion[rows]], toolpath.motion[rows])
-    # On a reversed pass only the last plunge leaves the board: the others are steps within it.
-    up = reverse & (step == size[run] - 1) & (toolpath.motion[rows] == Motion.PLUNGE)
-    motion = np.where(head, Motion.RAPID, np.where(up, Motion.LIFT, motion)).astype(np.uint8)
-    pose = toolpath.pose[ends]
-    pose[:, 3] += np.where(reverse, rotation, 0.0)
     # In the air C may take any equivalent angle, so it is unwound at every rapid.
-    begin = np.flatnonzero(head)
+    start, end, smallest, largest = heading_ranges(ordered.pose, ordered.begin)
     shift = unwind(
-        pose[begin, 3],
-        pose[np.append(begin[1:], len(rows)) - 1, 3],
-        np.minimum.reduceat(pose[:, 3], begin),
-        np.maximum.reduceat(pose[:, 3], begin),
+        start,
+        end,
+        smallest,
+        largest,
         float(current[3]),
         c.low - station.c,
         c.high - station.c,
         period,
     )
-    pose[:, 3] += shift[run]
-    link = head & (ordinal == 0)[run]
-    bulge = np.where(reverse, -toolpath.bulge[rows], toolpath.bulge[rows])
+    turn_passes(ordered.pose, ordered.begin, shift)
+    track = ordered.track
+    if count:
+        track[track >= 0] += count
     return _Moves(
-        pose=pose,
-        bulge=np.where(head, 0.0, bulge),
-        motion=motion,
-        feed=np.where(head, 0.0, toolpath.feed[rows]),
-        source=np.where(head, -1, toolpath.source[rows]).astype(np.int32),
-        tool=np.full(len(rows), station.number, np.uint8),
-        track=np.where(link, -1, count + owner[run]).astype(np.int32),
+        pose=ordered.pose,
+        bulge=ordered.bulge,
+        motion=ordered.motion,
+        feed=ordered.feed,
+        source=ordered.source,
+        tool=np.full(len(track), station.number, np.uint8),
+        track=track,
     )
 
 
@@ -323,7 +301,10 @@ def _lower_turns(
         face = float(pose[own, 2].min()) - machine.clearance
         circle = station.tool.tip_circle(0.0)
         for end in (own, own + 1):
-            pose[end] = lift_clear(pose[end], interference(pose[end], circle, face), circle)
+            below = interference(pose[end], circle, face)
+            # The machine's clearance is mostly enough.
+            rows, below = end[below > 0.0], below[below > 0.0]
+            pose[rows] = lift_clear(pose[rows], below, circle)
         if safety > 0.0 and not station.is_beam:
             lowered = own[_has_own_lift(toolpath, own)]
             lows = [
@@ -348,12 +329,9 @@ def _lower_turns(
             rise = np.where(untouched[:, 2] < 0.0, over - untouched[:, 2], 0.0)
             pose[end] = lift_clear(untouched, rise, circle)
     # Drop lifts and plunges that do not move.
-    idle = np.zeros(len(toolpath), np.bool_)
-    ends = np.concatenate([turns - 1, turns + 1])
-    idle[ends] = True
-    for axis in range(4):
-        idle[ends] &= pose[ends + 1, axis] == pose[ends, axis]
-    rows = np.flatnonzero(~idle)
+    rows = rows_that_move(pose, turns)
+    if len(rows) == len(toolpath):
+        return replace(toolpath, pose=hand_over(pose))
     return toolpath.with_moves(rows, np.concatenate([pose[:1], pose[rows + 1]]))
 
 
