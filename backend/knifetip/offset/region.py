@@ -10,6 +10,7 @@ Source: our derivation.
 from __future__ import annotations
 
 import math
+from typing import Final
 
 import numpy as np
 
@@ -50,6 +51,13 @@ from knifetip.offset.records import (
 from knifetip.offset.self_contact import Scratch, any_segments_meet
 from knifetip.offset.slices import find_cuts, follow_pieces, link_chains, split_rows
 from knifetip.offset.swept_area import area_under_edge, area_under_path
+
+#: Positions on a piece at which its distance from the contours is tested, as fractions of its
+#: length.  Where two contours touch, a piece that lies beyond the other contour is at the radius
+#: from it at one point, which is the middle in symmetric drawings.
+_PROBES: Final = (0.5, 0.31, 0.77)
+#: The same for the start of a piece.
+_START: Final = (0.0, 0.0, 0.0)
 
 
 @kernel
@@ -154,18 +162,24 @@ def _select_pieces(
             continue
         m = info[i, 3]
         mine = paths.begin[m] + info[i, 0] - contours.first[paths.member[m]]
-        place = 0.5 * (piece[q, 4] + piece[q, 5])
+        places = _PROBES
         if corners.kind[mine] > 0 and info[i, 1] and (i == 0 or info[i - 1, 0] != info[i, 0]):
             # A transition of type C or D may leave the area that is too near to a contour on the
             # far side of the contour.  Its start is at the radius from the corner's vertex.  If
             # the start is clear, no contour lies between the two.
-            place = piece[q, 4]
-        x, y = point_at_parameter(raw.rows, i, place)
-        # Most invalid pieces are too close to the next segments: test these first.
-        near_by = False
-        for near in range(max(mine - 2, 0), min(mine + 3, total)):
-            near_by |= distance_to_row(origin, near, x, y) < limit
-        good[q] = not near_by and is_clear(x, y, origin, tree, stack, signed, limit, corners)
+            places = _START
+        good[q] = True
+        x = y = 0.0
+        for place in places:
+            x, y = point_at_parameter(
+                raw.rows, i, piece[q, 4] + place * (piece[q, 5] - piece[q, 4])
+            )
+            # Most invalid pieces are too close to the next segments: test these first.
+            for near in range(max(mine - 2, 0), min(mine + 3, total)):
+                good[q] &= distance_to_row(origin, near, x, y) >= limit
+            good[q] &= good[q] and is_clear(x, y, origin, tree, stack, signed, limit, corners)
+            if not good[q]:
+                break
         if refuse and not good[q]:
             other_row, away = nearest_segment(x, y, origin, tree, stack, size, mine)
             ordinary = (

@@ -39,7 +39,9 @@ class CutLayers:
     stretches: Stretches
 
 
-def cut_layers(ends: F64, bulge: F64, contour: I64) -> CutLayers:
+def cut_layers(
+    ends: F64, bulge: F64, contour: I64, *, contours_whole: bool = False
+) -> CutLayers:
     """Return the layers of n cuts.
 
     Parameters
@@ -49,8 +51,12 @@ def cut_layers(ends: F64, bulge: F64, contour: I64) -> CutLayers:
         have gaps of up to ``CONTOUR_GAP``.
     contour : (n,)
         Number of the closed contour to which each cut belongs, -1 for none.  All cuts of a contour
-        get the same layer.  But if contours enclose each other in a cycle, the contours are
-        disregarded, and each cut gets its own layer.
+        get the same layer, except in a cycle of contours that enclose each other.
+    contours_whole
+        What to do if contours enclose each other in a cycle, such as two parts that touch at two
+        points with waste between them.  If False, each cut gets its own layer.  If True, each
+        contour still gets one layer, and contours of a cycle get the layer in which the first of
+        their cuts could be made.
 
     Raises
     ------
@@ -79,7 +85,7 @@ def cut_layers(ends: F64, bulge: F64, contour: I64) -> CutLayers:
     ].ravel()
     owner = np.append(work, -1)[np.where(row < count, row, -1)]
     layer, ordered = _assign_layers(face, owner, size, by_face // 2, first, int(work.max()) + 1)
-    if not ordered:
+    if not ordered and not contours_whole:
         work = single_units
         owner = np.where(row < count, row, -1)
         layer, _ = _assign_layers(face, owner, size, by_face // 2, first, count)

@@ -69,7 +69,7 @@ def plan_milling(
     pieces = _divide_by_sides(dieline.ends[rows], dieline.bulge[rows])
     _check_shared(rows[np.unique(pieces.row[pieces.shared])], cutter)
     ends, bulge, face = pieces.ends, pieces.bulge, pieces.face
-    layers = cut_layers(ends, bulge, face)
+    layers = cut_layers(ends, bulge, face, contours_whole=True)
     layer = layers.number
     chains = chain(ends, bulge, group=layer * (int(face.max()) + 2) + face)
     paths = close_joints(chains.paths(ends, bulge))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -271,6 +272,36 @@ def test_the_tool_keeps_clear_of_an_island() -> None:
     assert made.unreached.sum() == pytest.approx(want.area - swept.area, abs=0.1)
     # As groups of their own, they do not affect each other.
     assert offset_paths(outline, 14.0, 1).owner.tolist() == [0, 1]
+
+
+@pytest.mark.parametrize("gap", [0.0, 1e-9, 1e-6, 1e-3, -1e-9, -1e-6, -1e-4])
+@pytest.mark.parametrize("kind", [Corner.B, Corner.C, Corner.D])
+def test_the_tool_keeps_clear_of_parts_that_touch_on_their_curves(gap: float, kind: Corner) -> None:
+    # Two curved ends of one part touch two curved ends of the other; between them is a lens.
+    rise = 6.0
+    low = [(0, -60), (100, -60), (100, -rise), (50, -rise), (0, -rise)]
+    high = [(0, rise + gap), (50, rise + gap), (100, rise + gap), (100, 60), (0, 60)]
+    bent = rise / 25.0
+    parts = rings(low, high, bulge=[0, 0, bent, bent, 0, bent, bent, 0, 0, 0])
+    made = offset_paths(parts, 0.1, -1, corner=kind, group=[0, 0])
+    for part in range(2):
+        other = replace(made, owner=np.full_like(made.owner, part))
+        assert clearance(other, parts, 101) >= 0.1 - DISTANCE_TOLERANCE
+    outside, inside = sorted(areas(made.paths), key=abs, reverse=True)
+    assert (outside > 0.0, inside > 0.0) == (True, False)
+
+
+@pytest.mark.parametrize("kind", [Corner.B, Corner.C, Corner.D])
+@pytest.mark.parametrize("overlap", [0.0, 1e-9, 1e-6])
+def test_the_tool_keeps_clear_of_a_part_that_touches_with_a_corner(
+    kind: Corner, overlap: float
+) -> None:
+    parts = rings(SQUARE, [(50, 60 - overlap), (70, 80), (50, 100), (30, 80)])
+    made = offset_paths(parts, 2.0, -1, corner=kind, group=[0, 0])
+    for part in range(2):
+        other = replace(made, owner=np.full_like(made.owner, part))
+        assert clearance(other, parts, 101) >= 2.0 - DISTANCE_TOLERANCE
+    assert len(made.paths) == 1
 
 
 def test_a_pocket_filled_by_an_island_has_no_offset() -> None:

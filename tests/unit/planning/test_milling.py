@@ -95,6 +95,18 @@ def test_blanks_that_touch_in_a_point_are_each_milled_from_outside(turned: int) 
     ]
 
 
+def test_blanks_with_waste_between_two_points_where_they_touch_are_each_milled_whole() -> None:
+    # Neither blank can be cut completely before the other one.  They overlap by the digits of a
+    # drawing.
+    low = np.add(closed((0, 0), (100, 0), (100, 40), (50, 40), (0, 40)), (0.0, 1e-6))
+    high = closed((0, 52), (50, 52), (100, 52), (100, 90), (0, 90))
+    bent = {2: 0.24, 3: 0.24, 5: 0.24, 6: 0.24}
+    line = dieline((LineType.CUT, low), (LineType.CUT, high), bulge=bent)
+    (operation,) = plan(line, ROUTED, BOARD)
+    assert operation.paths.closed.tolist() == [True, True]
+    assert len(operation.source) == 10
+
+
 def test_holes_that_touch_in_a_point_are_each_milled_from_inside() -> None:
     sheet = closed((-50, -50), (150, -50), (150, 150), (-50, 150))
     line = dieline(*((LineType.CUT, ends) for ends in (sheet, *TOUCHING)))
