@@ -39,9 +39,7 @@ class CutLayers:
     stretches: Stretches
 
 
-def cut_layers(
-    ends: F64, bulge: F64, contour: I64, *, contours_whole: bool = False
-) -> CutLayers:
+def cut_layers(ends: F64, bulge: F64, contour: I64, *, contours_whole: bool = False) -> CutLayers:
     """Return the layers of n cuts.
 
     Parameters
