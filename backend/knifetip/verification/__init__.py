@@ -18,25 +18,25 @@ add each kind of finding (in ``checks`` unless another package is named):
 kind        modules
 ==========  ========================================================================
 program     readers in ``reading``, ``output_checks`` (unset outputs, early switching),
-            ``motion_checks`` (outputs in the board, unknown positions), ``verify``
-            (placement)
+            ``motion_checks`` (outputs in the board), ``board_move_check``
+            (unknown positions), ``verify`` (placement)
 travel      ``motion_checks``, ``carriage_check``, ``zone_check``
 feed        ``motion_checks``
-heading     ``check_base`` (along edges), ``motion_checks`` (turns in the board),
+heading     ``check_base`` (along edges), ``board_move_check`` (turns in the board),
             ``overlap_check`` (turns in place)
 deviation   ``check_base`` (knives, wheels, V-cutters), ``milling_check``,
             ``groove_check`` (flanks), ``stray_work`` (beside an edge),
-            ``bridge_check`` (near corners), ``motion_checks`` (slanted plunges),
+            ``bridge_check`` (near corners), ``board_move_check`` (slanted plunges),
             ``overlap_check`` (LinuxCNC without exact stops)
 depth       ``check_base``, ``groove_check`` and ``milling_check`` (passes),
-            ``motion_checks`` (focus of a beam)
+            ``board_move_check`` (focus of a beam)
 uncut       ``check_base``, ``crease_check`` (short creases), ``knife_check``
             (perforations), ``track_ends`` (stops short), ``bridge_check``,
             ``milling_check``, ``cleaning_check``, ``verify`` (no line type)
 overcut     ``stray_work`` and ``track_ends`` (past an end), ``groove_check``
             (run-outs, flanks through cuts), ``bridge_check``, ``milling_check``,
             ``knife_check`` (short gaps of perforations)
-stray       ``stray_work``, ``milling_check``, ``motion_checks`` (rapids in
+stray       ``stray_work``, ``milling_check``, ``board_move_check`` (rapids in
             the board, too near to it or to the sheet)
 order       ``work_order``
 unreached   ``milling_shortfalls`` (a shortfall)
@@ -49,8 +49,8 @@ The codes of findings and of phrases in them, without the codes of faults found 
 =================================  =========================================
 code                               module
 =================================  =========================================
-verify.beam-on-rapid               checks.motion_checks
-verify.beam-refocused              checks.motion_checks
+verify.beam-on-rapid               checks.board_move_check
+verify.beam-refocused              checks.board_move_check
 verify.beside-line                 checks.stray_work
 verify.beyond-rotation             checks.motion_checks
 verify.beyond-travel               checks.motion_checks
@@ -117,10 +117,10 @@ verify.perforation-cut             checks.knife_check
 verify.perforation-gap             checks.knife_check
 verify.perforation-uneven          checks.knife_check
 verify.plunge-without-move         checks.check_base
-verify.rapid-in-board              checks.motion_checks
-verify.rapid-near-sheet            checks.motion_checks
-verify.rapid-too-low               checks.motion_checks
-verify.slanted                     checks.motion_checks
+verify.rapid-in-board              checks.board_move_check
+verify.rapid-near-sheet            checks.board_move_check
+verify.rapid-too-low               checks.board_move_check
+verify.slanted                     checks.board_move_check
 verify.spindle                     checks.output_checks
 verify.stray                       checks.milling_check, checks.stray_work
 verify.stray-along                 checks.stray_work
@@ -130,13 +130,13 @@ verify.switches-at-unknown-height  checks.output_checks
 verify.switches-low                checks.output_checks
 verify.too-few-bridges             checks.bridge_check
 verify.turn-at-feed                checks.motion_checks
-verify.turn-in-board               checks.motion_checks
-verify.turn-off-path               checks.motion_checks
+verify.turn-in-board               checks.board_move_check
+verify.turn-off-path               checks.board_move_check
 verify.turn-overlaps               checks.overlap_check
 verify.two-lowered                 checks.motion_checks
 verify.unclassified                verify
 verify.unknown-beside-zone         checks.zone_check
-verify.unknown-position            checks.carriage_check, checks.motion_checks
+verify.unknown-position            checks.board_move_check, checks.carriage_check
 verify.unreached                   checks.milling_shortfalls
 verify.where-from-start            checks.check_base, checks.milling_check
 verify.where-past-end              checks.check_base

@@ -19,15 +19,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
-from knifetip.kernels import F64_2, I32_1, kernel
+from knifetip.kernels import F64_1, F64_2, I32_1, U8_1, Bool_1, inline_kernel, kernel
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine, Station
 from knifetip.verification.columns import F64, I32, I64, U8, Bool
-from knifetip.verification.curves.curve import arc_curves, line_curves, point_at
+from knifetip.verification.curves.curve import arc_curves, line_curves, point_at, write_line
 from knifetip.verification.reading.moves import Moves
 from knifetip.verification.tools import expected_tool
 
@@ -40,6 +40,10 @@ CHORD: Final = 1e-4
 
 
 _MAX_CHORDS: Final = 10_000
+
+#: Shapes of the path of the tip in one move: a line, the end of a plunge, an arc, and a path that
+#: is neither a line nor an arc.
+_LINE, _POINT, _ARC, _BENT = range(4)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -150,6 +154,7 @@ def tip_paths(
     """Return the paths of the tip in the board, in the order of the program.
 
     A plunge gives a path of length 0 at its lower end, unless a move at constant height follows it.
+    A move from or to an unknown position gives no path.
 
     Parameters
     ----------
@@ -160,26 +165,29 @@ def tip_paths(
     machine, board
         Machine and board of the program.
     """
-    with np.errstate(invalid="ignore"):
-        drop = tip.end[:, 2] - tip.start[:, 2]
-    stay = usable & tip.inside & (moves.code > 0)
-    flat = stay & (np.abs(drop) <= LEVEL)
-    entered = stay & ~(tip.start[:, 2] < board.caliper - LEVEL) & ~beam_moves(moves, machine)
-    # A track continues while each move begins in the board.
-    broken = np.ones(len(stay), np.bool_)
-    broken[1:] = ~stay[:-1] | entered[1:] | (moves.station[1:] != moves.station[:-1])
-    track = np.cumsum(stay & broken) - 1
-
-    distance = np.hypot(*(tip.end - tip.start)[:, :2].T)
-    travels = flat & ((distance > 1e-9) | (moves.sweep != 0.0))
-    goes_on = np.zeros(len(stay), np.bool_)
-    goes_on[:-1] = travels[1:] & (track[1:] == track[:-1])
-    point = stay & (drop < -LEVEL) & ~goes_on
-    rows, curve, fraction = _path_pieces(
-        moves, tip, np.flatnonzero(travels | point), point, machine
-    )
-    order = np.argsort(rows, kind="stable")
-    rows, curve, fraction = rows[order], curve[order], fraction[order]
+    tools = [expected_tool(station.tool) for station in machine.stations]
+    columns = _PathMoves(moves.code, moves.sweep, moves.station, tip.start, tip.end, tip.inside)
+    beams = np.array([*(tool.beam is not None for tool in tools), False])
+    reach = np.array([*(math.hypot(tool.ahead, tool.right) for tool in tools), 0.0])
+    rows, track, shape, curve = _select_paths(columns, usable, beams, reach, board.caliper - LEVEL)
+    fraction = np.tile([0.0, 1.0], (len(rows), 1))
+    arcs = np.flatnonzero(shape == _ARC)
+    if len(arcs):
+        own = rows[arcs]
+        datum = np.array([(station.x, station.y) for station in machine.stations])
+        centre = moves.centre[own] - datum[tip.station[own]]
+        curve[arcs] = arc_curves(centre, tip.start[own, :2], moves.sweep[own])
+    bent = np.flatnonzero(shape == _BENT)
+    if len(bent):
+        plain = np.flatnonzero(shape != _BENT)
+        chord_rows, chords, shares = _flatten_paths(
+            moves, tip, rows, bent, reach[tip.station[rows]], machine
+        )
+        picked = np.concatenate([plain, chord_rows])
+        order = np.argsort(picked, kind="stable")
+        rows, track = rows[picked[order]], track[picked[order]]
+        curve = np.concatenate([curve[plain], chords])[order]
+        fraction = np.concatenate([fraction[plain], shares])[order]
     turn = tip.start[rows, 3][:, None]
     heading = turn + (tip.end[rows, 3][:, None] - turn) * fraction
     z = tip.end[rows, 2]
@@ -189,63 +197,113 @@ def tip_paths(
         heading=heading,
         operation=_operations(z, tip.station[rows], machine, board),
         station=tip.station[rows],
-        track=track[rows].astype(np.int32),
+        track=track,
         line=moves.line[rows],
         blend=moves.blend[rows],
     )
 
 
-def _path_pieces(
-    moves: Moves, tip: TipPoses, rows: I64, point: Bool, machine: Machine
-) -> tuple[I64, F64, F64]:
-    """Return the k lines and arcs that the tip follows in selected moves.
+class _PathMoves(NamedTuple):
+    """Columns of n moves that determine the paths of the tip; see ``Moves`` and ``TipPoses``."""
+
+    code: U8_1
+    sweep: F64_1
+    station: I32_1
+    start: F64_2  #: (n, 4), poses of the tip
+    end: F64_2  #: (n, 4)
+    inside: Bool_1
+
+
+@inline_kernel
+def _enters(moves: _PathMoves, beams: Bool_1, top: float, row: int) -> bool:
+    """Return whether the tip of a tool other than a laser is not below the height ``top`` at the
+    start of a move.
+    """
+    return not moves.start[row, 2] < top and not beams[moves.station[row]]
+
+
+@inline_kernel
+def _travels(moves: _PathMoves, row: int) -> bool:
+    """Return whether the tip travels at constant height in a move."""
+    if not abs(moves.end[row, 2] - moves.start[row, 2]) <= LEVEL:
+        return False
+    x, y = moves.end[row, 0] - moves.start[row, 0], moves.end[row, 1] - moves.start[row, 1]
+    return math.hypot(x, y) > 1e-9 or moves.sweep[row] != 0.0
+
+
+@inline_kernel
+def is_known(start: F64_2, end: F64_2, row: int) -> bool:
+    """Return whether all four coordinates at the start and the end of a move are known."""
+    for axis in range(4):
+        if math.isnan(start[row, axis]) or math.isnan(end[row, axis]):
+            return False
+    return True
+
+
+@kernel
+def _select_paths(
+    moves: _PathMoves, usable: Bool_1, beams: Bool_1, reach: F64_1, top: float
+) -> Any:
+    """Return the k moves that give paths of the tip in the board, and those paths that are lines
+    and points.
 
     Parameters
     ----------
-    moves, tip
-        All n moves of the program, and the poses of the tip at their starts and ends.
-    rows
-        Indices of the selected moves.
-    point : (n,)
-        Mask of the moves that give only a point, the end of the move.
+    usable : (n,)
+        Mask of the moves that may give paths.
+    beams, reach : (s + 1,)
+        Whether the tool of each station is a laser, and the distance of its tip from the head's
+        axis (mm); the last row is for no station.
+    top : mm
+        Height below which a tip is in the board.
 
     Returns
     -------
-    Index in ``moves`` of the move of each line or arc (k,); the lines and arcs as rows of six
-    numbers (see ``curves.curve``), (k, 6); and the start and end of each as fractions of the move
-    (k, 2).
+    Index of each move, (k,); number of its track, (k,); ``_LINE``, ``_POINT``, ``_ARC`` or
+    ``_BENT``, (k,); and the lines and points as rows of six numbers (see ``curves.curve``), (k, 6).
+    The rows of arcs and bent paths are unset.
     """
-    start, end = tip.start[rows, :2], tip.end[rows, :2]
-    start = np.where(point[rows][:, None], end, start)
-    turn = np.radians(np.abs(tip.end[rows, 3] - tip.start[rows, 3]))
-    reach = np.zeros(len(machine.stations))
-    datum = np.zeros((len(machine.stations), 4))
-    for index, station in enumerate(machine.stations):
-        datum[index] = station.x, station.y, station.z, station.c
-        reach[index] = np.hypot(*tip_offset(np.zeros(1), station)[0])
-    offset = reach[tip.station[rows]]
-    round_ = (moves.sweep[rows] != 0.0) & ~point[rows]
-    # If the tip is off the axis and C turns, its path is neither a line nor an arc.
-    bent = ((offset > 0.0) & ((turn > 0.0) | round_)) & ~point[rows]
-
-    plain_lines = np.flatnonzero(~round_ & ~bent)
-    plain_arcs = np.flatnonzero(round_ & ~bent)
-    centre = moves.centre[rows] - datum[tip.station[rows], :2]
-    listed = [plain_lines, plain_arcs]
-    curves = [
-        line_curves(start[plain_lines], end[plain_lines]),
-        arc_curves(centre[plain_arcs], start[plain_arcs], moves.sweep[rows[plain_arcs]]),
-    ]
-    shares = [np.tile([0.0, 1.0], (len(part), 1)) for part in listed]
-    if bent.any():
-        chord_rows, curve, fraction = _flatten_paths(
-            moves, tip, rows, np.flatnonzero(bent), offset, machine
+    count = len(moves.code)
+    rows, track = np.empty(count, np.int64), np.empty(count, np.int32)
+    shape = np.empty(count, np.uint8)
+    used, tracks, stayed = 0, -1, False
+    for row in range(count):
+        stays = usable[row] and moves.inside[row] and moves.code[row] > 0
+        if not (stays and is_known(moves.start, moves.end, row)):
+            stayed = False
+            continue
+        # A track continues while each move begins in the board.
+        broken = (
+            not stayed
+            or _enters(moves, beams, top, row)
+            or moves.station[row] != moves.station[row - 1]
         )
-        listed.append(chord_rows)
-        curves.append(curve)
-        shares.append(fraction)
-    picked = np.concatenate(listed)
-    return rows[picked], np.concatenate(curves), np.concatenate(shares)
+        if broken:
+            tracks += 1
+        stayed = True
+        if _travels(moves, row):
+            if used > 0 and not broken and rows[used - 1] == row - 1 and shape[used - 1] == _POINT:
+                used -= 1
+            # If the tip is off the axis and C turns, its path is neither a line nor an arc.
+            turns = moves.end[row, 3] != moves.start[row, 3] or moves.sweep[row] != 0.0
+            if reach[moves.station[row]] > 0.0 and turns:
+                shape[used] = _BENT
+            else:
+                shape[used] = _LINE if moves.sweep[row] == 0.0 else _ARC
+        elif moves.end[row, 2] - moves.start[row, 2] < -LEVEL:
+            shape[used] = _POINT
+        else:
+            continue
+        rows[used], track[used] = row, tracks
+        used += 1
+    curve = np.empty((used, 6))
+    for k in range(used):
+        x, y = moves.end[rows[k], 0], moves.end[rows[k], 1]
+        if shape[k] == _LINE:
+            write_line(curve, k, moves.start[rows[k], 0], moves.start[rows[k], 1], x, y)
+        elif shape[k] == _POINT:
+            write_line(curve, k, x, y, x, y)
+    return rows[:used].copy(), track[:used].copy(), shape[:used].copy(), curve
 
 
 def _flatten_paths(

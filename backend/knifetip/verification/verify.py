@@ -21,10 +21,10 @@ from knifetip.model.machine import Machine
 from knifetip.model.sheet import Sheet
 from knifetip.model.verdict import Samples, Verdict
 from knifetip.verification.checks import motion_checks
+from knifetip.verification.checks.board_move_check import check_board_moves
 from knifetip.verification.checks.carriage_check import check_carriages
 from knifetip.verification.checks.check_context import CheckContext, EdgeFigures
 from knifetip.verification.checks.edge_checks import check_edges
-from knifetip.verification.checks.motion_kernels import unknown_positions
 from knifetip.verification.checks.output_checks import check_switching
 from knifetip.verification.checks.overlap_check import check_overlaps
 from knifetip.verification.checks.unreached_areas import merge_unreached
@@ -174,11 +174,8 @@ def _trace(
     motion_checks.check_feeds(moves, tip, machine, findings)
     motion_checks.check_outputs(moves, tip, machine, findings)
     check_switching(moves, machine, board, findings)
-    motion_checks.check_board_moves(
-        moves, tip, machine, board, tolerance + moves.resolution, sheet, findings
-    )
+    check_board_moves(moves, tip, machine, board, tolerance + moves.resolution, sheet, findings)
     check_overlaps(moves, tip, machine, tolerance, findings)
-    usable &= ~unknown_positions(tip.start, tip.end)[0]
     return moves, tip, tip_paths(moves, tip, usable, machine, board)
 
 

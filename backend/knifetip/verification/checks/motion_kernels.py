@@ -23,12 +23,13 @@ def path_lengths(start: F64_2, end: F64_2, centre: F64_2, sweep: F64_1) -> Any:
     """
     length = np.empty(len(start))
     for row in range(len(start)):
-        length[row] = _path_length(start, end, centre, sweep, row)
+        length[row] = path_length(start, end, centre, sweep, row)
     return length
 
 
 @inline_kernel
-def _path_length(start: F64_2, end: F64_2, centre: F64_2, sweep: F64_1, row: int) -> float:
+def path_length(start: F64_2, end: F64_2, centre: F64_2, sweep: F64_1, row: int) -> float:
+    """Return the length of one move along X, Y and Z (mm); see ``path_lengths``."""
     if sweep[row] != 0.0:
         radius = math.hypot(start[row, 0] - centre[row, 0], start[row, 1] - centre[row, 1])
         flat = radius * abs(sweep[row])
@@ -95,31 +96,10 @@ def feed_seconds(
             if inverse[row]:
                 minutes = 1.0 / feed[row]
             else:
-                minutes = _path_length(start, end, centre, sweep, row) / feed[row]
+                minutes = path_length(start, end, centre, sweep, row) / feed[row]
             if math.isfinite(minutes):
                 total += 60.0 * minutes
     return total
-
-
-@kernel
-def unknown_positions(start: F64_2, end: F64_2) -> Any:
-    """Return which of n moves start or end at an unknown position, and which travel sideways at an
-    unknown height, (n,) each.
-
-    ``start`` and ``end`` are the positions of X, Y, Z (mm) and C (degrees), (n, 4); an unknown
-    position is NaN.
-    """
-    unknown = np.zeros(len(start), np.bool_)
-    sideways = np.zeros(len(start), np.bool_)
-    for row in range(len(start)):
-        for axis in range(4):
-            before, after = start[row, axis], end[row, axis]
-            if math.isnan(before) or math.isnan(after):
-                unknown[row] = True
-            still = before == after or (math.isnan(before) and math.isnan(after))
-            if axis != 2 and not still and math.isnan(start[row, 2]):
-                sideways[row] = True
-    return unknown, sideways
 
 
 @kernel(allocates=False)

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from knifetip.kernels import F64_1, F64_2, kernel
+from knifetip.kernels import F64_1, F64_2, OutF64_2, inline_kernel, kernel
 from knifetip.verification.columns import F64
 
 
@@ -107,15 +107,23 @@ def _lines(start: F64_2, end: F64_2) -> Any:
     """Return n lines as rows of six numbers, (n, 6); see ``line_curves``."""
     curve = np.empty((len(start), 6))
     for row in range(len(start)):
-        x, y = end[row, 0] - start[row, 0], end[row, 1] - start[row, 1]
-        length = math.hypot(x, y)
-        if not length > 0.0:
-            x, y = 1.0, 0.0
-        else:
-            x, y = x / length, y / length
-        curve[row, 0], curve[row, 1], curve[row, 2] = 0.0, start[row, 0], start[row, 1]
-        curve[row, 3], curve[row, 4], curve[row, 5] = x, y, length
+        write_line(curve, row, start[row, 0], start[row, 1], end[row, 0], end[row, 1])
     return curve
+
+
+@inline_kernel
+def write_line(
+    curve: OutF64_2, row: int, start_x: float, start_y: float, end_x: float, end_y: float
+) -> None:
+    """Write the line between two points to a row of ``curve``; see ``line_curves``."""
+    x, y = end_x - start_x, end_y - start_y
+    length = math.hypot(x, y)
+    if not length > 0.0:
+        x, y = 1.0, 0.0
+    else:
+        x, y = x / length, y / length
+    curve[row, 0], curve[row, 1], curve[row, 2] = 0.0, start_x, start_y
+    curve[row, 3], curve[row, 4], curve[row, 5] = x, y, length
 
 
 def arc_curves(centre: F64, start: F64, sweep: F64) -> F64:
