@@ -8,7 +8,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from knifetip.dxf.samples import cartons as samples
+from knifetip.dxf.samples.cartons import corrugated_tray, rigid_box_blank
+from knifetip.dxf.samples.tuck_end import tuck_end_carton
 from knifetip.dxf.samples.write import Layer
 from knifetip.geometry.path import Paths
 from tests.support.cartons.plan import Plan
@@ -91,18 +92,18 @@ def _sampled(parts: list[tuple[Layer, Paths]]) -> Plan:
 def tuck_end(rng: np.random.Generator) -> Plan:
     """Return a reverse tuck-end carton."""
     return _sampled(
-        samples.tuck_end_carton(rng.uniform(60, 160), rng.uniform(35, 70), rng.uniform(80, 220))
+        tuck_end_carton(rng.uniform(60, 160), rng.uniform(35, 70), rng.uniform(80, 220))
     )
 
 
 def rolled_tray(_rng: np.random.Generator) -> Plan:
     """Return a tray with rolled-over ends: double creases with slots on them."""
-    return _sampled(samples.corrugated_tray())
+    return _sampled(corrugated_tray())
 
 
 def rigid_box(_rng: np.random.Generator) -> Plan:
     """Return the blank of a rigid box, which has V-grooves and no creases."""
-    return _sampled(samples.rigid_box_blank())
+    return _sampled(rigid_box_blank())
 
 
 def sleeve(rng: np.random.Generator) -> Plan:

@@ -11,15 +11,9 @@ import shapely
 from knifetip.classification.classify import classify
 from knifetip.classification.questions import list_questions
 from knifetip.dxf.read import read
-from knifetip.dxf.samples.cartons import (
-    CREASE,
-    CUT,
-    V_GROOVE,
-    corrugated_tray,
-    rigid_box_blank,
-    samples,
-    tuck_end_carton,
-)
+from knifetip.dxf.samples.cartons import corrugated_tray, rigid_box_blank, samples
+from knifetip.dxf.samples.contours import CREASE, CUT, V_GROOVE
+from knifetip.dxf.samples.tuck_end import tuck_end_carton
 from knifetip.dxf.samples.write import Layer
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64

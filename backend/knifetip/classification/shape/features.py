@@ -19,27 +19,22 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 
 from knifetip.classification.shape.arrows import find_arrow_edges
+from knifetip.classification.shape.edge_sums import (
+    EdgeSums,
+    Pieces,
+    fill_short_edges,
+    find_narrow_faces,
+    sum_pieces,
+)
 from knifetip.classification.shape.measures import ComponentBoxes
 from knifetip.classification.shape.part_kinds import PartKinds
+from knifetip.classification.shape.piece_roles import piece_roles
 from knifetip.classification.shape.required_folds import find_required_folds
 from knifetip.classification.shape.roles import Role
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.parallel import chunks, parallel_map, parallel_pair
 from knifetip.geometry.tolerance import GAP
-from knifetip.kernels import (
-    F64_1,
-    I32_1,
-    U8_1,
-    U8_2,
-    Bool_1,
-    OutBool_1,
-    OutF64_1,
-    OutI32_1,
-    OutI32_2,
-    OutU8_1,
-    kernel,
-)
 from knifetip.model.drawing import Annotation
 from knifetip.topology.coincident import coincident_edges
 from knifetip.topology.faces import Faces, trace_faces
@@ -216,17 +211,17 @@ class _Extraction(NamedTuple):
             lambda: trace_faces(graph, self.ends, self.bulge, tolerance),
         )
         kinds = PartKinds.find(graph, faces, length, boxes, self.annotations, unit)
-        role = _piece_roles(graph, faces, kinds)
-        narrow = _find_narrow_faces(faces.left, faces.right, length, faces.area, _NARROW * unit)
-        edges = _EdgeSums.allocate(count)
-        pieces = _Pieces(graph.component, length, role, faces.left, faces.right)
+        role = piece_roles(graph, faces, kinds)
+        narrow = find_narrow_faces(faces.left, faces.right, length, faces.area, _NARROW * unit)
+        edges = EdgeSums.allocate(count)
+        pieces = Pieces(graph.component, length, role, faces.left, faces.right)
 
         def sum_up(chunk: tuple[int, int]) -> None:
-            _sum_pieces(graph.first, pieces, narrow, edges, *chunk)
+            sum_pieces(graph.first, pieces, narrow, edges, *chunk)
 
         parallel_map(sum_up, chunks(count, MIN_CHUNK))
         sides = np.where(edges.length[:, None] > 0.0, _bounded_faces(faces)[edges.faces], -1)
-        _fill_short_edges(edges, graph, self.ends, length, tolerance)
+        fill_short_edges(edges, graph, self.ends, length, tolerance)
         # Component -1 takes the last entry: a drawing of only very short edges has no component.
         near_text: Bool = np.append(kinds.near_text, np.False_)[edges.component]
         none = np.zeros(count, np.bool_)
@@ -277,268 +272,3 @@ def _outermost_components(faces: Faces, inside: Bool) -> I32:
     while (farther := outermost[outermost]).tobytes() != outermost.tobytes():
         outermost = farther
     return outermost
-
-
-class _Pieces(NamedTuple):
-    """Component, length, role and adjacent faces of each of the p pieces of a planar graph.
-
-    A piece is the part of an edge between two neighbouring vertices.
-    """
-
-    component: I32_1  #: (p,) connected component
-    length: F64_1  #: (p,)
-    role: U8_1  #: (p,) Role
-    left: I32_1  #: (p,) face on the left
-    right: I32_1  #: (p,) face on the right
-
-
-class _EdgeSums(NamedTuple):
-    """Role, length, component and other features of each of n edges.
-
-    They are computed from the pieces into which the vertices of a planar graph divide the edge.
-    """
-
-    role: OutU8_1  #: (n,) Role of the greatest part of the length
-    fraction: OutF64_1  #: (n,) fraction of the length that has this role
-    length: OutF64_1  #: (n,) length of all pieces; 0 for edges without pieces
-    paired: OutBool_1  #: (n,) whether most of the edge has a narrow face on exactly one side
-    component: OutI32_1  #: (n,) connected component, -1 for edges without pieces
-    faces: OutI32_2  #: (n, 2) faces on both sides of the longest piece
-
-    @classmethod
-    def allocate(cls, count: int) -> _EdgeSums:
-        """Return a record with uninitialised columns for ``count`` edges."""
-        return cls(
-            np.empty(count, np.uint8),
-            np.empty(count),
-            np.empty(count),
-            np.empty(count, np.bool_),
-            np.empty(count, np.int32),
-            np.empty((count, 2), np.int32),
-        )
-
-
-def _fill_short_edges(
-    edges: _EdgeSums, graph: PlanarGraph, ends: F64, length: F64, tolerance: float
-) -> None:
-    """Give each edge that is too short for the planar graph the role and component of a neighbour.
-
-    An edge shorter than ``tolerance`` is not in the graph.  The neighbour is an edge in the graph
-    that touches the start of the short edge: the preceding edge in the file, or else the longest
-    one.  If there is no neighbour, the features of the short edge do not change.
-
-    Parameters
-    ----------
-    edges
-        Features of the n edges, to which the function writes.
-    graph
-        Planar graph of the edges; its vertices divide the edges into p pieces.
-    ends : (n, 2, 2)
-        Start and end points of the n edges.
-    length : (p,)
-        Length of each piece.
-    tolerance
-        Largest distance between ends of edges that became one vertex (drawing units).
-    """
-    short_edges = np.flatnonzero(edges.length == 0.0)
-    with_pieces = np.where(edges.length > 0.0, np.arange(len(edges.length)), 0)
-    previous = np.maximum.accumulate(with_pieces)[short_edges]
-    gap = np.hypot(*(ends[previous, 1] - ends[short_edges, 0]).T)
-    # If the edge before in the file does not end there: the edge of the longest piece that does.
-    model = np.where(
-        (edges.length[previous] > 0.0) & (gap <= 4.0 * tolerance),
-        previous,
-        _longest_neighbours(graph, length, short_edges),
-    )
-    short_edges, model = short_edges[model >= 0], model[model >= 0]
-    edges.role[short_edges], edges.fraction[short_edges] = edges.role[model], edges.fraction[model]
-    edges.component[short_edges] = edges.component[model]
-    edges.length[short_edges] = tolerance
-
-
-@kernel
-def _find_narrow_faces(left: I32_1, right: I32_1, length: F64_1, area: F64_1, width: float) -> Any:
-    """Return the mask of the faces of a planar graph that are long and narrow, (f,).
-
-    A face is narrow if its mean width is less than ``width``.  The p pieces are the parts of edges
-    between neighbouring vertices.
-
-    Parameters
-    ----------
-    left, right : (p,)
-        Index of the face on the left and of the face on the right of each piece.
-    length : (p,)
-        Length of each piece.
-    area : (f,)
-        Signed area of each face.
-    width
-        Limit of the mean width, in the unit of the lengths.
-    """
-    left_length, right_length = np.zeros(len(area)), np.zeros(len(area))
-    for p in range(len(length)):
-        left_length[left[p]] += length[p]
-        right_length[right[p]] += length[p]
-    result = np.empty(len(area), np.bool_)
-    for f in range(len(area)):
-        perimeter = left_length[f] + right_length[f]
-        long = perimeter > 5.0 * width
-        result[f] = area[f] > 0.0 and long and 2.0 * area[f] < width * perimeter
-    return result
-
-
-@kernel
-def _sum_pieces(
-    first: I32_1, pieces: _Pieces, narrow: Bool_1, edges: _EdgeSums, begin: int, end: int
-) -> None:
-    """Compute the features of edges ``begin`` … ``end`` - 1 from the pieces of each edge.
-
-    The vertices of the planar graph divide each edge into pieces.
-
-    Parameters
-    ----------
-    first : (n + 1,)
-        Index of the first piece of each edge.
-    pieces
-        Length, role, component and adjacent faces of each piece.
-    narrow : (f,)
-        Whether each face is narrow.
-    edges
-        Features of the n edges, to which the function writes.
-    """
-    component, length, role, left, right = pieces
-    by_role = np.zeros(256)
-    for i in range(begin, end):
-        edges.component[i] = component[first[i]] if first[i] < first[i + 1] else -1
-        longest = total = paired = 0.0
-        best = 0
-        edges.faces[i, 0] = edges.faces[i, 1] = 0
-        for p in range(first[i], first[i + 1]):
-            by_role[role[p]] += length[p]
-            total += length[p]
-            if narrow[left[p]] != narrow[right[p]]:
-                paired += length[p]
-            if length[p] > longest:
-                longest = length[p]
-                edges.faces[i, 0], edges.faces[i, 1] = left[p], right[p]
-        for p in range(first[i], first[i + 1]):
-            kind = role[p]
-            if by_role[kind] > by_role[best] or (by_role[kind] == by_role[best] and kind < best):
-                best = kind
-        edges.role[i] = best
-        edges.fraction[i] = by_role[best] / total if total > 0.0 else 0.0
-        edges.length[i], edges.paired[i] = total, paired > 0.5 * total
-        for p in range(first[i], first[i + 1]):
-            by_role[role[p]] = 0.0
-
-
-def _longest_neighbours(graph: PlanarGraph, length: F64, short_edges: I64) -> I32:
-    """Return for each of k short edges the neighbour that has the longest piece at its start, (k,).
-
-    The short edges are so short that they are not in the planar graph.  A neighbour is an edge with
-    a piece that starts or ends at the start vertex of the short edge; the entry is its index, or -1
-    if there is no neighbour.  A piece is the part of an edge between two neighbouring vertices.
-
-    Parameters
-    ----------
-    graph
-        Planar graph of all edges, with p pieces.
-    length : (p,)
-        Length of each piece.
-    short_edges : (k,)
-        Indices of the short edges.
-    """
-    found = np.full(len(graph.vertex), -1, np.int32)
-    if len(short_edges) == 0:
-        return found[:0]
-    wanted = np.zeros(len(graph.vertex), np.bool_)
-    wanted[graph.end_vertex[2 * short_edges]] = True
-    vertex = np.concatenate([graph.start, graph.end])
-    edge = np.tile(graph.edge, 2)
-    piece = np.flatnonzero(wanted[vertex] & (edge >= 0))
-    piece = piece[np.argsort(np.tile(length, 2)[piece], kind="stable")]
-    # Pieces are assigned by length, so that the longest one at a vertex remains.
-    found[vertex[piece]] = edge[piece]
-    return found[graph.end_vertex[2 * short_edges]]
-
-
-#: Roles of a piece by the kind of its component: with the outer face on one side, on both sides,
-#: with one bounded face on both sides, and with two bounded faces.
-_BLANK: Final = Role.OUTLINE, Role.STRAY, Role.SLIT, Role.DIVIDER
-_SMALL: Final = Role.MARK, Role.STRAY, Role.MARK, Role.MARK
-_INSIDE: Final = Role.HOLE, Role.FREE, Role.INNER, Role.INNER
-_SLOT: Final = Role.SLOT, Role.FREE, Role.INNER, Role.INNER
-
-
-def _piece_roles(graph: PlanarGraph, faces: Faces, kinds: PartKinds) -> U8:
-    """Return the role of each of the p pieces of a planar graph, (p,).
-
-    A piece is the part of an edge between two neighbouring vertices.  Its role follows from the
-    kind of its connected component, which ``kinds`` contains, and from the faces on its two sides.
-    """
-    # A component of several kinds gets the roles of the last of these rows.
-    rows = (
-        (kinds.doubtful, [Role.OPEN] * 4),
-        (kinds.inside, _INSIDE),
-        (kinds.slot, _SLOT),
-        (kinds.small, _SMALL),
-        (kinds.flat, [Role.STRAY] * 4),
-        (kinds.debris, [Role.DEBRIS] * 4),
-        (kinds.legend, [Role.LEGEND] * 4),
-        (kinds.frame, [Role.FRAME] * 4),
-        (kinds.bleed, [Role.BLEED] * 4),
-        (kinds.enclosing, [Role.ENCLOSING] * 4),
-        (kinds.table, [Role.TABLE] * 4),
-        (kinds.letter, [Role.LETTER] * 4),
-    )
-    table = np.array([_BLANK, *(roles for _, roles in rows)], np.uint8)
-    row = np.zeros(len(faces.outer_face), np.uint8)
-    for number, (mask, _) in enumerate(rows, start=1):
-        np.putmask(row, mask, number)
-    role = np.empty(len(graph.component), np.uint8)
-
-    def look_up(chunk: tuple[int, int]) -> None:
-        _look_up_roles(
-            table, row, graph.component, faces.left, faces.right, faces.outer_face, role, *chunk
-        )
-
-    parallel_map(look_up, chunks(len(role), MIN_CHUNK))
-    return role
-
-
-@kernel(allocates=False)
-def _look_up_roles(
-    table: U8_2,
-    row: U8_1,
-    component: I32_1,
-    left: I32_1,
-    right: I32_1,
-    outer_face: I32_1,
-    role: OutU8_1,
-    begin: int,
-    end: int,
-) -> None:
-    """Write the roles of pieces ``begin`` … ``end`` - 1 to ``role``, (p,).
-
-    A piece is the part of an edge between two neighbouring vertices of a planar graph.
-
-    Parameters
-    ----------
-    table : (kinds, 4)
-        Role of a piece, by the kind of its component (row) and by the faces on its two sides
-        (column).  Column 0: one of them is the outer face of the component; column 1: both are the
-        outer face; column 2: both are the same bounded face; column 3: they are two different
-        bounded faces.
-    row : (c,)
-        Row of ``table`` for each component.
-    component, left, right : (p,)
-        Component of each piece, and the faces on its left and on its right.
-    outer_face : (c,)
-        Outer face of each component.
-    """
-    for p in range(begin, end):
-        outside = outer_face[component[p]]
-        if left[p] == right[p]:
-            column = 1 if left[p] == outside else 2
-        else:
-            column = 0 if left[p] == outside or right[p] == outside else 3
-        role[p] = table[row[component[p]], column]
