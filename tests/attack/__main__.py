@@ -12,13 +12,12 @@ status is 1 if any escaped.
 from __future__ import annotations
 
 import argparse
-import signal
 import sys
-from contextlib import suppress
 from pathlib import Path
 
 from tests.attack.campaign import Tally, run
 from tests.attack.subjects import subjects
+from tests.support.campaign import keep_file, until_interrupted
 
 
 def main() -> int:
@@ -31,13 +30,10 @@ def main() -> int:
     options = parser.parse_args()
     chosen = [subject for subject in subjects() if options.only in subject.name]
     tally = Tally()
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
-    with suppress(KeyboardInterrupt):
+    with until_interrupted():
         for escape in run(chosen, options.mutants, options.seed, tally):
             print(f"ESCAPE {escape}", flush=True)
-            if options.keep:
-                options.keep.mkdir(parents=True, exist_ok=True)
-                (options.keep / f"{escape.number:06}.txt").write_bytes(escape.text)
+            keep_file(options.keep, f"{escape.number:06}.txt", escape.text)
     print(tally.table())
     return 1 if tally.escapes else 0
 

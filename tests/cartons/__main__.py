@@ -11,13 +11,12 @@ fates and codes, and a summary, also if it is interrupted; the exit status is 1 
 from __future__ import annotations
 
 import argparse
-import signal
 import sys
-from contextlib import suppress
 from pathlib import Path
 
 from tests.cartons.campaign import Tally, run
 from tests.cartons.oracle import judge
+from tests.support.campaign import keep_file, until_interrupted
 
 
 def main() -> int:
@@ -30,8 +29,7 @@ def main() -> int:
     parser.add_argument("--keep", type=Path, help="folder for the files of failures")
     options = parser.parse_args()
     tally = Tally()
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
-    with suppress(KeyboardInterrupt):
+    with until_interrupted():
         for job, outcome in run(
             options.count,
             options.seed,
@@ -41,9 +39,7 @@ def main() -> int:
             every=options.oracle,
         ):
             print(f"{outcome.fate.upper()} {job}: {outcome.followed} {outcome.text}", flush=True)
-            if options.keep:
-                options.keep.mkdir(parents=True, exist_ok=True)
-                (options.keep / f"{options.seed}-{job.number:05}.dxf").write_bytes(job.data)
+            keep_file(options.keep, f"{options.seed}-{job.number:05}.dxf", job.data)
     print(tally.table())
     return 1 if tally.failures else 0
 

@@ -5,7 +5,8 @@ See ``fuzzing`` for how to run it.
 
 from __future__ import annotations
 
-from tests.fuzz.fuzzing import instrumented, main, read_or_refused
+from tests.fuzz.fuzzing import instrumented, main
+from tests.support.reading import read_or_refused
 
 with instrumented("knifetip.cf2", "knifetip.drawing_builder"):
     from knifetip.cf2.read import read

@@ -5,7 +5,8 @@ See ``fuzzing`` for how to run it.
 
 from __future__ import annotations
 
-from tests.fuzz.fuzzing import assert_proper_refusal, instrumented, main
+from tests.fuzz.fuzzing import instrumented, main
+from tests.support.reading import assert_proper_refusal
 
 with instrumented(
     "knifetip.units", "knifetip.classification", "knifetip.cleaning", "knifetip.jobs"

@@ -5,7 +5,8 @@ See ``fuzzing`` for how to run it.
 
 from __future__ import annotations
 
-from tests.fuzz.fuzzing import instrumented, main, read_or_refused
+from tests.fuzz.fuzzing import instrumented, main
+from tests.support.reading import read_or_refused
 
 with instrumented("knifetip.pdf", "knifetip.drawing_builder", "pypdf"):
     from knifetip.formats.limits import Limits

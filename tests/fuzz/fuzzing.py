@@ -1,4 +1,4 @@
-"""The common main function of all fuzz targets, and checks of drawings and refusals.
+"""The common main function of all fuzz targets.
 
     python -m tests.fuzz.fuzz_svg FOLDER -max_total_time=600       start with FOLDER, add to it
     python -m tests.fuzz.fuzz_svg --again FOLDER                   run all files in FOLDER
@@ -24,12 +24,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from knifetip import geometry, kernels
-from knifetip.errors import KnifetipError
-from knifetip.formats.limits import REACH
-from knifetip.model.drawing import Drawing
 
 AGAIN = "--again"
 
@@ -76,30 +71,3 @@ def main(target: Callable[[bytes], object]) -> None:
 
     atheris.Setup(sys.argv, target)
     atheris.Fuzz()
-
-
-def read_or_refused(read: Callable[[bytes], Drawing], data: bytes) -> Drawing | None:
-    """Return the drawing, or None if the file is refused with a reason and a hint.
-
-    Raises
-    ------
-    AssertionError
-        The drawing is invalid, or the refusal has no hint or hides an unexpected exception.
-    """
-    try:
-        drawing = read(data)
-    except KnifetipError as error:
-        assert_proper_refusal(error)
-        return None
-    assert np.isfinite(drawing.ends).all()
-    assert (np.abs(drawing.ends) <= 1.001 * REACH).all()
-    assert (np.abs(drawing.bulge) <= 1.0).all()
-    total = drawing.lengths.sum()
-    assert abs(total - drawing.import_report.length.sum()) <= 1e-9 * total + 1e-9
-    return drawing
-
-
-def assert_proper_refusal(error: KnifetipError) -> None:
-    """Assert that a refusal has a hint and that the reader raised no unexpected exception."""
-    assert error.hint, error.text
-    assert error.message.code != "reading.unexpected", repr(error.__cause__)

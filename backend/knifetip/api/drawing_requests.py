@@ -24,6 +24,7 @@ from knifetip.jobs import tasks
 from knifetip.jobs.drawing_store import NewDrawing
 from knifetip.jobs.interpretations import drawing_columns
 from knifetip.jobs.process_pool import TaskFailed
+from knifetip.jobs.request_key import RequestKey
 from knifetip.jobs.tables import Drawing
 from knifetip.messages import Message
 from knifetip.model.interpretation import Interpretation
@@ -80,8 +81,8 @@ def add_drawing(
         )
     rules = customer_rules(service, profile)
     sha256 = hashlib.sha256(content).hexdigest()
-    request = fingerprint(name, sha256, unit, profile)
-    row = service.store.drawings.find(key, request) if key else None
+    request = RequestKey(key, fingerprint(name, sha256, unit, profile)) if key else None
+    row = service.store.drawings.find(request) if request else None
     if row is None:
         interpretation = Interpretation(unit, profile, rules)
         reading = read_drawing(service, name, content, interpretation)
@@ -94,7 +95,7 @@ def add_drawing(
             edges=reading.edges,
             import_report=reading.import_report,
         )
-        row = service.store.drawings.add(new, key=key, fingerprint=request)
+        row = service.store.drawings.add(new, request)
     drawing = drawing_out(service, row)
     if response is not None:
         response.headers["Location"] = f"/api/drawings/{row.id}"

@@ -36,6 +36,7 @@ from knifetip.jobs.job import Actor, ActorKind, State
 from knifetip.jobs.job_store import JobOrder
 from knifetip.jobs.operator_actions import allowed_actions
 from knifetip.jobs.readings import StoredDrawing
+from knifetip.jobs.request_key import RequestKey
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Drawing, Job
 from knifetip.messages import Message, hint, render
@@ -62,15 +63,15 @@ def order_job(
     answer questions about the drawing, the status is 409 and the response contains the
     ``questions``.
     """
-    request = fingerprint(order.model_dump_json())
-    row = service.store.jobs.find(key, request) if key else None
+    request = RequestKey(key, fingerprint(order.model_dump_json())) if key else None
+    row = service.store.jobs.find(request) if request else None
     if row is None:
-        row = _ordered(service, order, key, request)
+        row = _ordered(service, order, request)
     response.headers["Location"] = f"/api/jobs/{row.id}"
     return job_out(service.store, row)
 
 
-def _ordered(service: ServiceDep, order: JobIn, key: str | None, request: str) -> Job:
+def _ordered(service: Service, order: JobIn, key: RequestKey | None) -> Job:
     check_library_name("machines", order.machine)
     check_library_name("boards", order.board)
     # Questions, the stored job and the compile all use this one revision.
@@ -96,7 +97,7 @@ def _ordered(service: ServiceDep, order: JobIn, key: str | None, request: str) -
         release=order.release,
         exceptions=_exceptions(service, order.exceptions),
     )
-    return service.store.jobs.add(drawing, ordered, key=key, fingerprint=request)
+    return service.store.jobs.add(drawing, ordered, key)
 
 
 def _exceptions(service: Service, ordered: ExceptionsIn | None) -> Exceptions | None:

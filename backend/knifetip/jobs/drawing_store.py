@@ -13,8 +13,9 @@ from knifetip.errors import NoSuchJob, StaleRevision, WrongState
 from knifetip.jobs.database import Database, rows, short
 from knifetip.jobs.interpretations import drawing_columns
 from knifetip.jobs.job import OPERATOR, new_id
+from knifetip.jobs.request_key import RequestKey
 from knifetip.jobs.tables import Drawing, Job
-from knifetip.jobs.transitions import Transitions, same_request
+from knifetip.jobs.transitions import Transitions
 from knifetip.messages import Message
 from knifetip.model.interpretation import Interpretation
 
@@ -45,9 +46,7 @@ class DrawingStore:
     def add(
         self,
         new: NewDrawing,
-        *,
-        key: str | None = None,
-        fingerprint: str = "",
+        key: RequestKey | None = None,
     ) -> Drawing:
         """Store a drawing and return it.
 
@@ -56,16 +55,13 @@ class DrawingStore:
         new
             The drawing to store.
         key
-            Idempotency-Key of the request: a text that a client sends again if it repeats the
-            request.  If a drawing was stored with this key, that drawing is returned and nothing is
-            stored.  None if the request has no key.
-        fingerprint
-            Hash of the content of the request.
+            Key of the request, None if it has none.  If a drawing was stored with this key, that
+            drawing is returned and nothing is stored.
 
         Raises
         ------
         KeyReused
-            The key was used for a request with another fingerprint.
+            The key was used for a request with another content.
         """
         row = Drawing(
             id=new_id(),
@@ -75,8 +71,8 @@ class DrawingStore:
             **drawing_columns(new.interpretation),
             version=1,
             summary=new.summary,
-            key=key,
-            fingerprint=fingerprint,
+            key=None if key is None else key.text,
+            fingerprint="" if key is None else key.fingerprint,
             content=new.content,
             edges=new.edges,
             import_report=new.import_report,
@@ -93,34 +89,28 @@ class DrawingStore:
                     Message("drawing.read", name=new.name),
                 )
         except IntegrityError:
-            if key is None or (earlier := self.find(key, fingerprint)) is None:
+            if key is None or (earlier := self.find(key)) is None:
                 raise
             return earlier
         return row
 
-    def find(self, key: str, fingerprint: str) -> Drawing | None:
-        """Return the drawing that was stored with an Idempotency-Key, None if there is none.
+    def find(self, key: RequestKey) -> Drawing | None:
+        """Return the drawing that was stored with the key of a request, None if there is none.
 
         The import report of the drawing is loaded too.
-
-        Parameters
-        ----------
-        key
-            Idempotency-Key of the present request: a text that a client sends again if it repeats a
-            request.
-        fingerprint
-            Hash of the content of the present request.
 
         Raises
         ------
         KeyReused
-            The key was used for a request with another fingerprint.
+            The key was used for a request with another content.
         """
         with self._db.reading() as session:
             row = session.scalar(
-                sa.select(Drawing).where(Drawing.key == key).options(undefer(Drawing.import_report))
+                sa.select(Drawing)
+                .where(Drawing.key == key.text)
+                .options(undefer(Drawing.import_report))
             )
-        return None if row is None else same_request(row, key, fingerprint)
+        return None if row is None else key.check(row)
 
     def get(self, id: str) -> Drawing:
         """Return the drawing with an id, without the file, the edges and other large columns.

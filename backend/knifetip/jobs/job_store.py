@@ -16,8 +16,9 @@ from knifetip.jobs.job import (
     State,
     new_id,
 )
+from knifetip.jobs.request_key import RequestKey
 from knifetip.jobs.tables import Drawing, Job
-from knifetip.jobs.transitions import Transitions, same_request, unknown_job_error
+from knifetip.jobs.transitions import Transitions, unknown_job_error
 from knifetip.messages import Message
 from knifetip.model.acceptance import Exceptions
 from knifetip.model.interpretation import Interpretation
@@ -50,9 +51,7 @@ class JobStore:
         self,
         drawing: Drawing,
         order: JobOrder,
-        *,
-        key: str | None = None,
-        fingerprint: str = "",
+        key: RequestKey | None = None,
     ) -> Job:
         """Store a new job in the state ``received`` and return it.
 
@@ -63,16 +62,13 @@ class JobStore:
         order
             Machine, board, interpretation and number of copies.
         key
-            Idempotency-Key of the request: a text that a client sends again if it repeats the
-            request.  If a job was stored with this key, that job is returned and nothing is stored.
-            None if the request has no key.
-        fingerprint
-            Hash of the content of the request.
+            Key of the request, None if it has none.  If a job was stored with this key, that job is
+            returned and nothing is stored.
 
         Raises
         ------
         KeyReused
-            The key was used for a request with another fingerprint.
+            The key was used for a request with another content.
         """
         now = self._db.clock()
         row = Job(
@@ -112,8 +108,8 @@ class JobStore:
             seconds_left=None,
             program_sha256="",
             verdict_summary=None,
-            key=key,
-            fingerprint=fingerprint,
+            key=None if key is None else key.text,
+            fingerprint="" if key is None else key.fingerprint,
             program=None,
             toolpath=None,
             verdict=None,
@@ -125,30 +121,22 @@ class JobStore:
                     session, "job", row.id, State.RECEIVED, OPERATOR, Message("job.ordered")
                 )
         except IntegrityError:
-            if key is None or (earlier := self.find(key, fingerprint)) is None:
+            if key is None or (earlier := self.find(key)) is None:
                 raise
             return earlier
         return row
 
-    def find(self, key: str, fingerprint: str) -> Job | None:
-        """Return the job that was stored with an Idempotency-Key, None if there is none.
-
-        Parameters
-        ----------
-        key
-            Idempotency-Key of the present request: a text that a client sends again if it repeats a
-            request.
-        fingerprint
-            Hash of the content of the present request.
+    def find(self, key: RequestKey) -> Job | None:
+        """Return the job that was stored with the key of a request, None if there is none.
 
         Raises
         ------
         KeyReused
-            The key was used for a request with another fingerprint.
+            The key was used for a request with another content.
         """
         with self._db.reading() as session:
-            row = session.scalar(sa.select(Job).where(Job.key == key))
-        return None if row is None else same_request(row, key, fingerprint)
+            row = session.scalar(sa.select(Job).where(Job.key == key.text))
+        return None if row is None else key.check(row)
 
     def get(self, id: str) -> Job:
         """Return the job with an id, without the program, the tool path and other large columns.

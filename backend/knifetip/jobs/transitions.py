@@ -7,19 +7,18 @@ module ``job`` contains the table of permitted transitions.
 
 from __future__ import annotations
 
-from typing import Any, TypeVar
+from typing import Any
 
 import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
-from knifetip.errors import KeyReused, NoSuchJob, StaleEpoch, WrongState
+from knifetip.errors import NoSuchJob, StaleEpoch, WrongState
 from knifetip.jobs.database import Database, rows, short
 from knifetip.jobs.job import ADVICE, Action, Actor, ActorKind, State, sources, target
-from knifetip.jobs.tables import Drawing, Event, Job
+from knifetip.jobs.tables import Event, Job
 from knifetip.messages import Message, hint
 
 LEASE = 10.0  #: duration of a lease (s)
-Row = TypeVar("Row", Drawing, Job)
 
 
 class Transitions:
@@ -207,25 +206,3 @@ def stale_epoch_error(id: str, state: str, current: int, epoch: int) -> StaleEpo
         Epoch that the worker or gateway has sent.
     """
     return StaleEpoch("job.stale-epoch", job=id, state=state, current=current, epoch=epoch)
-
-
-def same_request(row: Row, key: str, fingerprint: str) -> Row:
-    """Return ``row`` if it was stored by the present request; otherwise raise an error.
-
-    Parameters
-    ----------
-    row
-        Drawing or job that was stored with the Idempotency-Key of the present request.
-    key
-        Idempotency-Key: a text that a client sends again if it repeats a request.
-    fingerprint
-        Hash of the content of the present request.
-
-    Raises
-    ------
-    KeyReused
-        The row was stored by a request with another fingerprint.
-    """
-    if row.fingerprint != fingerprint:
-        raise KeyReused("request.key-reused", key=short(key))
-    return row

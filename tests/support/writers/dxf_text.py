@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 Tag = tuple[int, object]
 #: A coordinate, or text that a damaged file has in its place.
 Number = float | str
@@ -22,6 +24,12 @@ def entity(kind: str, *pairs: Tag) -> str:
 
 def line(x1: Number, y1: Number, x2: Number, y2: Number, *pairs: Tag) -> str:
     return entity("LINE", *pairs, (10, x1), (20, y1), (11, x2), (21, y2))
+
+
+def rectangle(width: Number, height: Number, *pairs: Tag) -> str:
+    """Return the four lines of a rectangle whose lower left corner is the origin."""
+    corners = [(0, 0), (width, 0), (width, height), (0, height), (0, 0)]
+    return "".join(line(*a, *b, *pairs) for a, b in pairwise(corners))
 
 
 def insert(block: str, x: Number = 0.0, y: Number = 0.0, *pairs: Tag) -> str:

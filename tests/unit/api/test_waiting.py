@@ -10,9 +10,7 @@ import pytest
 
 from knifetip.api.waiting import ABSENT, Waiting, waiting_of
 from knifetip.jobs.compile_result import CompileResult
-from knifetip.jobs.drawing_store import NewDrawing
 from knifetip.jobs.gateway_store import GatewayReport
-from knifetip.jobs.job_store import JobOrder
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE
@@ -20,19 +18,13 @@ from knifetip.messages import hint
 from knifetip.model.choices import Choices
 from knifetip.model.interpretation import Interpretation
 from knifetip.model.sheet import Sheet
+from tests.support.stored import Clock, add_job, migrated_store
 
 TITLE = "Demo table 1600 × 1200"
 TOOLS = [
     {"station": 1, "name": "Oscillating knife", "kind": "knife"},
     {"station": 2, "name": "Crease wheel", "kind": "crease-wheel"},
 ]
-
-
-class Clock:
-    now = 1000.0
-
-    def __call__(self) -> float:
-        return self.now
 
 
 @pytest.fixture
@@ -42,31 +34,12 @@ def clock() -> Clock:
 
 @pytest.fixture
 def store(tmp_path: Path, clock: Clock) -> Iterator[Store]:
-    store = Store(f"sqlite:///{tmp_path}/shop.sqlite", clock)
-    store.migrate()
-    yield store
-    store.close()
+    with migrated_store(f"sqlite:///{tmp_path}/shop.sqlite", clock) as store:
+        yield store
 
 
-def queued(store: Store, **more: object) -> Job:
-    drawing = store.drawings.add(
-        NewDrawing(
-            name="tray.dxf",
-            content=b"",
-            sha256="0" * 64,
-            interpretation=Interpretation("mm"),
-            summary={},
-            edges=b"",
-            import_report=b"",
-        )
-    )
-    fields: dict[str, Any] = {
-        "machine": "demo-table",
-        "board": "e-flute",
-        "interpretation": Interpretation("mm"),
-        **more,
-    }
-    row = store.jobs.add(drawing, JobOrder(release=True, **fields))
+def queued(store: Store, **more: Any) -> Job:
+    row = add_job(store, release=True, **more)
     job = store.compiles.begin("worker")
     assert job is not None
     verdict = {"seconds": 1.0, "accepted": True}

@@ -7,7 +7,6 @@ import time
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -22,6 +21,7 @@ from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Drawing, ImportOutcome
 from tests.support.drawings import report_reasons
+from tests.support.reading import assert_lengths_add_up, read_or_refused
 from tests.support.writers.cf2_text import arc, carton, cf2, line, sub
 
 
@@ -232,9 +232,7 @@ def test_lengths_in_the_report_add_up() -> None:
     drawing = read(carton())
     one = 200 + 60 + 10 * math.pi + 180 + 80 + 16 * math.pi + 3 * 80
     assert_allclose(drawing.lengths.sum(), 2 * one)
-    assert_allclose(drawing.import_report.length.sum(), 2 * one)
-    by_row = np.bincount(drawing.entity, drawing.lengths, len(drawing.import_report))
-    assert_allclose(by_row, drawing.import_report.length)
+    assert_lengths_add_up(drawing)
     assert_allclose(drawing.bounds, [0, 0, 200, 180], atol=1e-9)
 
 
@@ -329,17 +327,6 @@ def test_a_file_that_draws_nothing_is_refused(data: bytes) -> None:
     assert refused(data)
 
 
-def read_or_refused(data: bytes) -> Drawing | None:
-    """Return the drawing, or None if the file is refused with a message."""
-    try:
-        return read(data)
-    except KnifetipError as error:
-        refusal = error
-    assert refusal.hint
-    assert refusal.message.code != "reading.unexpected", refusal.__cause__
-    return None
-
-
 fields = st.one_of(
     st.sampled_from(["", "0", "1", "-1", "nan", "inf", "1e308", "1e-320", "x", "1,5", "É"]),
     st.floats(allow_nan=True).map(repr),
@@ -359,13 +346,10 @@ def test_any_records_give_a_drawing_or_a_knifetip_error(
     records: list[tuple[str, list[str]]],
 ) -> None:
     lines = [",".join([word, *values]) for word, values in records]
-    drawing = read_or_refused(cf2(*lines, subs=sub("1", line(0, 0, 1, 1))))
-    if drawing is not None:
-        assert abs(drawing.ends).max(initial=0.0) <= 1e7
-        assert (abs(drawing.bulge) <= 1.0).all()
+    read_or_refused(read, cf2(*lines, subs=sub("1", line(0, 0, 1, 1))))
 
 
 @given(st.binary(max_size=100), st.integers(0, 900), st.integers(0, 20))
 def test_any_damage_gives_a_drawing_or_a_knifetip_error(noise: bytes, at: int, gone: int) -> None:
     whole = carton()
-    read_or_refused(whole[:at] + noise + whole[at + gone :])
+    read_or_refused(read, whole[:at] + noise + whole[at + gone :])

@@ -17,13 +17,9 @@ WHY = ("--reason", "the tab is 8 mm wide", "--by", "Ada")
 @pytest.fixture
 def drawing(tmp_path: Path) -> Path:
     """Write a blank of 300 × 200 mm with one slit, which the router mills 6 mm wide."""
-    corners = [(0, 0), (300, 0), (300, 200), (0, 200)]
-    cuts = [
-        text.line(*a, *b, (8, "CUT"))
-        for a, b in zip(corners, corners[1:] + corners[:1], strict=True)
-    ]
+    outline = text.rectangle(300, 200, (8, "CUT"))
     path = tmp_path / "slit.dxf"
-    path.write_bytes(text.dxf(*cuts, text.line(100, 100, 200, 100, (8, "CUT")), units=4))
+    path.write_bytes(text.dxf(outline, text.line(100, 100, 200, 100, (8, "CUT")), units=4))
     return path
 
 

@@ -17,14 +17,10 @@ RIGID = ("--machine", "demo-table", "--board", "greyboard-2.0")
 @pytest.fixture
 def drawing(tmp_path: Path) -> Path:
     """Write a blank of 300 × 200 mm with five V-grooves from edge to edge."""
-    corners = [(0, 0), (300, 0), (300, 200), (0, 200)]
-    cuts = [
-        text.line(*a, *b, (8, "CUT"))
-        for a, b in zip(corners, corners[1:] + corners[:1], strict=True)
-    ]
+    outline = text.rectangle(300, 200, (8, "CUT"))
     grooves = [text.line(0, y, 300, y, (8, "V-GROOVE")) for y in range(30, 180, 30)]
     path = tmp_path / "grooved.dxf"
-    path.write_bytes(text.dxf(*cuts, *grooves, units=4))
+    path.write_bytes(text.dxf(outline, *grooves, units=4))
     return path
 
 

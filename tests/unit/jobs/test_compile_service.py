@@ -14,26 +14,22 @@ import pytest
 
 from knifetip.jobs import compile_service, tasks
 from knifetip.jobs.compile_service import CompileService
-from knifetip.jobs.drawing_store import NewDrawing
-from knifetip.jobs.job_store import JobOrder
 from knifetip.jobs.process_pool import ProcessPool, Watch
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.jobs.warm_up import WarmUp
 from knifetip.messages import Message, hint
-from knifetip.model.interpretation import Interpretation
 from knifetip.model.stage import Stage
 from tests.support.serving import crew_tasks
+from tests.support.stored import add_job, migrated_store
 
 pytestmark = pytest.mark.xdist_group("crew")
 
 
 @pytest.fixture
 def store(tmp_path: Path) -> Iterator[Store]:
-    store = Store(f"sqlite:///{tmp_path}/shop.sqlite")
-    store.migrate()
-    yield store
-    store.close()
+    with migrated_store(f"sqlite:///{tmp_path}/shop.sqlite") as store:
+        yield store
 
 
 @pytest.fixture
@@ -45,22 +41,7 @@ def service(store: Store) -> Iterator[CompileService]:
 
 @pytest.fixture
 def job(store: Store) -> Job:
-    return ordered(store)
-
-
-def ordered(store: Store, machine: str = "demo-table") -> Job:
-    drawing = store.drawings.add(
-        NewDrawing(
-            name="tray.dxf",
-            content=b"",
-            sha256="0" * 64,
-            interpretation=Interpretation("mm"),
-            summary={},
-            edges=b"",
-            import_report=b"",
-        )
-    )
-    return store.jobs.add(drawing, JobOrder(machine, "e-flute", Interpretation("mm")))
+    return add_job(store)
 
 
 @pytest.fixture
@@ -95,7 +76,7 @@ def test_a_job_whose_kernels_are_not_compiled_lets_ready_jobs_pass(
     monkeypatch.setattr("knifetip.jobs.compile_queue._PATIENCE", 0.0)
     compiles_by(crew_tasks.refuse)
     warm_up = UnreadyWarmUp("drawings", "jobs")
-    routed, cut = ordered(store, "router-table"), ordered(store)
+    routed, cut = add_job(store, machine="router-table"), add_job(store)
     service = CompileService(store, ProcessPool(1), "a worker", warm_up=warm_up)
     service.start()
     try:
@@ -222,7 +203,7 @@ def test_received_jobs_are_compiled_without_waiting_for_the_next_poll(
     compiles_by(crew_tasks.refuse)
     service.start()
     ended(store, job.id, "refused")
-    later = ordered(store)
+    later = add_job(store)
     ended(store, later.id, "refused")
     service.stop()
 

@@ -10,12 +10,10 @@ from pathlib import Path
 import pytest
 
 from knifetip.jobs.compile_queue import TableQueue, queue_of
-from knifetip.jobs.drawing_store import NewDrawing
 from knifetip.jobs.durable_queue import DurableQueue
-from knifetip.jobs.job_store import JobOrder
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
-from knifetip.model.interpretation import Interpretation
+from tests.support.stored import add_job, migrated_store
 
 # Only one DBOS can run in a process.
 pytestmark = pytest.mark.xdist_group("crew")
@@ -23,25 +21,8 @@ pytestmark = pytest.mark.xdist_group("crew")
 
 @pytest.fixture
 def store(database_url: str) -> Iterator[Store]:
-    store = Store(database_url)
-    store.migrate()
-    yield store
-    store.close()
-
-
-def ordered(store: Store) -> Job:
-    drawing = store.drawings.add(
-        NewDrawing(
-            name="tray.dxf",
-            content=b"",
-            sha256="0" * 64,
-            interpretation=Interpretation("mm"),
-            summary={},
-            edges=b"",
-            import_report=b"",
-        )
-    )
-    return store.jobs.add(drawing, JobOrder("demo-table", "e-flute", Interpretation("mm")))
+    with migrated_store(database_url) as store:
+        yield store
 
 
 def until(condition: Callable[[], bool]) -> None:
@@ -54,11 +35,11 @@ def until(condition: Callable[[], bool]) -> None:
 def test_each_received_job_is_compiled_once(store: Store) -> None:
     compiled: list[tuple[str, int]] = []
     queue = DurableQueue(store, "a worker", 1)
-    before = ordered(store)
+    before = add_job(store)
     queue.start(lambda job: compiled.append((job.id, job.epoch)))
     try:
         until(lambda: len(compiled) == 1)
-        later = ordered(store)
+        later = add_job(store)
         until(lambda: len(compiled) == 2)
         time.sleep(1.2)
         assert compiled == [(before.id, before.epoch + 1), (later.id, later.epoch + 1)]
@@ -76,7 +57,7 @@ def test_a_job_given_back_is_compiled_as_another_attempt(store: Store) -> None:
             store.compiles.give_back(job.id, job.epoch)
 
     queue = DurableQueue(store, "a worker", 1)
-    job = ordered(store)
+    job = add_job(store)
     queue.start(compile)
     try:
         until(lambda: len(attempts) == 2)
@@ -91,7 +72,7 @@ def test_a_job_given_back_is_compiled_as_another_attempt(store: Store) -> None:
 def test_a_process_that_only_receives_jobs_compiles_none(store: Store) -> None:
     compiled = threading.Event()
     queue = DurableQueue(store, "a server", 0)
-    job = ordered(store)
+    job = add_job(store)
     queue.start(lambda _job: compiled.set())
     try:
         assert not compiled.wait(2.5)

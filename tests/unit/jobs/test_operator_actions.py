@@ -8,15 +8,13 @@ import pytest
 
 from knifetip.errors import WrongState
 from knifetip.jobs.compile_result import CompileResult, VerdictColumns
-from knifetip.jobs.drawing_store import NewDrawing
 from knifetip.jobs.gateway_store import GatewayReport
 from knifetip.jobs.job import OPERATOR, State
-from knifetip.jobs.job_store import JobOrder
 from knifetip.jobs.operator_actions import OperatorAction, allowed_actions
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
-from knifetip.model.interpretation import Interpretation
 from tests.support.messages import stored
+from tests.support.stored import add_job, migrated_store
 
 LINES = 90
 WAITING = GatewayReport(line=0, waiting=True)
@@ -24,16 +22,12 @@ WAITING = GatewayReport(line=0, waiting=True)
 
 @pytest.fixture
 def store(database_url: str) -> Iterator[Store]:
-    store = Store(database_url)
-    store.migrate()
-    yield store
-    store.close()
+    with migrated_store(database_url) as store:
+        yield store
 
 
 def received(store: Store) -> str:
-    read = NewDrawing("tray.dxf", b"", "0" * 64, Interpretation("mm"), {}, b"", b"")
-    order = JobOrder("table", "e-flute", Interpretation("mm"), copies=2)
-    return store.jobs.add(store.drawings.add(read), order).id
+    return add_job(store, machine="table", copies=2).id
 
 
 def compiling(store: Store) -> str:

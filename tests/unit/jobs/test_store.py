@@ -32,6 +32,7 @@ from knifetip.jobs.compile_store import ATTEMPTS
 from knifetip.jobs.drawing_store import NewDrawing
 from knifetip.jobs.gateway_store import GatewayReport
 from knifetip.jobs.job_store import JobOrder
+from knifetip.jobs.request_key import RequestKey
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Base, Drawing, Job
 from knifetip.jobs.transitions import LEASE
@@ -40,6 +41,7 @@ from knifetip.model.interpretation import Interpretation
 from knifetip.model.stage import Stage
 from knifetip.presentation.columns import pack_columns, unpack_columns
 from tests.support.messages import stored
+from tests.support.stored import Clock, migrated_store
 
 LINES = 231
 RESULT = CompileResult(
@@ -69,13 +71,6 @@ WAITING = GatewayReport(line=0, waiting=True)
 MIGRATIONS = Path(migrations.__file__).parent
 
 
-class Clock:
-    now = 1000.0
-
-    def __call__(self) -> float:
-        return self.now
-
-
 @pytest.fixture
 def clock() -> Clock:
     return Clock()
@@ -83,13 +78,11 @@ def clock() -> Clock:
 
 @pytest.fixture
 def store(database_url: str, clock: Clock) -> Iterator[Store]:
-    store = Store(database_url, clock)
-    store.migrate()
-    yield store
-    store.close()
+    with migrated_store(database_url, clock) as store:
+        yield store
 
 
-def drawing(store: Store, **more: str) -> Drawing:
+def drawing(store: Store, key: RequestKey | None = None) -> Drawing:
     new = NewDrawing(
         name="tray.dxf",
         content=b"0\nEOF\n",
@@ -99,7 +92,7 @@ def drawing(store: Store, **more: str) -> Drawing:
         edges=b"KTIP",
         import_report=b"",
     )
-    return store.drawings.add(new, **more)
+    return store.drawings.add(new, key)
 
 
 def execute(store: Store, statement: str, **parameters: str) -> None:
@@ -118,18 +111,16 @@ def hint_of(job: Job) -> str:
     return hint(job.message)
 
 
-def ordered(store: Store, **more: object) -> Job:
+def ordered(store: Store, key: RequestKey | None = None, **more: Any) -> Job:
     fields: dict[str, Any] = {
         "machine": "table",
         "board": "e-flute",
         "interpretation": Interpretation("mm"),
     }
-    given = {**fields, **more}
-    request = {name: given.pop(name) for name in ("key", "fingerprint") if name in given}
-    return store.jobs.add(drawing(store), JobOrder(**given), **request)
+    return store.jobs.add(drawing(store), JobOrder(**{**fields, **more}), key)
 
 
-def compiling(store: Store, **more: object) -> Job:
+def compiling(store: Store, **more: Any) -> Job:
     id = ordered(store, **more).id
     job = store.compiles.begin("worker")
     assert job is not None
@@ -137,20 +128,20 @@ def compiling(store: Store, **more: object) -> Job:
     return job
 
 
-def queued(store: Store, **more: object) -> Job:
+def queued(store: Store, **more: Any) -> Job:
     job = compiling(store, release=True, **more)
     store.compiles.save_result(job.id, job.epoch, RESULT)
     return store.jobs.get(job.id)
 
 
-def running(store: Store, **more: object) -> Job:
+def running(store: Store, **more: Any) -> Job:
     queued(store, **more)
     job = store.gateways.claim("table", "gateway", manual=False)
     assert job is not None
     return job
 
 
-def waiting(store: Store, **more: object) -> Job:
+def waiting(store: Store, **more: Any) -> Job:
     """Return a job that a gateway has claimed on a machine with manual feed."""
     queued(store, **more)
     job = store.gateways.claim("table", "gateway", manual=True)
@@ -158,7 +149,7 @@ def waiting(store: Store, **more: object) -> Job:
     return job
 
 
-def fed(store: Store, **more: object) -> Job:
+def fed(store: Store, **more: Any) -> Job:
     """Return a confirmed job that runs on a machine with manual feed."""
     job = waiting(store, **more)
     store.operators.confirm(job.id)
@@ -684,7 +675,7 @@ def test_an_interrupted_job_that_is_queued_again_keeps_its_place(
 # Late reports of the last gateway
 
 
-def interrupted(store: Store, clock: Clock, line: int, **more: object) -> Job:
+def interrupted(store: Store, clock: Clock, line: int, **more: Any) -> Job:
     """Return a job whose gateway stopped reporting at a program line."""
     job = fed(store, **more)
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=line))
@@ -924,14 +915,15 @@ def test_every_change_calls_its_subscribers_and_progress_does_not(store: Store) 
 
 
 def test_a_key_answers_with_the_first_result_and_refuses_another_request(store: Store) -> None:
-    first = drawing(store, key="k", fingerprint="f")
-    assert drawing(store, key="k", fingerprint="f").id == first.id
+    key, reused = RequestKey("k", "f"), RequestKey("k", "another")
+    first = drawing(store, key)
+    assert drawing(store, key).id == first.id
     with pytest.raises(KeyReused):
-        drawing(store, key="k", fingerprint="another")
-    job = ordered(store, key="k", fingerprint="f")
-    assert ordered(store, key="k", fingerprint="f").id == job.id
+        drawing(store, reused)
+    job = ordered(store, key)
+    assert ordered(store, key).id == job.id
     with pytest.raises(KeyReused):
-        store.jobs.find("k", "another")
+        store.jobs.find(reused)
 
 
 def test_a_change_to_a_drawing_that_changed_meanwhile_is_refused(store: Store) -> None:

@@ -20,6 +20,7 @@ from knifetip.model.drawing import Drawing, ImportOutcome
 from knifetip.pdf.read import read
 from knifetip.svg.read import read as read_svg
 from tests.support.drawings import report_reasons
+from tests.support.reading import assert_lengths_add_up
 from tests.support.writers import svg_text
 from tests.support.writers.pdf_text import (
     MM,
@@ -508,9 +509,7 @@ def test_a_form_that_contains_itself_is_dropped() -> None:
 
 def test_lengths_in_the_report_add_up() -> None:
     drawing = read(carton())
-    assert_allclose(drawing.import_report.length.sum(), drawing.lengths.sum())
-    by_row = np.bincount(drawing.entity, drawing.lengths, len(drawing.import_report))
-    assert_allclose(by_row, drawing.import_report.length)
+    assert_lengths_add_up(drawing)
     dropped = drawing.import_report.outcome == ImportOutcome.DROPPED
     assert [drawing.import_report.kind[row] for row in np.flatnonzero(dropped).tolist()] == ["text"]
 

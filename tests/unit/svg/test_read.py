@@ -22,6 +22,7 @@ from knifetip.model.drawing import Drawing, ImportOutcome
 from knifetip.svg.read import read
 from knifetip.units.evidence import find_unit
 from tests.support.drawings import report_reasons
+from tests.support.reading import assert_lengths_add_up
 from tests.support.writers.svg_text import SVG, carton, svg
 
 
@@ -365,9 +366,7 @@ def test_an_element_outside_groups_has_the_layer_of_its_own_name(names: str, lay
 
 def test_lengths_in_the_report_add_up() -> None:
     drawing = read(carton())
-    assert_allclose(drawing.import_report.length.sum(), drawing.lengths.sum())
-    by_row = np.bincount(drawing.entity, drawing.lengths, len(drawing.import_report))
-    assert_allclose(by_row, drawing.import_report.length)
+    assert_lengths_add_up(drawing)
     dropped = drawing.import_report.outcome == ImportOutcome.DROPPED
     assert [drawing.import_report.kind[row] for row in np.flatnonzero(dropped).tolist()] == ["text"]
 

@@ -1,0 +1,61 @@
+"""Drawings and jobs in a store, for tests that need no real drawing."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from knifetip.jobs.drawing_store import NewDrawing
+from knifetip.jobs.job_store import JobOrder
+from knifetip.jobs.store import Store
+from knifetip.jobs.tables import Drawing, Job
+from knifetip.model.interpretation import Interpretation
+
+
+class Clock:
+    """Clock of a store that a test sets."""
+
+    now = 1000.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+@contextmanager
+def migrated_store(url: str, clock: Callable[[], float] = time.time) -> Iterator[Store]:
+    """Return a context with a store whose database has all tables."""
+    store = Store(url, clock)
+    store.migrate()
+    yield store
+    store.close()
+
+
+def add_drawing(store: Store) -> Drawing:
+    """Store a drawing without content, and return it."""
+    return store.drawings.add(
+        NewDrawing(
+            name="tray.dxf",
+            content=b"",
+            sha256="0" * 64,
+            interpretation=Interpretation("mm"),
+            summary={},
+            edges=b"",
+            import_report=b"",
+        )
+    )
+
+
+def add_job(store: Store, **order: Any) -> Job:
+    """Store a job for a drawing without content, and return it.
+
+    ``order`` contains fields of ``JobOrder``; the default is a job for the demo table in E-flute.
+    """
+    fields: dict[str, Any] = {
+        "machine": "demo-table",
+        "board": "e-flute",
+        "interpretation": Interpretation("mm"),
+        **order,
+    }
+    return store.jobs.add(add_drawing(store), JobOrder(**fields))
