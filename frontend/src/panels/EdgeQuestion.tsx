@@ -5,12 +5,12 @@ import type { Question } from "../api/client";
 import { LINE_TYPES, type LineType } from "../geometry/records";
 import { renderText } from "../messages/render";
 import { retype } from "../state/actions";
-import { colourName, indexColour } from "../state/colours";
+import { indexColour } from "../state/colours";
 import { pluralize } from "../state/format";
 import { summarizeEdges } from "../state/inspect";
 import { LINE_STYLES } from "../state/palette";
 import { useEdges } from "../state/queries";
-import { edgeQuestionText } from "../state/questions";
+import { edgeQuestionFacts, edgeQuestionText, edgeQuestionTitle } from "../state/questions";
 import { rowsOfLayer } from "../state/rows";
 import { useUiStore } from "../state/store";
 import { useFormatLength } from "../state/useFormatLength";
@@ -61,19 +61,14 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
       >
         <span className={questionCss.questionHead}>
           <span className={css.dot} style={{ background: indexColour(question.colour) }} />
-          <span className={css.rowName}>
-            {question.layer === "" ? "Edges without a line type" : `Layer ${question.layer}`}
-          </span>
+          <span className={css.rowName}>{edgeQuestionTitle(question)}</span>
           <span className={css.rowFigure}>
             {pluralize(rows.length, "edge")}
             {facts !== null && ` · ${length(facts.length)}`}
           </span>
         </span>
         <span className={questionCss.questionFacts} title={renderText(question)}>
-          Colour {colourName(question.colour)}
-          {facts !== null &&
-            facts.linetypes.length > 0 &&
-            ` · line style ${facts.linetypes.join(", ")}`}
+          {edgeQuestionFacts(question, facts?.linetypes ?? [])}
         </span>
       </button>
       <p className={questionCss.questionText}>

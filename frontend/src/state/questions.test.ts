@@ -1,5 +1,11 @@
 import { expect, test } from "vitest";
-import { edgeQuestionText, questionKey, unitQuestionText } from "./questions";
+import {
+  edgeQuestionFacts,
+  edgeQuestionText,
+  edgeQuestionTitle,
+  questionKey,
+  unitQuestionText,
+} from "./questions";
 
 const reason = (text: string) => ({ code: "stored.text", arguments: { text, hint: "" } });
 const LINE = { edges: 2, layer: "A", colour: "1", linetype: "X", unit: "mm" };
@@ -28,6 +34,17 @@ test("a question of another kind is shown whole", () => {
   expect(edgeQuestionText({ code: "question.tool", arguments: given }).text).toBe(
     "demo-table has no tool for 12 edges of the line type crease. Which other line type should these edges get?",
   );
+});
+
+test("the title is the layer, or what the edges of several layers lack", () => {
+  expect(edgeQuestionTitle({ kind: "tool", layer: "A" })).toBe("Layer A");
+  expect(edgeQuestionTitle({ kind: "tool", layer: "" })).toBe("No tool for these edges");
+  expect(edgeQuestionTitle({ kind: "line-type", layer: "" })).toBe("Edges without a line type");
+});
+
+test("edges of several colours have no colour among their facts", () => {
+  expect(edgeQuestionFacts({ colour: 1 }, ["DASHED"])).toBe("Colour 1 (red) · Line style DASHED");
+  expect(edgeQuestionFacts({ colour: 0 }, ["DASHED", "DOT"])).toBe("Line styles DASHED, DOT");
 });
 
 test("a question for the unit shows why it is unknown", () => {

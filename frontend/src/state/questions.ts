@@ -1,12 +1,32 @@
-/** Text of a question card, beside the layer, colour and length that the card lists. */
+/** Title, facts and text of a question card. */
 
+import type { Question } from "../api/client";
 import { renderText, type ServerMessage, typed } from "../messages/render";
+import { colourName } from "./colours";
 
 export interface QuestionText {
   /** Confidence of the most likely answer (%); null if there is none. */
   readonly percent: number | null;
   /** Evidence for it, or the question itself if its facts are not on the card. */
   readonly text: string;
+}
+
+/** Title of the card of a question about edges: their layer, or what is missing. */
+export function edgeQuestionTitle({ kind, layer }: Pick<Question, "kind" | "layer">): string {
+  if (layer !== "") return `Layer ${layer}`;
+  return kind === "tool" ? "No tool for these edges" : "Edges without a line type";
+}
+
+/** Colour and line styles of the edges of a question; edges of several colours have no colour. */
+export function edgeQuestionFacts(
+  { colour }: Pick<Question, "colour">,
+  linetypes: readonly string[],
+): string {
+  const facts = [];
+  if (colour !== 0) facts.push(`Colour ${colourName(colour)}`);
+  if (linetypes.length > 0)
+    facts.push(`${linetypes.length === 1 ? "Line style" : "Line styles"} ${linetypes.join(", ")}`);
+  return facts.join(" · ");
 }
 
 const capitalized = (text: string): string => text.charAt(0).toUpperCase() + text.substring(1);
