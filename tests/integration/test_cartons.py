@@ -257,3 +257,16 @@ def test_a_slit_whose_last_edge_is_shorter_than_the_lead_is_accepted() -> None:
     panel = closed((0, 0), (120, 0), (120, 100), (0, 100))
     line = dieline((CUT, panel), (CUT, slit), (CUT, other))
     assert refusals(compiled(line, "demo-table", "b-flute")) == []
+
+
+def test_a_contour_may_start_at_a_corner_whose_arc_is_made_of_chords() -> None:
+    # The arc on the lower edge turns by 15.2° at both ends, and nothing else is a
+    # corner, so the knife is lifted there.  The plotter cuts the arc as chords, of which the first
+    # and the last one turn by less than the swivel angle of 15°.
+    turn, radius = np.radians(15.2), 12.0
+    x = 2.0 * radius * np.sin(turn)
+    line = dieline(
+        (CUT, closed((0, 0), (x, 0), (50, 0), (50, 50), (-50, 50), (-50, 0))),
+        bulge={0: np.tan(0.5 * turn), 2: 1.0, 4: 1.0},
+    )
+    assert refusals(compiled(line, "flat-cutter-hpgl", "greyboard-3.0")) == []

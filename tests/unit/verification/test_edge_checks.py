@@ -209,18 +209,29 @@ def test_a_contour_that_starts_at_a_gentle_corner_needs_its_overrun() -> None:
     assert [finding.measure for finding in verdict.findings] == [pytest.approx(0.3527, abs=1e-4)]
 
 
-def test_a_contour_needs_its_overrun_at_a_corner_on_which_a_slit_ends() -> None:
-    drawn = dieline(*SQUARE, (CUT, 20, 20, 40, 40, 0.0))
+@pytest.mark.parametrize(
+    ("slit", "tip"),
+    [
+        # From the panel: beyond the corner lies waste, so the tip runs on.
+        ((20, 20, 40, 40), (20, 20, 40.24939, 40.24939, 45)),
+        # From the waste: beyond the corner lies the panel, so the tip stops on the corner, where
+        # the contour begins.
+        ((60, 60, 40, 40), (60, 60, 40, 40, 225)),
+    ],
+)
+def test_a_contour_stops_on_its_corner_even_if_a_slit_ends_there(
+    slit: tuple[float, float, float, float], tip: tuple[float, float, float, float, float]
+) -> None:
+    drawn = dieline(*SQUARE, (CUT, *slit, 0.0))
     sides = ((40, 40, 0, 40, 180), (0, 40, 0, 0, 270), (0, 0, 40, 0, 0))
-    slit = (20, 20, 40.24939, 40.24939, 45)
-    stops = {
-        end: verify(
-            cut_lines(slit, *sides, (40, 0, 40, end, 90)), drawn, (0.0, 0.0), MACHINE, BOARD
-        ).findings
-        for end in (40, 40.3527)
-    }
-    assert stops[40.3527] == ()
-    assert [finding.measure for finding in stops[40]] == [pytest.approx(0.3527, abs=1e-4)]
+
+    def kinds(end: float) -> set[str]:
+        text = cut_lines(tip, *sides, (40, 0, 40, end, 90))
+        return {f.kind for f in verify(text, drawn, (0.0, 0.0), MACHINE, BOARD).findings}
+
+    assert kinds(40) == set()
+    assert kinds(39.9) == {"uncut"}
+    assert kinds(40.1) & {"overcut", "uncut"}
 
 
 def test_a_groove_needs_both_its_passes() -> None:

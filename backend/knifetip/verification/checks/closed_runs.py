@@ -25,6 +25,9 @@ from knifetip.verification.expectation.edges import (
 
 #: Greatest error of the angle between two tip paths with rounded coordinates (degrees).
 _ANGLE_ERROR: Final = 1.0
+#: Greatest angle between a tip path, which may be a chord, and the edge along which it runs
+#: (degrees).
+ALONG_EDGE: Final = 15.0
 
 
 class TrackEnds(NamedTuple):
@@ -42,8 +45,7 @@ def closing_vertices(check: StationCheck, edges: Edges, start: F64) -> tuple[Boo
     """Return the tracks that begin at a vertex at which a path may be closed, (t,), and those of
     them at whose vertex exactly two edges meet, (t,).
 
-    If three edges meet, one of them ends on the other two, and the rules for such ends hold.  Where
-    four or more meet, closed paths touch each other.
+    A path may be closed at every vertex of at least two edges, even if more edges end there.
 
     Parameters
     ----------
@@ -57,26 +59,60 @@ def closing_vertices(check: StationCheck, edges: Edges, start: F64) -> tuple[Boo
     masks = np.zeros((2, len(start)), np.bool_)
     if check.tool(Knife) is not None:
         others = count_joined_ends(edges)
-        for mask, chosen in zip(masks, ((others > 0) & (others != 2), others == 1), strict=True):
+        for mask, chosen in zip(masks, (others > 0, others == 1), strict=True):
             mask[pairs_within(start, edges.ends[chosen], TOUCH_DISTANCE)[0]] = True
     return masks[0], masks[1]
 
 
-def closes_at_corner(check: StationCheck, tracks: TrackEnds, first: I64, last: I64) -> Bool:
-    """Return the mask of the k runs that end at the corner at which they start, (k,).
+def closes_at_corner(
+    check: StationCheck, edges: Edges, tracks: TrackEnds, first: I64, last: I64
+) -> Bool:
+    """Return the mask of the k runs that end at a corner at which one of their tracks starts, (k,).
+
+    A run that begins with an open cut may close the path that follows, so each track is compared.
 
     Parameters
     ----------
     check
         The check of the knife's station.
+    edges
+        Edges that are cuts or half-cuts, without perforations.
     first, last : (k,)
         First and last track of each run.
     """
     blade = check.tool(Knife)
     swivel = blade.swivel if blade else 180.0
-    result: Bool = np.hypot(*(tracks.stop[last] - tracks.start[first]).T) <= check.slack
-    result &= tracks.corner[first]
-    result &= angle_between(tracks.ahead[last], tracks.outset[first]) > swivel - _ANGLE_ERROR
+    result = np.zeros(len(first), np.bool_)
+    run, track = pairs_within(tracks.stop[last], tracks.start, check.slack)
+    closes = (track >= first[run]) & (track <= last[run]) & tracks.corner[track]
+    run, track = run[closes], track[closes]
+    arrival = _drawn_direction(edges, tracks.stop[last[run]], tracks.ahead[last[run]])
+    outset = _drawn_direction(edges, tracks.start[track], tracks.outset[track] + 180.0) - 180.0
+    result[run[angle_between(arrival, outset) > swivel - _ANGLE_ERROR]] = True
+    return result
+
+
+def _drawn_direction(edges: Edges, point: F64, outward: F64) -> F64:
+    """Return the direction out of the edge that ends at each of k points, (k,) degrees.
+
+    A tip path that is a chord of an arc has another direction than the arc.  If several edges end
+    at a point, the direction nearest to that of the tip path counts; if there is none within
+    ``ALONG_EDGE``, the direction of the tip path.
+
+    Parameters
+    ----------
+    point : (k, 2) mm
+        Ends of tip paths.
+    outward : (k,) degrees
+        Directions out of the tip paths at these ends.
+    """
+    row, end = pairs_within(point, edges.ends, TOUCH_DISTANCE)
+    error = angle_between(edges.outward[end], outward[row])
+    order = np.lexsort((error, row))
+    order = order[error[order] <= ALONG_EDGE]
+    row, nearest = np.unique(row[order], return_index=True)
+    result = outward.copy()
+    result[row] = edges.outward[end[order[nearest]]]
     return result
 
 

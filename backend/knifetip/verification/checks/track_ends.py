@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Final, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from knifetip.messages import Message
 from knifetip.verification.checks.check_base import StationCheck
 from knifetip.verification.checks.check_context import NEAR_EDGE, PRINT_TURN
 from knifetip.verification.checks.closed_runs import (
+    ALONG_EDGE,
     TrackEnds,
     closes_at_corner,
     closing_vertices,
@@ -27,9 +28,6 @@ from knifetip.verification.expectation.edges import (
 )
 from knifetip.verification.expectation.expected_work import KnifeEnds
 from knifetip.verification.findings import MAX_FINDINGS
-
-#: Greatest angle between a run and the edge along which it arrives at its end (degrees).
-_ALONG_EDGE: Final = 15.0
 
 
 class _RunStops(NamedTuple):
@@ -121,13 +119,13 @@ def check_track_ends(
     ring = _points_along_runs(check, first[opens], last[closes], np.minimum(overrun, size / 2.0))
     gap = np.hypot(*(stop[closes] - ring).T)
     closed = gap <= check.slack
-    closed |= closes_at_corner(check, tracks, opens, closes)
+    closed |= closes_at_corner(check, solid_edges, tracks, opens, closes)
 
     run, end = pairs_within(stop[closes], ends.stop[stop_rows], NEAR_EDGE)
     end = stop_rows[end]
     end_distance = np.hypot(*(stop[closes[run]] - ends.stop[end]).T)
     # Where several edges end at one point, the stop of the edge along which the run arrives counts.
-    across = angle_between(ahead[closes[run]], ends.ahead[end]) > _ALONG_EDGE
+    across = angle_between(ahead[closes[run]], ends.ahead[end]) > ALONG_EDGE
     order = np.lexsort((end_distance, across, run))
     run, end, end_distance = run[order], end[order], end_distance[order]
     nearest = np.unique(run, return_index=True)[1]
