@@ -26,6 +26,7 @@ GROUPS: Final[Mapping[str, tuple[str, ...]]] = {
         "knifetip.drawing_builder",
         "knifetip.svg",
         "knifetip.units",
+        "knifetip.geometry.arc",
         "knifetip.geometry.capacity",
         "knifetip.geometry.chain",
         "knifetip.geometry.spatial_index",

@@ -7,11 +7,15 @@ a line.  The functions take columns of n segments, lines and arcs mixed: ``start
 
 from __future__ import annotations
 
+import math
+from typing import Any
+
 import numpy as np
 
 from knifetip.geometry.azimuth import left_normal
 from knifetip.geometry.columns import F64
 from knifetip.geometry.tolerance import BULGE
+from knifetip.kernels import F64_2A, kernel
 
 
 def sweep(bulge: F64) -> F64:
@@ -179,15 +183,29 @@ def sub_arc(start: F64, end: F64, bulge: F64, first: F64, last: F64) -> tuple[F6
     )
 
 
+@kernel
+def _chord_boxes(start: F64_2A, end: F64_2A) -> Any:
+    """Return the bounding box of each of n chords, (n, 4) mm: x min, y min, x max, y max.
+
+    ``start`` and ``end`` (n, 2) mm are the ends of the chords.  As in NumPy, a box with a
+    coordinate that is not a number has no number there either.
+    """
+    boxes = np.empty((len(start), 4))
+    for row in range(len(start)):
+        for axis in range(2):
+            one, other = start[row, axis], end[row, axis]
+            boxes[row, axis] = one if one <= other or math.isnan(one) else other
+            boxes[row, axis + 2] = one if one >= other or math.isnan(one) else other
+    return boxes
+
+
 def bounding_boxes(start: F64, end: F64, bulge: F64) -> F64:
     """Return the bounding box of each of n lines and arcs, (n, 4) mm: x min, y min, x max, y max.
 
     ``start``, ``end`` (n, 2) mm and ``bulge`` (n,) are the lines and arcs.
     """
-    boxes = np.empty((len(bulge), 4))
+    boxes: F64 = _chord_boxes(start, end)
     low, high = boxes[:, :2], boxes[:, 2:]
-    np.minimum(start, end, out=low)
-    np.maximum(start, end, out=high)
     arcs = np.flatnonzero(np.abs(bulge) >= BULGE)
     if len(arcs):
         start, end, bulge = start[arcs], end[arcs], bulge[arcs]

@@ -66,7 +66,9 @@ def plan_blade_cuts(
         Machine, board and station of the knife.
     """
     side = sides.waste
-    layers = cut_layers(dieline.ends[rows], dieline.bulge[rows], sides.face)
+    layers = cut_layers(
+        dieline.ends[rows], dieline.bulge[rows], sides.face, uncrossed=sides.subdivision
+    )
     layer = layers.number
     rank = (layer.max(initial=0) - layer) * 2 + (side != 0)
     index = np.full(len(dieline), -1, np.int64)
@@ -224,7 +226,9 @@ def _kinds_of_ends(
     start, finish = end_kinds(paths, on_cut, End.JUNCTION)
     waste = np.zeros(2 * len(paths), np.bool_)
     rows = np.flatnonzero(on_cut)
-    waste[rows] = ends_at_waste(end_points(paths)[0][rows], -end_directions(paths)[rows], outline)
+    if len(rows):
+        points, ahead = end_points(paths)[0][rows], -end_directions(paths)[rows]
+        waste[rows] = ends_at_waste(points, ahead, outline)
     for kinds, at_waste in zip((start, finish), np.split(waste, 2), strict=True):
         kinds[at_waste & (kinds == End.JUNCTION)] = End.MEETS
     return start, finish
@@ -233,7 +237,8 @@ def _kinds_of_ends(
 def _ends_on_cuts(paths: Paths, source: I32, dieline: Dieline) -> Bool:
     """Return the mask of the ends of p paths that lie on a through cut, (2p,).
 
-    The path's own edge at this end is not counted, even if it is a through cut.  The mask has the
+    The path's own edge at this end is not counted, even if it is a through cut.  A closed path has
+    no ends, so that its entries are False.  The mask has the
     starts of all paths first, then the finishes.  ``source`` is the row in the dieline of each
     segment of the paths.
     """
@@ -242,9 +247,12 @@ def _ends_on_cuts(paths: Paths, source: I32, dieline: Dieline) -> Bool:
     ends, bulge = dieline.ends[cut], dieline.bulge[cut]
     index = np.full(len(dieline), -1, np.int32)
     index[cut] = np.arange(len(cut))
-    return find_points_on_segments(
-        points, index[source[segment]], ends[:, 0], ends[:, 1], bulge, GAP
+    on_cut = np.zeros(len(points), np.bool_)
+    rows = np.flatnonzero(~np.tile(paths.closed, 2))
+    on_cut[rows] = find_points_on_segments(
+        points[rows], index[source[segment[rows]]], ends[:, 0], ends[:, 1], bulge, GAP
     )
+    return on_cut
 
 
 def plan_perforations(dieline: Dieline, rows: I32, setup: Setup) -> Operation:

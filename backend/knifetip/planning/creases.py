@@ -6,7 +6,8 @@ double crease end at the same positions as the drawn crease.
 
 from __future__ import annotations
 
-from math import cos, radians, sin
+from math import cos, hypot, radians, sin
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -19,6 +20,7 @@ from knifetip.geometry.intersect import intersect_pairs
 from knifetip.geometry.path import Paths, select_paths
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import ANGLE, BULGE, GAP
+from knifetip.kernels import F64_3, I64_1, kernel
 
 #: A cut at a smaller angle runs along a crease and does not cross it (sine of 1°).
 _ACROSS = sin(radians(ANGLE))
@@ -162,38 +164,84 @@ def inner_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, I64, F64]
     """
     chords, owner, low, size = _split_into_chords(paths.start, paths.end, paths.bulge)
     cuts, cut, _, _ = _split_into_chords(ends[:, 0], ends[:, 1], bulge)
-    i, j = box_pairs(_bounding_boxes(chords), _bounding_boxes(cuts), 0.0)
-    p, r = chords[i, 0], chords[i, 1] - chords[i, 0]
-    q, s = cuts[j, 0], cuts[j, 1] - cuts[j, 0]
-    turn = r[:, 0] * s[:, 1] - r[:, 1] * s[:, 0]
-    crossing = np.abs(turn) > 1e-9 * np.hypot(*r.T) * np.hypot(*s.T)
-    safe = np.where(crossing, turn, 1.0)
-    offset = q - p
-    along = (offset[:, 0] * s[:, 1] - offset[:, 1] * s[:, 0]) / safe
-    across = (offset[:, 0] * r[:, 1] - offset[:, 1] * r[:, 0]) / safe
-    crossing &= (along >= 0.0) & (along < 1.0) & (across >= 0.0) & (across < 1.0)
-    position = p + r * along[:, None]
-    path = paths.path_of[owner[i]]
+    chord, other = box_pairs(_bounding_boxes(chords), _bounding_boxes(cuts), 0.0)
     stops = np.stack([paths.start[paths.first[:-1]], paths.end[paths.first[1:] - 1]], axis=1)
-    for touched in (stops[path, 0], stops[path, 1], ends[cut[j], 0], ends[cut[j], 1]):
-        crossing &= np.hypot(*(position - touched).T) > GAP
-    hit = np.flatnonzero(crossing)
-    chord = i[hit]
-    segment, crossed, fraction = owner[chord], cut[j[hit]], low[chord] + along[hit] * size[chord]
+    hit, along, position = _cross_inside(
+        _Chords(chords, stops[paths.path_of[owner]]),
+        _Chords(cuts, np.ascontiguousarray(ends[cut])),
+        chord,
+        other,
+    )
+    chord = chord[hit]
+    segment, crossed, fraction = owner[chord], cut[other[hit]], low[chord] + along * size[chord]
     # A chord deviates from its arc, which would shift a crossing along the segment.
     bent = np.flatnonzero(
         (np.abs(paths.bulge[segment]) >= BULGE) | (np.abs(bulge[crossed]) >= BULGE)
     )
-    row, other = segment[bent], crossed[bent]
+    row, cut_row = segment[bent], crossed[bent]
     exact = intersect_pairs(
         paths.start[row], paths.end[row], paths.bulge[row],
-        ends[other, 0], ends[other, 1], bulge[other],
+        ends[cut_row, 0], ends[cut_row, 1], bulge[cut_row],
     )  # fmt: skip
-    away = ((exact.points - position[hit[bent], None]) ** 2).sum(axis=2)
+    away = ((exact.points - position[bent, None]) ** 2).sum(axis=2)
     nearest = np.where(np.isnan(away), np.inf, away).argmin(axis=1)
     found = exact.count > 0
     fraction[bent[found]] = exact.first[np.arange(len(bent)), nearest][found]
     return segment, crossed, fraction
+
+
+class _Chords(NamedTuple):
+    """k chords of the segments of paths, or of cuts."""
+
+    ends: F64_3  #: (k, 2, 2) mm
+    stops: F64_3  #: (k, 2, 2) mm, ends of the path or the cut of each chord
+
+
+@kernel
+def _cross_inside(chords: _Chords, cuts: _Chords, one: I64_1, other: I64_1) -> Any:
+    """Return the h pairs of chords that cross away from the ends of their path and their cut.
+
+    A crossing is away from an end if it is more than ``GAP`` mm from the end.
+
+    Parameters
+    ----------
+    chords, cuts
+        Chords of paths, and chords of cuts.
+    one, other : (p,) and (p,)
+        Index of the chord of the path, and index of the chord of the cut, of each pair.
+
+    Returns
+    -------
+    pair, along, position : (h,), (h,) and (h, 2) mm
+        Index of each pair, parameter of the crossing on the chord of the path (0 … 1), and position
+        of the crossing.
+    """
+    pair, along = np.empty(len(one), np.int64), np.empty(len(one))
+    position = np.empty((len(one), 2))
+    found = 0
+    for k in range(len(one)):
+        i, j = one[k], other[k]
+        px, py = chords.ends[i, 0, 0], chords.ends[i, 0, 1]
+        rx, ry = chords.ends[i, 1, 0] - px, chords.ends[i, 1, 1] - py
+        qx, qy = cuts.ends[j, 0, 0], cuts.ends[j, 0, 1]
+        sx, sy = cuts.ends[j, 1, 0] - qx, cuts.ends[j, 1, 1] - qy
+        turn = rx * sy - ry * sx
+        if not abs(turn) > 1e-9 * hypot(rx, ry) * hypot(sx, sy):
+            continue
+        on_path = ((qx - px) * sy - (qy - py) * sx) / turn
+        on_cut = ((qx - px) * ry - (qy - py) * rx) / turn
+        if not (0.0 <= on_path < 1.0 and 0.0 <= on_cut < 1.0):
+            continue
+        x, y = px + rx * on_path, py + ry * on_path
+        inside = True
+        for end in range(2):
+            for stops in (chords.stops[i, end], cuts.stops[j, end]):
+                inside = inside and hypot(x - stops[0], y - stops[1]) > GAP
+        if inside:
+            pair[found], along[found] = k, on_path
+            position[found, 0], position[found, 1] = x, y
+            found += 1
+    return pair[:found].copy(), along[:found].copy(), position[:found].copy()
 
 
 def _split_into_chords(start: F64, end: F64, bulge: F64) -> tuple[F64, I64, F64, F64]:
@@ -209,6 +257,10 @@ def _split_into_chords(start: F64, end: F64, bulge: F64) -> tuple[F64, I64, F64,
         Parameter of the line or arc, 0 … 1, at which the chord starts, and the range of the
         parameter that the chord covers.
     """
+    if not bulge.any():
+        rows = np.arange(len(bulge))
+        chords = np.stack([start, start + (end - start)], axis=1)
+        return chords, rows, np.zeros(len(rows)), np.ones(len(rows))
     count = np.where(np.abs(bulge) < BULGE, 1, _CHORDS_PER_ARC)
     owner = np.repeat(np.arange(len(bulge)), count)
     low = (np.arange(len(owner)) - np.repeat(np.cumsum(count) - count, count)) / count[owner]
@@ -220,8 +272,7 @@ def _split_into_chords(start: F64, end: F64, bulge: F64) -> tuple[F64, I64, F64,
 
 def _bounding_boxes(chords: F64) -> F64:
     """Return the bounding boxes of chords, (k, 4) mm: x min, y min, x max, y max."""
-    begin, end = chords[:, 0], chords[:, 1]
-    return np.hstack([np.minimum(begin, end), np.maximum(begin, end)])
+    return arc.bounding_boxes(chords[:, 0], chords[:, 1], np.zeros(len(chords)))
 
 
 def double_creases(paths: Paths, distance: float, source: I32) -> tuple[Paths, I32, I32]:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from knifetip.geometry.columns import F64, I8, I64, Bool
-from knifetip.topology.subdivision import subdivide
+from knifetip.topology.subdivision import Subdivision, subdivide
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -22,6 +22,7 @@ class CutSides:
     removed: I8  #: (n,) side without board, around a part or in a hole: +1 left, -1 right, 0 none
     face: I64  #: (n,) part or hole that the cut bounds, -1 for none
     shared: Bool  #: (n,) two different parts lie on the two sides
+    subdivision: Subdivision  #: the faces into which the cuts divide the plane
 
 
 def cut_sides(ends: F64, bulge: F64) -> CutSides:
@@ -44,4 +45,5 @@ def cut_sides(ends: F64, bulge: F64) -> CutSides:
         np.where(closing, np.where(outer[:, 0] == part, 1, -1), 0).astype(np.int8),
         np.where(closing, np.where(outer[:, 0], face[:, 1], face[:, 0]), -1),
         ~outer.any(axis=1) & (face[:, 0] != face[:, 1]) & part,
+        subdivision,
     )

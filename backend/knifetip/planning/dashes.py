@@ -71,7 +71,9 @@ def merge_dashes(
             cut_bulge,
             GAP,
         ).reshape(2, -1)
-        between = np.flatnonzero((line[1:] == line[:-1]) & (low[1:] > high[:-1] + JOIN))
+        # A gap before an edge that begins on a cut stays open in any case.
+        is_gap = (line[1:] == line[:-1]) & (low[1:] > high[:-1] + JOIN) & ~barred[0, 1:]
+        between = np.flatnonzero(is_gap)
         each = np.arange(len(between) + 1, dtype=np.int32)
         gaps = Paths(far[between], near[between + 1], np.zeros(len(between)), each)
         barred[0, between[find_cut_crossings(gaps, cut_ends, cut_bulge)[0]] + 1] = True

@@ -28,7 +28,7 @@ from knifetip.planning.necks import layers_at_necks
 from knifetip.planning.stretches import Stretches
 from knifetip.topology.contour_gaps import closing_links, find_dangling_ends
 from knifetip.topology.noding import split_at_crossings
-from knifetip.topology.subdivision import subdivide
+from knifetip.topology.subdivision import Subdivision, subdivide
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -39,7 +39,14 @@ class CutLayers:
     stretches: Stretches
 
 
-def cut_layers(ends: F64, bulge: F64, contour: I64, *, contours_whole: bool = False) -> CutLayers:
+def cut_layers(
+    ends: F64,
+    bulge: F64,
+    contour: I64,
+    *,
+    contours_whole: bool = False,
+    uncrossed: Subdivision | None = None,
+) -> CutLayers:
     """Return the layers of n cuts.
 
     Parameters
@@ -55,6 +62,9 @@ def cut_layers(ends: F64, bulge: F64, contour: I64, *, contours_whole: bool = Fa
         points with waste between them.  If False, each cut gets its own layer.  If True, each
         contour still gets one layer, and contours of a cycle get the layer in which the first of
         their cuts could be made.
+    uncrossed
+        The faces between the cuts, valid if the cuts meet only at their ends; None if they have not
+        been found.
 
     Raises
     ------
@@ -67,10 +77,16 @@ def cut_layers(ends: F64, bulge: F64, contour: I64, *, contours_whole: bool = Fa
         return CutLayers(none, Stretches(ends, bulge, none, none.reshape(0, 2)))
     tips = find_dangling_ends(ends, bulge)
     closing = closing_links(ends, bulge, tips, CONTOUR_GAP)
-    pieces, bent, row = split_at_crossings(
-        np.concatenate([ends, closing]), np.concatenate([bulge, np.zeros(len(closing))])
-    )
-    subdivision = subdivide(pieces, bent)
+    if len(closing):
+        pieces, bent, row = split_at_crossings(
+            np.concatenate([ends, closing]), np.concatenate([bulge, np.zeros(len(closing))])
+        )
+    else:
+        pieces, bent, row = split_at_crossings(ends, bulge)
+    # Cuts are returned as they are if none is split.
+    if uncrossed is None or pieces is not ends:
+        uncrossed = subdivide(pieces, bent)
+    subdivision = uncrossed
     # Face 0 is the plane outside.
     face = subdivision.merged[subdivision.face] + 1
     sides = face.ravel()

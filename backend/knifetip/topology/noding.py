@@ -6,16 +6,18 @@ comes.  The pieces meet only at their ends.
 
 from __future__ import annotations
 
-from typing import Final
+import math
+from typing import Any, Final
 
 import numpy as np
 
 from knifetip.errors import PlanError
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64
-from knifetip.geometry.intersect import intersect_pairs
+from knifetip.geometry.intersect import MAX_POINTS, TOUCH, intersect_rows
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import JOIN
+from knifetip.kernels import F64_2, F64_3, I64_1, kernel
 
 #: Limit for the pairs of cuts whose boxes overlap, to bound the memory.
 _MOST_PAIRS: Final = 5_000_000
@@ -76,9 +78,8 @@ def _end_contacts(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
         np.hstack([points, points]), arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge), JOIN
     )
     # Most ends only meet the ends of other edges.
-    for side in range(2):
-        inner = np.hypot(*(points[end] - ends[row, side]).T) > JOIN
-        end, row = end[inner], row[inner]
+    inner = _are_inside(np.ascontiguousarray(ends), end, row)
+    end, row = end[inner], row[inner]
     segments = ends[row, 0], ends[row, 1], bulge[row]
     fraction = arc.nearest_fraction(*segments, points[end])
     touches = np.hypot(*(arc.point_at(*segments, fraction) - points[end]).T) <= JOIN
@@ -98,22 +99,72 @@ def _crossings(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
     one, other = box_pairs(boxes, boxes, 0.0)
     if len(one) > 2 * _MOST_PAIRS:
         raise PlanError("cut.too-many-crossings", limit=_MOST_PAIRS)
-    once = one < other
-    one, other = one[once], other[once]
-    crossings = intersect_pairs(ends[one, 0], ends[one, 1], bulge[one],
-                    ends[other, 0], ends[other, 1], bulge[other])  # fmt: skip
-    pair, column = np.nonzero(np.arange(crossings.points.shape[1]) < crossings.count[:, None])
-    point = crossings.points[pair, column]
-    inner = np.ones(len(pair), np.bool_)
-    for edge in (one, other):
+    edges = np.column_stack([ends.reshape(-1, 4), bulge])
+    edge, fraction, point = _inner_crossings(edges, one, other)
+    return edge.T.ravel(), fraction.T.ravel(), np.concatenate([point, point])
+
+
+@kernel
+def _are_inside(ends: F64_3, end: I64_1, row: I64_1) -> Any:
+    """Return the mask of the pairs whose first end is more than ``JOIN`` mm from both ends of the
+    edge, (p,).
+
+    Parameters
+    ----------
+    ends : (n, 2, 2) mm
+        Start and end points of the edges; edge i has the ends 2i and 2i + 1.
+    end, row : (p,) and (p,)
+        Index of the end, and index of the edge, of each pair.
+    """
+    inside = np.ones(len(end), np.bool_)
+    for k in range(len(end)):
+        x, y = ends[end[k] // 2, end[k] % 2, 0], ends[end[k] // 2, end[k] % 2, 1]
         for side in range(2):
-            inner &= np.hypot(*(point - ends[edge[pair], side]).T) > JOIN
-    pair, column, point = pair[inner], column[inner], point[inner]
-    return (
-        np.concatenate([one[pair], other[pair]]),
-        np.concatenate([crossings.first[pair, column], crossings.second[pair, column]]),
-        np.concatenate([point, point]),
-    )
+            away = math.hypot(x - ends[row[k], side, 0], y - ends[row[k], side, 1])
+            inside[k] = inside[k] and away > JOIN
+    return inside
+
+
+@kernel
+def _inner_crossings(edges: F64_2, one: I64_1, other: I64_1) -> Any:
+    """Return the c points at which two edges cross more than ``JOIN`` mm from the ends of both.
+
+    Parameters
+    ----------
+    edges : (n, 5)
+        Edges: x0, y0, x1, y1, bulge.
+    one, other : (p,) and (p,)
+        Indices of the edges of each pair; pairs with ``one`` ≥ ``other`` are left out.
+
+    Returns
+    -------
+    edge, fraction, point : (c, 2), (c, 2) and (c, 2) mm
+        The two edges, the parameter of the point on each of them (0 … 1), and the point.
+    """
+    edge, fraction = np.empty((16, 2), np.int64), np.empty((16, 2))
+    point, common = np.empty((16, 2)), np.empty((MAX_POINTS, 4))
+    found = 0
+    for k in range(len(one)):
+        if one[k] >= other[k]:
+            continue
+        for at in range(intersect_rows(edges, one[k], edges, other[k], TOUCH, common)):
+            x, y = common[at, 0], common[at, 1]
+            inner = True
+            for row in (one[k], other[k]):
+                for side in range(2):
+                    away = math.hypot(x - edges[row, 2 * side], y - edges[row, 2 * side + 1])
+                    inner = inner and away > JOIN
+            if not inner:
+                continue
+            if found == len(point):
+                edge = np.concatenate((edge, np.empty_like(edge)))
+                fraction = np.concatenate((fraction, np.empty_like(fraction)))
+                point = np.concatenate((point, np.empty_like(point)))
+            edge[found, 0], edge[found, 1] = one[k], other[k]
+            fraction[found, 0], fraction[found, 1] = common[at, 2], common[at, 3]
+            point[found, 0], point[found, 1] = x, y
+            found += 1
+    return edge[:found].copy(), fraction[:found].copy(), point[:found].copy()
 
 
 def _split_at(ends: F64, bulge: F64, row: I64, fraction: F64, point: F64) -> tuple[F64, F64, I64]:
@@ -131,6 +182,8 @@ def _split_at(ends: F64, bulge: F64, row: I64, fraction: F64, point: F64) -> tup
     -------
     Ends (m, 2, 2) mm and bulges (m,) of the pieces, and the index of the edge of each piece (m,).
     """
+    if len(row) == 0:
+        return ends, bulge, np.arange(len(ends))
     rows = np.concatenate([np.arange(len(ends)), row])
     low = np.concatenate([np.zeros(len(ends)), fraction])
     begin = np.concatenate([ends[:, 0], point])
@@ -141,6 +194,7 @@ def _split_at(ends: F64, bulge: F64, row: I64, fraction: F64, point: F64) -> tup
     finish = np.where(last[:, None], ends[rows, 1], np.roll(begin, -1, axis=0))
     long_enough = np.hypot(*(finish - begin).T) > JOIN
     # An edge that is not split is kept, however short.
-    long_enough |= (low == 0.0) & (high == 1.0)
-    bent = np.tan(np.arctan(bulge[rows]) * (high - low))
+    whole = (low == 0.0) & (high == 1.0)
+    long_enough |= whole
+    bent = np.where(whole, bulge[rows], np.tan(np.arctan(bulge[rows]) * (high - low)))
     return np.stack([begin, finish], axis=1)[long_enough], bent[long_enough], rows[long_enough]
