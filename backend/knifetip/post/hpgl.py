@@ -15,6 +15,7 @@ whole plotter units independently, so that rounding errors do not accumulate.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -23,11 +24,14 @@ from typing import Final
 import numpy as np
 
 from knifetip.errors import ProgramError
+from knifetip.geometry import arc
+from knifetip.geometry.azimuth import azimuth
 from knifetip.geometry.columns import I32, I64, U8, Bool
-from knifetip.languages.hpgl.plotter import CM_PER_SECOND, Pen, PenWork, Plotter
+from knifetip.geometry.tolerance import ANGLE
+from knifetip.languages.hpgl.plotter import CM_PER_SECOND, Device, Pen, PenWork, Plotter
 from knifetip.model.machine import Machine
 from knifetip.model.program import Program
-from knifetip.model.tool import Engine, kind_of
+from knifetip.model.tool import Engine, Knife, kind_of
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.post.check import describe_row
 from knifetip.post.chords import split_moves
@@ -188,17 +192,8 @@ def _plotter_moves(
     The chords deviate from their arcs by at most half of ``tolerance`` (mm).
     """
     device = plotter.device
-    start, end = toolpath.pose[:-1, :2], toolpath.pose[1:, :2]
-    # The sagitta of a part of an arc is proportional to the square of its length.
-    bow = np.abs(toolpath.bulge) * np.hypot(*(end - start).T) / 2.0
-    pieces = np.ceil(np.sqrt(bow / (CHORD_FRACTION * tolerance))).astype(np.int64).clip(1)
-    pose, row = split_moves(toolpath.pose[:, :2], toolpath.bulge, pieces)
-    point = np.rint((pose - device.zero) * device.units).astype(np.int64)
-    moved: Bool = (point[1:] != point[:-1]).any(axis=1)
-    motion = toolpath.motion[row]
-    kind = np.where(motion == Motion.RAPID, _TRAVEL, _WORK) * moved
-    kind[motion == Motion.PLUNGE] = _DOWN
-    kind[motion == Motion.LIFT] = _UP
+    pieces = _chord_counts(toolpath, machine, device, tolerance)
+    point, kind, row = _plotter_points(toolpath, device, pieces)
     works = kind == _WORK
     speed = np.zeros(len(row), np.int64)
     if device.speed:
@@ -218,7 +213,66 @@ def _plotter_moves(
                 step=CM_PER_SECOND,
             )
     pen = _pens_of_rows(toolpath, machine, plotter)[row]
-    return _PlotterMoves(point, kind.astype(np.uint8), speed, pen, row.astype(np.int32))
+    return _PlotterMoves(point, kind, speed, pen, row.astype(np.int32))
+
+
+def _plotter_points(toolpath: Toolpath, device: Device, pieces: I64) -> tuple[I64, U8, I64]:
+    """Return the points of a toolpath in plotter units, with arcs replaced by chords.
+
+    ``pieces`` is the number of chords of each of n moves, (n,).
+
+    Returns
+    -------
+    point : (m + 1, 2) plotter units
+        Points before the first of m straight moves and after each move.
+    kind, row : (m,)
+        Kind of instruction of each move, and row of each move in the toolpath.
+    """
+    pose, row = split_moves(toolpath.pose[:, :2], toolpath.bulge, pieces)
+    point = np.rint((pose - device.zero) * device.units).astype(np.int64)
+    moved: Bool = (point[1:] != point[:-1]).any(axis=1)
+    motion = toolpath.motion[row]
+    kind = (np.where(motion == Motion.RAPID, _TRAVEL, _WORK) * moved).astype(np.uint8)
+    kind[motion == Motion.PLUNGE] = _DOWN
+    kind[motion == Motion.LIFT] = _UP
+    return point, kind, row
+
+
+def _chord_counts(
+    toolpath: Toolpath, machine: Machine, device: Device, tolerance: float
+) -> I64:
+    """Return the number of chords for each of n moves, (n,); it is 1 for a straight move.
+
+    The chords deviate from their arcs by at most half of ``tolerance`` (mm).  Where two chords
+    meet, the device turns the tool in the board.  The chords of an arc are halved until the tool
+    turns by no more than its swivel angle and the error of the directions, which the rounding of
+    points to plotter units causes.
+    """
+    start, end = toolpath.pose[:-1, :2], toolpath.pose[1:, :2]
+    # The sagitta of a part of an arc is proportional to the square of its length.
+    bow = np.abs(toolpath.bulge) * np.hypot(*(end - start).T) / 2.0
+    pieces = np.ceil(np.sqrt(bow / (CHORD_FRACTION * tolerance))).astype(np.int64).clip(1)
+    is_arc = toolpath.bulge != 0.0
+    most = arc.length(start, end, toolpath.bulge) * device.units
+    swivel = np.full(256, ANGLE)
+    for station in machine.stations:
+        if isinstance(station.tool, Knife):
+            swivel[station.number] = station.tool.swivel
+    while True:
+        point, kind, row = _plotter_points(toolpath, device, pieces)
+        shown = np.flatnonzero(kind != _NONE)
+        row, step = row[shown], np.diff(point, axis=0)[shown]
+        unsure = np.degrees(math.sqrt(2.0) / np.maximum(np.hypot(*step.T), 1.0))
+        turn = np.abs((np.diff(azimuth(step.astype(np.float64))) + 180.0) % 360.0 - 180.0)
+        limit = swivel[toolpath.tool[row[1:]]] + unsure[1:] + unsure[:-1]
+        works = kind[shown] == _WORK
+        sharp = works[1:] & works[:-1] & (turn > limit)
+        halved = np.zeros(len(pieces), np.bool_)
+        halved[row[1:][sharp]] = halved[row[:-1][sharp]] = True
+        halved &= is_arc & (pieces < most)
+        if not halved.any():
+            return pieces
+        pieces[halved] *= 2
 
 
 def _pens_of_rows(toolpath: Toolpath, machine: Machine, plotter: Plotter) -> I64:

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import cmath
+import itertools
+import math
+import re
 from dataclasses import replace
 from typing import Any
 
@@ -122,6 +126,27 @@ def test_an_arc_becomes_chords_within_half_the_tolerance() -> None:
     assert sagitta.max() <= 0.005 + 0.0177 + 1e-9
     # 0.005 mm on a radius of 20 mm: chords of about 2.6°, 71 in half a circle.
     assert 60 <= len(lines) <= 90
+
+
+@pytest.mark.parametrize("radius", [6.1, 9.3, 11.07, 13.11, 18.53, 25.77])
+def test_the_creasing_tool_turns_by_little_where_two_chords_meet(radius: float) -> None:
+    lines = instructions(
+        toolpath(
+            (2, R, 100, 100, 5, 0, 0),
+            (2, P, 100, 100, 0.2, 0, 6000),
+            (2, F, 100, 100 + radius, 0.2, math.sqrt(0.5), CREASE),
+            (2, L, 100, 100 + radius, 5, 0, 6000),
+        )
+    )
+    points = [(4000, 4000)] + [
+        tuple(map(int, line[2:-1].split(","))) for line in lines if re.match("PD[0-9]", line)
+    ]
+    steps = [complex(*end) - complex(*start) for start, end in itertools.pairwise(points)]
+    for before, after in itertools.pairwise(steps):
+        turn = abs(math.degrees(cmath.phase(after / before)))
+        # The rounding of both ends of a chord turns it by up to one diagonal of the grid.
+        unsure = sum(math.degrees(math.sqrt(2.0) / abs(step)) for step in (before, after))
+        assert turn <= 1.0 + unsure
 
 
 def test_only_instructions_that_the_device_supports_are_written() -> None:
