@@ -238,9 +238,7 @@ def _plotter_points(toolpath: Toolpath, device: Device, pieces: I64) -> tuple[I6
     return point, kind, row
 
 
-def _chord_counts(
-    toolpath: Toolpath, machine: Machine, device: Device, tolerance: float
-) -> I64:
+def _chord_counts(toolpath: Toolpath, machine: Machine, device: Device, tolerance: float) -> I64:
     """Return the number of chords for each of n moves, (n,); it is 1 for a straight move.
 
     The chords deviate from their arcs by at most half of ``tolerance`` (mm).  Where two chords
@@ -251,7 +249,7 @@ def _chord_counts(
     start, end = toolpath.pose[:-1, :2], toolpath.pose[1:, :2]
     # The sagitta of a part of an arc is proportional to the square of its length.
     bow = np.abs(toolpath.bulge) * np.hypot(*(end - start).T) / 2.0
-    pieces = np.ceil(np.sqrt(bow / (CHORD_FRACTION * tolerance))).astype(np.int64).clip(1)
+    pieces: I64 = np.ceil(np.sqrt(bow / (CHORD_FRACTION * tolerance))).astype(np.int64).clip(1)
     is_arc = toolpath.bulge != 0.0
     most = arc.length(start, end, toolpath.bulge) * device.units
     swivel = np.full(256, ANGLE)
