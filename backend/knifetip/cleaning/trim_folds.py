@@ -295,7 +295,43 @@ def _find_dropped(ends: F64, bulge: F64, parts: _Parts, on_panel: Bool, in_waste
     )
     short = beside >= size
     overshoot &= ~np.where(is_first, np.roll(short, -1), np.roll(short, 1))
-    passage = in_waste & panel_before & panel_after & ~np.roll(shaped, 1) & ~np.roll(shaped, -1)
+    passage = in_waste & panel_before & panel_after
+    return _without_doubtful_passages(ends, bulge, parts, overshoot, passage)
+
+
+def _without_doubtful_passages(
+    ends: F64, bulge: F64, parts: _Parts, overshoot: Bool, passage: Bool
+) -> Bool:
+    """Return the mask of the dropped pieces, (q,), in which no passage adjoins an overshoot in form.
+
+    That is a remaining piece of a fold that is short and has an end that no remaining edge touches.
+    A passage that is not dropped may touch such ends of other folds, so they are searched again.
+
+    Parameters
+    ----------
+    ends, bulge : (k, 2, 2) mm and (k,)
+        All edges.
+    parts
+        The q pieces of folds.
+    overshoot, passage : (q,)
+        The pieces to be dropped: overshoots, and passages between two pieces on panels.
+    """
+    while passage.any():
+        left = _remaining_pieces(ends, bulge, parts, overshoot | passage)
+        start, end = left.ends[:, 0], left.ends[:, 1]
+        piece = np.tile(np.arange(len(left.bulge), dtype=np.int32), 2)
+        touched = find_points_on_segments(
+            np.concatenate([start, end]), piece, start, end, left.bulge, JOIN
+        )
+        formed = ~touched.reshape(2, -1).all(axis=0)
+        formed &= arc.length(start, end, left.bulge) <= OVERSHOOT
+        # The pieces of folds, among the stretches of all edges.
+        rows = np.flatnonzero(np.isin(left.edge, parts.edge))
+        beside = formed[left.piece[rows]]
+        doubtful = passage & (np.roll(beside, 1) | np.roll(beside, -1))
+        if not doubtful.any():
+            break
+        passage = passage & ~doubtful
     return overshoot | passage
 
 

@@ -276,3 +276,21 @@ def test_an_overshoot_beside_a_cut_at_a_small_angle_is_dropped() -> None:
     made = clean(drawn)
     assert made.dropped[8] == pytest.approx(0.25)
     assert check_cleaning(drawn, made) == []
+
+
+def test_a_fold_that_only_a_dropped_piece_touches_has_a_free_end() -> None:
+    """Two rings are around each end of an upright fold, and the other fold is dropped in a ring."""
+    centres = [(0, 0), (50, 0), (100, 0), (50, 100)]
+    rings = edges(
+        *(
+            ((x - way * radius, y), (x + way * radius, y))
+            for x, y in centres
+            for radius in (0.75, 1.0)
+            for way in (1.0, -1.0)
+        )
+    )
+    folds = edges(((0, 0), (100, 0)), ((50, 0), (50, 100)))
+    drawn = dieline((CUT, rings), (CREASE, folds), bulge=dict.fromkeys(range(len(rings)), 1.0))
+    made = clean(drawn)
+    assert check_cleaning(drawn, made) == []
+    assert made.dropped[-1] == 0.0
