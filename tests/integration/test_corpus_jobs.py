@@ -1,0 +1,44 @@
+"""Drawings by other authors become accepted programs, or are refused for a true reason.
+
+The drawings below were refused wrongly when a walk through the corpus first contained them.
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from knifetip import pipeline
+from knifetip.library import load
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.pipeline import Compiled
+from tests.support.drawings import drawing
+from tests.support.shapes import dieline, edges
+
+CUT, CREASE = LineType.CUT, LineType.CREASE
+
+
+def compiled(line: Dieline, machine: str, board: str) -> Compiled:
+    """Return the program of a dieline, all lines of which are on one layer."""
+    lines = drawing(line.ends, [("0", 7, "CONTINUOUS")] * len(line), bulge=line.bulge)
+    return pipeline.compile(lines, line, load.machine(machine), load.board(board))
+
+
+def refusals(made: Compiled) -> list[str]:
+    """Return the findings that refuse a program."""
+    return [finding.text for finding in made.verdict.findings if finding.refuses]
+
+
+@pytest.mark.parametrize("machine", ["demo-table", "flat-cutter-hpgl"])
+def test_an_outline_may_start_at_a_corner_on_which_a_cut_ends(machine: str) -> None:
+    # Elsewhere the contour is smooth: two tangents of a circle.
+    low, high = (20 / 3, 20 - 40 * 2**0.5 / 3), (20 / 3, 20 + 40 * 2**0.5 / 3)
+    tip, left = (60, 20), (-20, 20)
+    bend = math.tan(math.acos(-1 / 3) / 4)
+    line = dieline(
+        (CUT, edges((low, tip), (tip, high), (high, left), (left, low))),
+        (CUT, edges((tip, (90, 25)))),
+        bulge={2: bend, 3: bend},
+    )
+    assert refusals(compiled(line, machine, "fbb-0.4")) == []
