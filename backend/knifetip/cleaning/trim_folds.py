@@ -302,9 +302,9 @@ def _find_dropped(ends: F64, bulge: F64, parts: _Parts, on_panel: Bool, in_waste
 def _without_doubtful_passages(
     ends: F64, bulge: F64, parts: _Parts, overshoot: Bool, passage: Bool
 ) -> Bool:
-    """Return the mask of the dropped pieces, (q,), in which no passage adjoins an overshoot in form.
+    """Return the mask of the dropped pieces, (q,), without passages beside overshoots in form.
 
-    That is a remaining piece of a fold that is short and has an end that no remaining edge touches.
+    These are remaining pieces of folds that are short and have an end that no other piece touches.
     A passage that is not dropped may touch such ends of other folds, so they are searched again.
 
     Parameters
