@@ -290,6 +290,25 @@ def test_an_open_cut_is_followed_on_its_line_from_end_to_end() -> None:
     assert kinds(10, 10, 80) == {"overcut", "stray"}
 
 
+def test_a_lead_or_a_contour_on_the_line_of_an_open_cut_does_not_follow_this_cut() -> None:
+    # A scrap cut in the hole ends in the lead of the hole, and another one, 3 mm below the part,
+    # on the path round the part.
+    scrap, below = (CUT, 45, 33.6, 45, 42, 0.0), (CUT, 20, -3, 90, -3, 0.0)
+    drawn = dieline(*(
+        (CUT, *ends.ravel().tolist(), 0.0) for ends in PART.ends
+    ), scrap, below)  # fmt: skip
+    cuts = (
+        "G0 X45 Y42", "G1 Z-0.3 F1200", "G1 Y33.6 F6000", "G1 Z4 F1200",
+        "G0 X20 Y-3", "G1 Z-0.3 F1200", "G1 X90 F6000", "G1 Z4 F1200",
+    )  # fmt: skip
+    hole = ("G0 X45 Y34.5 Z20", "G0 Z4", "G1 Z-0.3 F1200", "G1 Y33 F6000", *HOLE[3:])
+    text = program(*cuts, *hole, *ROUND)
+    assert faults(verdict_of(text, drawn)) == ()
+    # The scrap cut itself must stop at its end.
+    found = faults(verdict_of(changed(text, "G1 Y33.6 F6000", "G1 Y33.4 F6000"), drawn))
+    assert [f.message.code for f in found] == ["verify.past-open-cut"]
+
+
 def test_a_slit_that_becomes_as_wide_as_the_cutter_is_a_shortfall_with_its_length() -> None:
     drawn = dieline((CUT, 10, 10, 60, 10, 0.0), (CUT, 10, 40, 40, 40, 0.0))
     cuts = ("G0 Z4", "G1 Z-0.3 F1200", "G1 X60 F6000", "G1 Z4 F1200", "G0 X10 Y40",

@@ -562,20 +562,47 @@ class _MillingCheck:
     def _open_cut_mask(self) -> Bool:
         """Return the mask of the centre's n paths that follow an open cut, shape (n,).
 
-        An open cut is a cut that does not separate a part from waste.
+        An open cut is a cut that does not separate a part from waste.  Paths along a contour, and
+        its leads, may lie on an open cut, too, but they do not follow it.
         """
         own = self.edges.curve[~self.bounds.closing]
-        overlaps = find_overlaps(
-            self.centres.curve, own, np.zeros(len(own)), own[:, 5], self.tolerance
-        )
+        size, track = self.centres.curve[:, 5], self.centres.track
         # An open cut that other cuts meet is divided there, so a path may follow several pieces.
-        rows = np.unique(overlaps.curve)
-        left, spans = uncovered_curves(overlaps, self.centres.curve)
-        elsewhere = np.bincount(left, np.diff(spans)[:, 0], minlength=len(self.centres.z))[rows]
-        size = self.centres.curve[rows, 5]
-        result = np.zeros(len(self.centres.z), np.bool_)
-        result[rows[elsewhere <= 0.5 * size + EPSILON]] = True
+        on_cut, touches = self._lengths_along(np.arange(len(size)), own)
+        result = touches & (size - on_cut <= 0.5 * size + EPSILON)
+        # Tracks that lie mainly beside contours, and only with some of their paths on open cuts.
+        total, cut = np.bincount(track, size), np.bincount(track, on_cut)
+        mixed = np.zeros(len(total), np.bool_)
+        mixed[track[result]] = True
+        mixed &= cut < 0.5 * total
+        rows = np.flatnonzero(mixed[track])
+        if len(rows):
+            pieces = cutter_paths(self.bounds, self.reach)
+            beside = pieces.curve[self.bounds.closing[pieces.edge]]
+            along = np.bincount(
+                track[rows], self._lengths_along(rows, beside)[0], minlength=len(total)
+            )
+            result[rows[(along > 0.5 * total)[track[rows]]]] = False
         return result
+
+    def _lengths_along(self, rows: I64, lines: F64) -> tuple[F64, Bool]:
+        """Return the length of each of k paths of the centre that lies on m lines and arcs, (k,)
+        mm, and the mask of the paths that touch one of them, (k,).
+
+        Parameters
+        ----------
+        rows : (k,)
+            Indices of the paths.
+        lines : (m, 6)
+            Lines and arcs as rows of six numbers (see ``curves.curve``).
+        """
+        curve = self.centres.curve[rows]
+        overlaps = find_overlaps(curve, lines, np.zeros(len(lines)), lines[:, 5], self.tolerance)
+        left, spans = uncovered_curves(overlaps, curve)
+        touches = np.zeros(len(rows), np.bool_)
+        touches[overlaps.curve] = True
+        apart = np.bincount(left, np.diff(spans)[:, 0], minlength=len(rows))
+        return curve[:, 5] - apart, touches
 
     def _check_open_ends(self) -> None:
         """Add a finding for each path of the centre that goes past an end of the open cut that it
