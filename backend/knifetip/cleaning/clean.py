@@ -256,11 +256,11 @@ def clean(dieline: Dieline) -> Cleaned:
     DrawingTooLarge
         Too many edges overlap.
     """
-    bad = ~(np.isfinite(dieline.ends).all(axis=(1, 2)) & np.isfinite(dieline.bulge))
-    if bad.any():
+    if not (np.isfinite(dieline.ends).all() and np.isfinite(dieline.bulge).all()):
+        bad = ~(np.isfinite(dieline.ends).all(axis=(1, 2)) & np.isfinite(dieline.bulge))
         raise GeometryError("edge.not-finite", edge=int(np.argmax(bad)))
-    far = np.abs(dieline.ends).max(axis=(1, 2), initial=0.0)
-    if (far > _FAR).any():
+    if np.abs(dieline.ends).max(initial=0.0) > _FAR:
+        far = np.abs(dieline.ends).max(axis=(1, 2))
         raise GeometryError("edge.too-far", edge=int(far.argmax()), distance=far.max())
     length = arc.length(dieline.ends[:, 0], dieline.ends[:, 1], dieline.bulge)
     at_work = PRIORITY[dieline.line_type] > 0

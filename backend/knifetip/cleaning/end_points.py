@@ -14,11 +14,13 @@ import numpy as np
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.tolerance import MEET
 from knifetip.geometry.union_find import find, flatten, union
-from knifetip.kernels import F64_2, U64, kernel
+from knifetip.kernels import F64_2, U64, inline_kernel, kernel
 
 #: Largest number of points in a cell that a point is compared with: it bounds the time for crowded
 #: drawings.
 CROWD: Final = 64
+#: Binary logarithm of the number of cells, one above the other, that share a word of marks.
+_RUN: Final = 6
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -49,34 +51,51 @@ def find_end_points(ends: F64, max_distance: float) -> EndPoints:
     points = ends.reshape(-1, 2)
     if len(points) == 0:
         return EndPoints(ends, np.zeros(0, np.int64), np.zeros((0, 2), np.int64))
-    place, pairs = _find(points - points.min(axis=0), max_distance, MEET)
+    place, pairs = _find(np.ascontiguousarray(points), max_distance, MEET)
     return EndPoints(ends, place, pairs)
 
 
-@kernel
+@inline_kernel
 def _slot(x: int, y: int, mask: U64) -> Any:
+    """Return the slot of a hash table, 0 … ``mask``, for a column and a row of cells."""
     key = np.uint64(x) * np.uint64(0x9E3779B97F4A7C15)
     key = key ^ (key >> np.uint64(29)) ^ (np.uint64(y) * np.uint64(0xBF58476D1CE4E5B9))
     key = key ^ (key >> np.uint64(31))
     return key & mask
 
 
+@inline_kernel
+def _bit(y: int) -> Any:
+    """Return the bit of a cell in row y, in the word of marks of its run of cells."""
+    return np.uint64(1) << np.uint64(y & ((1 << _RUN) - 1))
+
+
 @kernel
 def _find(points: F64_2, max_distance: float, join: float) -> Any:
+    """Return the point of each of n ends, (n,), and the pairs of ends near each other, (q, 2).
+
+    ``points`` (n, 2) are the positions of the ends, ``max_distance`` is the largest distance of a
+    pair, and ``join`` that of two ends that share a point (mm).
+    """
     count = len(points)
-    size = 16
+    low_x, low_y = points[0, 0], points[0, 1]
+    for i in range(1, count):
+        low_x, low_y = min(low_x, points[i, 0]), min(low_y, points[i, 1])
+    size = 64
     while size < 2 * count:
         size *= 2
     mask = np.uint64(size - 1)
-    head = np.full(size, -1, np.int64)
+    # A bit for each cell that has points.  Most cells have none, which costs no search then.
+    marks, mark_mask = np.zeros(size // 8, np.uint64), np.uint64(size // 8 - 1)
+    head = np.full(size, -1, np.int32)
     cell = np.empty((count, 2), np.int64)
-    next_point = np.full(count, -1, np.int64)
+    next_point = np.full(count, -1, np.int32)
     parent = np.arange(count)
     pair = np.empty((64, 2), np.int64)
     pairs = 0
     for i in range(count):
-        cx = int(points[i, 0] / max_distance)
-        cy = int(points[i, 1] / max_distance)
+        cx = int((points[i, 0] - low_x) / max_distance)
+        cy = int((points[i, 1] - low_y) / max_distance)
         cell[i, 0] = cx
         cell[i, 1] = cy
         alike = False
@@ -94,14 +113,21 @@ def _find(points: F64_2, max_distance: float, join: float) -> Any:
             continue
         beside = 0
         for dx in range(-1, 2):
+            run = (cy - 1) >> _RUN
+            mark = marks[_slot(cx + dx, run, mark_mask)]
             for dy in range(-1, 2):
+                if (cy + dy) >> _RUN != run:
+                    run = (cy + dy) >> _RUN
+                    mark = marks[_slot(cx + dx, run, mark_mask)]
+                if mark & _bit(cy + dy) == 0:
+                    continue
                 j = head[_slot(cx + dx, cy + dy, mask)]
                 seen = 0
                 while j >= 0 and seen < CROWD:
                     seen += 1
                     if cell[j, 0] == cx + dx and cell[j, 1] == cy + dy:
-                        x = points[i, 0] - points[j, 0]
-                        y = points[i, 1] - points[j, 1]
+                        x = (points[i, 0] - low_x) - (points[j, 0] - low_x)
+                        y = (points[i, 1] - low_y) - (points[j, 1] - low_y)
                         apart = x * x + y * y
                         if apart <= join * join:
                             union(parent, i, j)
@@ -115,6 +141,7 @@ def _find(points: F64_2, max_distance: float, join: float) -> Any:
                             pair[pairs, 1] = i
                             pairs += 1
                     j = next_point[j]
+        marks[_slot(cx, cy >> _RUN, mark_mask)] |= _bit(cy)
         next_point[i] = head[slot]
         head[slot] = i
     flatten(parent)

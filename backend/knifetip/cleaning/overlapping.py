@@ -48,7 +48,7 @@ def find_overlapping(ends: F64, bulge: F64) -> tuple[I64, I64]:
     none = np.zeros(0, np.int64)
     if len(bulge) < 2:
         return none, none
-    low = ends.reshape(-1, 2).min(axis=0)
+    low = np.array([ends[:, :, 0].min(), ends[:, :, 1].min()])
     moved = ends - low
     reach = 4.0 * (float(np.abs(moved).max()) + 1.0)
     rows = np.column_stack([moved.reshape(-1, 4), bulge])
