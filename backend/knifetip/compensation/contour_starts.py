@@ -12,6 +12,7 @@ from typing import Final
 import numpy as np
 
 from knifetip.compensation.corner import turn_angles
+from knifetip.compensation.tracks import end_azimuths
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import azimuth, left_normal, turn_angle, unit_vectors
 from knifetip.geometry.columns import F64, I32, Bool
@@ -44,9 +45,8 @@ def lifting_corners(operation: Operation, blade: Knife) -> Bool:
     (n,).
     """
     paths = operation.paths
-    ahead, arriving = arc.tangents(paths.start, paths.end, paths.bulge)
-    before = _segments_before(paths)
-    turn = turn_angle(azimuth(arriving)[before], azimuth(ahead))
+    ahead, arriving = end_azimuths(paths)
+    turn = turn_angle(arriving[_segments_before(paths)], ahead)
     closed = (operation.finish == End.CLOSED)[paths.path_of]
     result: Bool = closed & (np.abs(turn) > blade.swivel)
     return result

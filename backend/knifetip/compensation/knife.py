@@ -206,6 +206,8 @@ def _adjust_ends(
         (beyond, far, Motion.FEED),
         (*exits, Motion.LEAD_OUT),
     ]
+    if not any(len(part[1]) for part in parts if part[0] is not cut):
+        return cut, origin[rows], np.full(len(rows), Motion.FEED, np.uint8)
     owner = np.concatenate([part.path_of for part, _, _ in parts])
     order = np.argsort(owner, kind="stable")
     count = np.bincount(owner, minlength=len(paths))
@@ -229,7 +231,14 @@ def _repeated_starts(paths: Paths, size: F64) -> tuple[Paths, I32]:
     length of the part for each path (mm), 0 for none.  Also returns, for each returned segment, the
     segment of ``paths`` of which it is a part.
     """
+    if not size.any():
+        return _empty_paths(len(paths)), np.zeros(0, np.int32)
     return trim_ends(paths, np.zeros(len(paths)), np.maximum(paths.lengths - size, 0.0))
+
+
+def _empty_paths(count: int) -> Paths:
+    """Return ``count`` paths without segments."""
+    return Paths(np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0), np.zeros(count + 1, np.int32))
 
 
 def _extensions(paths: Paths, size: F64) -> tuple[Paths, I32]:
@@ -270,9 +279,9 @@ def _quarter_circles(
     """
     which = np.flatnonzero(size > 0.0).astype(np.int32)
     some, kept = select_paths(paths, which)
-    first = np.concatenate([[0], np.cumsum(size > 0.0)])
     if len(which) == 0:
-        return Paths(np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0), first), kept
+        return _empty_paths(len(paths)), kept
+    first = np.concatenate([[0], np.cumsum(size > 0.0)])
     at = np.zeros(len(which)) if entering else overrun[which]
     place, heading, row = point_along(some, at)
     ahead = np.column_stack([np.cos(np.radians(heading)), np.sin(np.radians(heading))])

@@ -27,17 +27,23 @@ _RAPID, _PLUNGE, _SWIVEL = int(Motion.RAPID), int(Motion.PLUNGE), int(Motion.SWI
 _LIFT = int(Motion.LIFT)
 
 
+def end_azimuths(paths: Paths) -> tuple[F64, F64]:
+    """Return the azimuth of travel at the start and at the end of each segment, (n,) degrees."""
+    ahead, last = arc.tangents(paths.start, paths.end, paths.bulge)
+    begin = azimuth(ahead)
+    return begin, azimuth(last) if paths.bulge.any() else begin
+
+
 def headings(paths: Paths) -> tuple[F64, F64]:
     """Return the heading C of the tool at the start and end of every segment, (n,) degrees each.
 
     The first heading of a path is its azimuth in [0, 360).  Along an arc C turns with the tangent,
     at a corner by the smaller angle.  Headings of a path have no jumps of 360°.
     """
-    ahead, last = arc.tangents(paths.start, paths.end, paths.bulge)
-    begin = azimuth(ahead)
+    begin, arriving = end_azimuths(paths)
     swept = np.degrees(arc.sweep(paths.bulge))
     corner = np.zeros(len(begin))
-    corner[1:] = turn_angle(azimuth(last)[:-1], begin[1:])
+    corner[1:] = turn_angle(arriving[:-1], begin[1:])
     first = paths.first[:-1]
     corner[first] = 0.0
     gained = np.cumsum(corner + swept) - swept

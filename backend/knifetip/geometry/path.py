@@ -92,6 +92,8 @@ def trim_ends(paths: Paths, at_start: F64, at_end: F64) -> tuple[Paths, I32]:
         Lengths to remove at the start and at the end of each path.
     """
     along = arc.length(paths.start, paths.end, paths.bulge)
+    if not (at_start.any() or at_end.any()) and (POINT / along < 1.0).all():
+        return paths, np.arange(len(along), dtype=np.int32)
     owner = paths.path_of
     reached = np.cumsum(along)
     before = np.concatenate([[0.0], reached])[paths.first[:-1]]

@@ -18,7 +18,7 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 
 from knifetip.geometry import arc
-from knifetip.geometry.columns import F64, I64, Bool
+from knifetip.geometry.columns import F64, Bool
 from knifetip.geometry.tolerance import BULGE
 from knifetip.kernels import F64_1, F64_2, I64_1, U8_1, Bool_1, kernel
 from knifetip.languages.registry import find_language
@@ -74,15 +74,13 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
     arcs = _measure_arcs(toolpath)
     parked = np.zeros(len(toolpath), np.bool_)
     parked[carriage_changes(toolpath, machine)] = True
-    fastest = np.array([[axis.velocity for axis in one.axes] for one in machine.carriages])
-    hardest = np.array([[axis.acceleration for axis in one.axes] for one in machine.carriages])
+    carriages = _measure_carriages(machine)
     limits = _row_limits(
         pose,
         arcs,
         parked,
-        _carriages(toolpath, machine),
-        fastest,
-        hardest,
+        np.ascontiguousarray(toolpath.tool),
+        carriages,
         toolpath.feed,
         np.ascontiguousarray(toolpath.motion),
     )
@@ -90,16 +88,16 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
     changed[1:] = toolpath.tool[1:] != toolpath.tool[:-1]
     stops = changed.copy()
     timing: Timing = find_language(machine.dialect).load_part("timing")
-    safe = np.where(limits.length > STILL, limits.length, 1.0)
-    seconds = np.maximum(limits.feed_time, safe / limits.velocity)
-    halts = timing(toolpath, limits.travel, seconds, machine)
+    halts = timing(toolpath, limits.travel, limits.seconds, machine)
     stops[1:] |= halts[:-1] > 0.0
     pierced = None
     if any(station.is_beam for station in machine.stations):
         switched, pierced = _beam_switching(toolpath, machine)
         stops |= switched
-    times: F64 = _simulate(pose, arcs, limits, hardest.min(axis=0) * JOLT, stops)
-    times += changed * machine.settle + halts
+    jolt = carriages.hardest.min(axis=0) * JOLT
+    times: F64 = _simulate(pose, arcs, limits, jolt, stops)
+    halts[changed] += machine.settle
+    times += halts
     if pierced is not None:
         times += pierced
     return times
@@ -127,13 +125,24 @@ def _measure_arcs(toolpath: Toolpath) -> _Arcs:
     return _Arcs(rows, length, arc.radius(start, end, bulge), begin * stretch, finish * stretch)
 
 
-def _carriages(toolpath: Toolpath, machine: Machine) -> I64:
-    """Return the index of the carriage that makes each row of a toolpath, (n,)."""
-    index = np.zeros(256, np.int64)
+class _Carriages(NamedTuple):
+    """The c carriages of a machine."""
+
+    of_tool: I64_1  #: (256,) index of the carriage of the station with each number
+    fastest: F64_2  #: (c, 4) greatest velocity of X, Y, Z and C
+    hardest: F64_2  #: (c, 4) greatest acceleration of X, Y, Z and C
+
+
+def _measure_carriages(machine: Machine) -> _Carriages:
+    """Return the carriages of a machine."""
+    of_tool = np.zeros(256, np.int64)
     for station in machine.stations:
-        index[station.number] = station.carriage - 1
-    result: I64 = index[toolpath.tool]
-    return result
+        of_tool[station.number] = station.carriage - 1
+    return _Carriages(
+        of_tool,
+        np.array([[axis.velocity for axis in one.axes] for one in machine.carriages]),
+        np.array([[axis.acceleration for axis in one.axes] for one in machine.carriages]),
+    )
 
 
 def _beam_switching(toolpath: Toolpath, machine: Machine) -> tuple[Bool, F64]:
@@ -160,7 +169,7 @@ class _Limits(NamedTuple):
     travel: F64_1  #: mm, along XYZ
     velocity: F64_1  #: greatest velocity along the row
     acceleration: F64_1  #: greatest acceleration along the row
-    feed_time: F64_1  #: s, time of the row at its programmed feed; 0 for rapids
+    seconds: F64_1  #: s, time of the row at its greatest velocity
 
 
 @kernel
@@ -168,9 +177,8 @@ def _row_limits(
     pose: F64_2,
     arcs: _Arcs,
     parked: Bool_1,
-    carriage: I64_1,
-    fastest: F64_2,
-    hardest: F64_2,
+    tool: U8_1,
+    carriages: _Carriages,
     feed: F64_1,
     motion: U8_1,
 ) -> Any:
@@ -184,21 +192,21 @@ def _row_limits(
         The rows that are arcs.
     parked : (n,)
         Mask of the rows before which the row's carriage was parked: only X moves.
-    carriage : (n,)
-        Index of the carriage that makes each row.
-    fastest, hardest : (c, 4)
-        Greatest velocity and acceleration of X, Y, Z and C of each carriage.
+    tool : (n,)
+        Number of the station that makes each row.
+    carriages
+        The carriages of the machine.
     feed, motion : (n,)
         Programmed feed, and ``Motion``.
     """
     count = len(feed)
     length, travel = np.empty(count), np.empty(count)
     velocity, acceleration = np.empty(count), np.empty(count)
-    feed_time = np.zeros(count)
+    seconds = np.empty(count)
     reach = np.empty(4)
     next_arc = 0
     for row in range(count):
-        own = carriage[row]
+        own = carriages.of_tool[tool[row]]
         for axis in range(4):
             reach[axis] = abs(pose[row + 1, axis] - pose[row, axis])
             if parked[row] and axis > 0:
@@ -209,25 +217,27 @@ def _row_limits(
             flat = reach[0] = reach[1] = arcs.length[next_arc]
         # On an arc X and Y share its length, which counts once.
         length[row] = math.sqrt(flat * flat + reach[2] * reach[2] + reach[3] * reach[3])
-        travel[row] = math.hypot(flat, reach[2])
+        travel[row] = flat if reach[2] == 0.0 else math.hypot(flat, reach[2])
         safe = length[row] if length[row] > STILL else 1.0
         fast, hard = math.inf, math.inf
         for axis in range(4):
             if reach[axis] > 0.0:
                 fraction = reach[axis] / safe
-                fast = min(fast, fastest[own, axis] / fraction)
-                hard = min(hard, hardest[own, axis] / fraction)
+                fast = min(fast, carriages.fastest[own, axis] / fraction)
+                hard = min(hard, carriages.hardest[own, axis] / fraction)
+        feed_time = 0.0
         if motion[row] != _RAPID and feed[row] > 0.0:
             way = reach[3] if motion[row] == _SWIVEL else travel[row]
-            feed_time[row] = 60.0 * way / feed[row]
-        if feed_time[row] > 0.0:
-            fast = min(fast, safe / feed_time[row])
+            feed_time = 60.0 * way / feed[row]
+        if feed_time > 0.0:
+            fast = min(fast, safe / feed_time)
         if is_arc:
-            thrust = min(hardest[own, 0], hardest[own, 1])
+            thrust = min(carriages.hardest[own, 0], carriages.hardest[own, 1])
             fast = min(fast, math.sqrt(thrust * arcs.radius[next_arc]) * safe / flat)
             next_arc += 1
         velocity[row], acceleration[row] = fast, hard
-    return _Limits(length, travel, velocity, acceleration, feed_time)
+        seconds[row] = max(feed_time, safe / fast)
+    return _Limits(length, travel, velocity, acceleration, seconds)
 
 
 @kernel(checks_division=True)
