@@ -41,7 +41,9 @@ class TrackEnds(NamedTuple):
     plain: Bool  #: (t,) the track begins at a vertex at which exactly two edges meet
 
 
-def closing_vertices(check: StationCheck, edges: Edges, start: F64) -> tuple[Bool, Bool]:
+def closing_vertices(
+    check: StationCheck, edges: Edges, count: int, track: I64, end: I64
+) -> tuple[Bool, Bool]:
     """Return the tracks that begin at a vertex at which a path may be closed, (t,), and those of
     them at whose vertex exactly two edges meet, (t,).
 
@@ -53,14 +55,16 @@ def closing_vertices(check: StationCheck, edges: Edges, start: F64) -> tuple[Boo
         The check of the knife's station.
     edges
         Edges that are cuts or half-cuts, without perforations.
-    start : (t, 2) mm
-        Points at which the tracks begin.
+    count
+        Number of tracks, t.
+    track, end : (k,)
+        The k pairs of a track and an end of an edge at which it begins.
     """
-    masks = np.zeros((2, len(start)), np.bool_)
+    masks = np.zeros((2, count), np.bool_)
     if check.tool(Knife) is not None:
-        others = count_joined_ends(edges)
-        for mask, chosen in zip(masks, (others > 0, others == 1), strict=True):
-            mask[pairs_within(start, edges.ends[chosen], TOUCH_DISTANCE)[0]] = True
+        others = count_joined_ends(edges)[end]
+        masks[0, track[others > 0]] = True
+        masks[1, track[others == 1]] = True
     return masks[0], masks[1]
 
 

@@ -113,10 +113,10 @@ def find_dangling_ends(cuts: Edges) -> I64:
     2i + 1.
     """
     a, b = cuts.near_ends(JOIN_DISTANCE)
-    touches = cuts.touched_by_points(cuts.ends, JOIN_DISTANCE)
+    end, edge = cuts.touched_ends(JOIN_DISTANCE)
     loose = np.ones(len(cuts.ends), np.bool_)
     loose[a[a // 2 != b // 2]] = False
-    loose[touches.curve[touches.curve // 2 != touches.edge]] = False
+    loose[end[end // 2 != edge]] = False
     return np.flatnonzero(loose)
 
 

@@ -87,25 +87,31 @@ def check_track_ends(
     over = np.zeros(count)
     if count == 0:
         return over
-    first = np.searchsorted(check.track, np.arange(count))
-    last = np.searchsorted(check.track, np.arange(count), side="right") - 1
+    last = np.cumsum(np.bincount(check.track, minlength=count)) - 1
+    first = np.concatenate([[0], last[:-1] + 1])
     start = point_at(check.curve[first], np.zeros(count))
     stop = point_at(check.curve[last], check.curve[last, 5])
     ahead = azimuth_at(check.curve[last], check.curve[last, 5])
     outset = azimuth_at(check.curve[first], np.zeros(count))
-    tracks = TrackEnds(start, stop, outset, ahead, *closing_vertices(check, solid_edges, start))
+    begun, begun_at = pairs_within(start, solid_edges.ends, TOUCH_DISTANCE)
+    tracks = TrackEnds(
+        start, stop, outset, ahead, *closing_vertices(check, solid_edges, count, begun, begun_at)
+    )
 
     stop_rows = np.flatnonzero(~np.isnan(ends.stop[:, 0]))
-    run_over = np.zeros(count, np.bool_)
-    run_over[pairs_within(stop, ends.stop[ends.overrun > 0.0], check.tolerance)[0]] = True
+    run_over, at_junction = _stops_on_cuts(check, ends, stop)
     new = np.ones(count, np.bool_)
     jump = np.hypot(*(start[1:] - stop[:-1]).T)
     # A new run may begin near the overrun of the previous one, but not at the same point.
     beside = JOIN_DISTANCE + PRINT_TURN + 2.0 * check.context.resolution
     new[1:] = jump > np.where(run_over[:-1], PRINT_TURN, beside)
-    new[1:] |= _stops_at_junctions(check, ends, stop[:-1]) & ~_start_along_edges(
-        solid_edges, check.curve[first[1:]], check.slack
+    after = at_junction[begun - 1] & (begun > 0)
+    along = _start_along_edges(
+        solid_edges, check.curve[first[begun[after]]], begun_at[after], check.slack
     )
+    goes_on = np.zeros(count, np.bool_)
+    goes_on[begun[after][along]] = True
+    new[1:] |= at_junction[:-1] & ~goes_on[1:]
     opens = np.flatnonzero(new)
     closes = np.concatenate([opens[1:], [count]]) - 1
     plain = ~dashed[opens]
@@ -153,9 +159,9 @@ def check_track_ends(
     )  # fmt: skip
     _report_wrong_stops(check, solid_rows, ends, runs)
 
-    begun = np.zeros(len(opens), np.bool_)
-    begun[pairs_within(start[opens], solid_edges.ends, TOUCH_DISTANCE)[0]] = True
-    for k in np.flatnonzero(~begun & ~closed & right)[:MAX_FINDINGS]:
+    at_end = np.zeros(count, np.bool_)
+    at_end[begun] = True
+    for k in np.flatnonzero(~at_end[opens] & ~closed & right)[:MAX_FINDINGS]:
         check.add_finding(
             "overcut",
             int(solid_rows[planned[k] // 2]),
@@ -166,19 +172,22 @@ def check_track_ends(
     return over
 
 
-def _stops_at_junctions(check: StationCheck, ends: KnifeEnds, stop: F64) -> Bool:
-    """Return the mask of the stops of the knife, (t, 2) mm, that lie on ends without an overrun at
-    which a cut meets another, (t,).
+def _stops_on_cuts(check: StationCheck, ends: KnifeEnds, stop: F64) -> tuple[Bool, Bool]:
+    """Return which stops of the knife, (t, 2) mm, lie at the overrun of an end of a cut on another
+    cut, and which lie at such an end without an overrun, (t,) each.
     """
-    result = np.zeros(len(stop), np.bool_)
-    junctions = ends.stop[ends.meets & (ends.overrun == 0.0)]
-    result[pairs_within(stop, junctions, check.tolerance)[0]] = True
-    return result
+    meets = np.flatnonzero(ends.meets)
+    masks = np.zeros((2, len(stop)), np.bool_)
+    track, end = pairs_within(stop, ends.stop[meets], check.tolerance)
+    over = ends.overrun[meets[end]] > 0.0
+    masks[0, track[over]] = True
+    masks[1, track[~over]] = True
+    return masks[0], masks[1]
 
 
-def _start_along_edges(edges: Edges, paths: F64, tolerance: float) -> Bool:
-    """Return the mask of the t tip paths that begin at an end of an edge and run along this edge,
-    (t,).
+def _start_along_edges(edges: Edges, paths: F64, end: I64, tolerance: float) -> Bool:
+    """Return the mask of the k tip paths that begin at an end of an edge and run along this edge,
+    (k,).
 
     The curves are compared by their points at the same distance from that end, at most at the end
     of the shorter one.  Their directions may differ: the path may be a chord of the edge, and
@@ -186,20 +195,15 @@ def _start_along_edges(edges: Edges, paths: F64, tolerance: float) -> Bool:
 
     Parameters
     ----------
-    paths : (t, 6)
-        Curves of the tip paths.
+    paths, end : (k, 6) and (k,)
+        Curves of the tip paths, and the end of an edge at which each begins.
     tolerance : mm
         Greatest distance of a path from the edge.
     """
-    start = point_at(paths, np.zeros(len(paths)))
-    track, end = pairs_within(start, edges.ends, TOUCH_DISTANCE)
     edge = edges.curve[end // 2]
-    size = np.minimum(paths[track, 5], edge[:, 5])
-    away = point_at(paths[track], size) - point_at(
-        edge, np.where(end % 2 == 0, size, edge[:, 5] - size)
-    )
-    result = np.zeros(len(paths), np.bool_)
-    result[track[np.hypot(*away.T) <= tolerance]] = True
+    size = np.minimum(paths[:, 5], edge[:, 5])
+    away = point_at(paths, size) - point_at(edge, np.where(end % 2 == 0, size, edge[:, 5] - size))
+    result: Bool = np.hypot(*away.T) <= tolerance
     return result
 
 

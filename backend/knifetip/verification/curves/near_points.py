@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from knifetip.kernels import F64_2, I32_1, OutI64_1, inline_kernel, kernel
+from knifetip.kernels import F64_2, I32_1, I64_1, OutI64_1, OutU8_1, inline_kernel, kernel
 
 #: Most cells per axis that a cell may be wider than the distance of a pair.  In wider cells, fewer
 #: points have their neighbours in other cells.
@@ -33,6 +33,21 @@ def _bucket(column: int, row: int, mask: int) -> int:
     mixed = (mixed ^ (mixed >> 15)) * 0x2C1B3C6D
     mixed = (mixed ^ (mixed >> 12)) * 0x297A2D39
     return (mixed ^ (mixed >> 15)) & mask
+
+
+@kernel
+def pair_distances(points: F64_2, one: I64_1, others: F64_2, other: I64_1) -> Any:
+    """Return the distances between the points of k pairs, (k,) mm.
+
+    ``one`` and ``other`` are the indices of the two points in ``points``, (n, 2) mm, and in
+    ``others``, (m, 2) mm, (k,) each.
+    """
+    distance = np.empty(len(one))
+    for k in range(len(one)):
+        x = points[one[k], 0] - others[other[k], 0]
+        y = points[one[k], 1] - others[other[k], 1]
+        distance[k] = math.hypot(x, y)
+    return distance
 
 
 @kernel
@@ -83,7 +98,7 @@ def near_points(points: F64_2, others: F64_2, distance: float, most: int) -> Any
     room = len(points) + len(others)
     while True:
         one, other = np.empty(room, np.int64), np.empty(room, np.int64)
-        rank = np.empty(room, np.int64)
+        rank = np.empty(room, np.uint8)
         used, complete = _search(grid, most, one, other, rank)
         if used <= room:
             break
@@ -95,6 +110,8 @@ def near_points(points: F64_2, others: F64_2, distance: float, most: int) -> Any
     for k in range(used):
         if rank[k] < 6:
             place[rank[k] // 3 + 1] += 1
+    if place[1] == 0 and place[2] == used:
+        return one[:used].copy(), other[:used].copy(), True
     place[2] += place[1]
     sorted_one, sorted_other = np.empty(used, np.int64), np.empty(used, np.int64)
     for k in range(used):
@@ -105,7 +122,7 @@ def near_points(points: F64_2, others: F64_2, distance: float, most: int) -> Any
 
 
 @kernel(allocates=False)
-def _search(grid: _PointGrid, most: int, one: OutI64_1, other: OutI64_1, rank: OutI64_1) -> Any:
+def _search(grid: _PointGrid, most: int, one: OutI64_1, other: OutI64_1, rank: OutU8_1) -> Any:
     """Write the near pairs to ``one`` and ``other``, and the cell of the second point of each,
     relative to the first one, to ``rank``.
 
@@ -123,12 +140,14 @@ def _search(grid: _PointGrid, most: int, one: OutI64_1, other: OutI64_1, rank: O
         column_1 = math.floor((x + distance - low_x) / width)
         row_0 = math.floor((y - distance - low_y) / width)
         row_1 = math.floor((y + distance - low_y) / width)
+        own_column, own_row = math.floor((x - low_x) / width), math.floor((y - low_y) / width)
         for column in range(column_0, column_1 + 1):
             for row in range(row_0, row_1 + 1):
+                at_home = column == own_column and row == own_row
                 j = grid.first[_bucket(column, row, mask)]
                 while j >= 0:
                     compared += 1
-                    here = _cell_beside(grid, x, y, column, row, j)
+                    here = _cell_beside(grid, x, y, column, row, at_home, j)
                     if here >= 0:
                         if used < len(one):
                             slot = used
@@ -148,16 +167,21 @@ def _search(grid: _PointGrid, most: int, one: OutI64_1, other: OutI64_1, rank: O
 
 
 @inline_kernel
-def _cell_beside(grid: _PointGrid, x: float, y: float, column: int, row: int, j: int) -> int:
+def _cell_beside(
+    grid: _PointGrid, x: float, y: float, column: int, row: int, at_home: bool, j: int
+) -> int:
     """Return the number of the cell of point j relative to that of the point (x, y), 0 … 8.
 
-    Returns -1 if the points are farther apart than the greatest distance of a pair, or if point j
-    is not in the wide cell ``column``, ``row``, because another cell may share the bucket.
+    ``at_home`` is whether the point (x, y) is in the wide cell ``column``, ``row``.  Returns -1 if
+    the points are farther apart than the greatest distance of a pair, or if point j is not in the
+    wide cell, because another cell may share the bucket.
     """
     other_x, other_y = grid.others[j, 0], grid.others[j, 1]
     dx, dy = x - other_x, y - other_y
     if abs(dx) > grid.distance or abs(dy) > grid.distance:
         return -1
+    if dx == 0.0 and dy == 0.0:
+        return 4 if at_home else -1
     if math.hypot(dx, dy) > grid.distance:
         return -1
     right, above = other_x - grid.low_x, other_y - grid.low_y

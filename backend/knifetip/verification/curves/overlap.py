@@ -390,6 +390,7 @@ def _search_from(
         if many > len(found.cells):
             return curve, used, many
         box = _curve_box(curves, curve, 0.0, curves[curve, 5])
+        is_point = curves[curve, 0] == 0.0 and curves[curve, 5] == 0.0
         done = used
         for k in range(many):
             cell = found.cells[k]
@@ -404,15 +405,21 @@ def _search_from(
                 ):
                     continue
                 met[edge] = curve
-                hit_count = _overlap_pair(
-                    curves[curve],
-                    grid.edges[edge],
-                    parts.low[edge],
-                    parts.high[edge],
-                    limit,
-                    found.near,
-                    found.hits,
-                )
+                if is_point and grid.edges[edge, 0] == 0.0:
+                    hit_count = _overlap_point(
+                        box[0], box[1], grid.edges, edge, parts.low[edge], parts.high[edge],
+                        limit, found.hits,
+                    )  # fmt: skip
+                else:
+                    hit_count = _overlap_pair(
+                        curves[curve],
+                        grid.edges[edge],
+                        parts.low[edge],
+                        parts.high[edge],
+                        limit,
+                        found.near,
+                        found.hits,
+                    )
                 if used + hit_count > len(found.pairs):
                     return curve, done, 0
                 for hit in range(hit_count):
@@ -422,6 +429,27 @@ def _search_from(
                         found.spans[used, column] = found.hits[hit, column]
                     used += 1
     return len(curves), used, 0
+
+
+@inline_kernel
+def _overlap_point(
+    x: float, y: float, edges: F64_2, edge: int, low: float, high: float, limit: float,
+    hits: OutF64_2,
+) -> int:  # fmt: skip
+    """Write the overlap of the point (x, y) with a straight edge to the first row of ``hits``.
+
+    Returns the number of overlaps, 0 or 1.  This is the short form of ``_overlap_pair``, which
+    describes the arguments, for the most common pairs.
+    """
+    dx, dy = x - edges[edge, 1], y - edges[edge, 2]
+    along = dx * edges[edge, 3] + dy * edges[edge, 4]
+    offset = abs(edges[edge, 3] * dy - edges[edge, 4] * dx)
+    past = max(low - along, along - high, 0.0)
+    if offset > limit or past > limit or (past > 1e-9 and math.hypot(past, offset) > limit):
+        return 0
+    place = min(max(along, low), high)
+    hits[0, 0], hits[0, 1], hits[0, 2], hits[0, 3], hits[0, 4] = 0.0, 0.0, place, place, offset
+    return 1
 
 
 @kernel(allocates=False, checks_division=True)

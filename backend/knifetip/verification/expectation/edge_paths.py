@@ -13,6 +13,7 @@ import numpy as np
 from knifetip.kernels import F64_1, I64_1, kernel
 from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import point_at
+from knifetip.verification.curves.near_points import pair_distances
 from knifetip.verification.expectation.edges import (
     JOIN_DISTANCE,
     STRAIGHT_ANGLE,
@@ -81,7 +82,7 @@ def _joined_pairs(edges: Edges) -> tuple[I64, I64, F64, Bool]:
     turn = angle_between(edges.outward[a], edges.outward[b] + 180.0)
     goes_on = np.zeros(len(edges.ends), np.bool_)
     goes_on[a[turn <= STRAIGHT_ANGLE]] = True
-    joined = np.hypot(*(edges.ends[a] - edges.ends[b]).T) <= JOIN_DISTANCE
+    joined = pair_distances(edges.ends, a, edges.ends, b) <= JOIN_DISTANCE
     # Coincident edges are not linked back along each other.
     back = np.flatnonzero(joined & (turn >= 180.0 - STRAIGHT_ANGLE))
     joined[back] = ~_are_coincident(edges, a[back], b[back])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any, Final, TypeVar
+from typing import Any, Final, TypeVar, cast
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.verification.columns import F64, I32, I64
 from knifetip.verification.curves.curve import arc_curves, azimuth_at, line_curves, point_at
 from knifetip.verification.curves.intervals import Overlaps
-from knifetip.verification.curves.near_points import near_points
+from knifetip.verification.curves.near_points import near_points, pair_distances
 from knifetip.verification.curves.overlap import find_overlaps, list_edges, search_overlaps
 
 Result = TypeVar("Result")
@@ -73,9 +73,19 @@ class Edges:
         End 2i is the start of edge i, and end 2i + 1 is its end.  Each end also forms a pair with
         itself.
         """
+        if distance < TOUCH_DISTANCE:
+            return self.compute_once(f"ends within {distance}", lambda: self._nearer_ends(distance))
         return self.compute_once(
             f"ends within {distance}", lambda: pairs_within(self.ends, self.ends, distance)
         )
+
+    def _nearer_ends(self, distance: float) -> tuple[I64, I64]:
+        """Return those pairs of ends within ``TOUCH_DISTANCE`` that are at most ``distance`` mm
+        apart.
+        """
+        one, other = self.near_ends(TOUCH_DISTANCE)
+        near = pair_distances(self.ends, one, self.ends, other) <= distance
+        return (one, other) if near.all() else (one[near], other[near])
 
     def find_overlaps(
         self, curves: F64, limit: float, part: tuple[F64, F64] | None = None
@@ -98,14 +108,35 @@ class Edges:
         low, high = (np.zeros(len(self)), self.curve[:, 5]) if part is None else part
         if limit > _GRID_LIMIT:
             return find_overlaps(curves, self.curve, low, high, limit)
+        is_whole = part is None or (np.array_equal(high, self.curve[:, 5]) and not low.any())
+        name = f"overlaps within {limit} of {len(curves)} curves"
+        if is_whole and name in self._memory:
+            # The checks search for the same tip paths and the same ends more than once.
+            known, earlier = self._memory[name]
+            if np.array_equal(known, curves):
+                return cast(Overlaps, earlier)
         grid = self.compute_once("grid", lambda: list_edges(self.curve, _GRID_LIMIT))
-        return search_overlaps(curves, grid, low, high, limit)
+        result = search_overlaps(curves, grid, low, high, limit)
+        if is_whole:
+            self._memory[name] = (curves, result)
+        return result
 
     def touched_by_points(self, points: F64, limit: float) -> Overlaps:
         """Return the points, (n, 2) mm, that lie within ``limit`` mm of the edges, as overlaps of
         curves of length 0.
         """
         return self.find_overlaps(line_curves(points, points), limit)
+
+    def touched_ends(self, distance: float) -> tuple[I32, I32]:
+        """Return the k pairs of an end and an edge at most ``distance`` mm apart, (k,) each.
+
+        The distance is at most ``TOUCH_DISTANCE``.  End 2i is the start of edge i, and end 2i + 1
+        is its end; each end also forms a pair with its own edge.
+        """
+        touches = self.touched_by_points(self.ends, TOUCH_DISTANCE)
+        foot = point_at(self.curve[touches.edge], touches.place[:, 0])
+        near = np.hypot(*(foot - self.ends[touches.curve]).T) <= distance
+        return touches.curve[near], touches.edge[near]
 
     def compute_once(self, name: str, compute: Callable[[], Result]) -> Result:
         """Return the result of ``compute``, which is called only once for each ``name``.
@@ -198,10 +229,9 @@ def _separate_duplicates(edges: Edges) -> tuple[Edges, I32, I32]:
     same = (a % 2 == 0) & (a // 2 > b // 2)
     # An end of the second edge lies at the first edge's start; its other end must lie at the end.
     first, other = a[same] // 2, b[same]
-    difference = edges.ends[2 * first + 1] - edges.ends[other ^ 1]
     middle = [point_at(edges.curve[row], 0.5 * edges.curve[row, 5]) for row in (first, other // 2)]
     twins = (
-        (np.hypot(*difference.T) <= JOIN_DISTANCE)
+        (pair_distances(edges.ends, 2 * first + 1, edges.ends, other ^ 1) <= JOIN_DISTANCE)
         & (np.hypot(*(middle[0] - middle[1]).T) <= JOIN_DISTANCE)
         & (edges.line_type[first] == edges.line_type[other // 2])
     )
