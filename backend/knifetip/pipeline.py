@@ -47,6 +47,7 @@ from knifetip.model.stage import Progress, Stage, no_progress
 from knifetip.model.toolpath import Toolpath
 from knifetip.model.verdict import Finding, Severity, Verdict
 from knifetip.planning.boundary import BoardOutline
+from knifetip.planning.nothing_to_make import check_has_work
 from knifetip.planning.placement import placement
 from knifetip.planning.plan import check_corners, plan
 from knifetip.planning.questions import tool_questions
@@ -202,6 +203,7 @@ def compile(
         The drawing cannot be made on this machine and board.
     """
     machine = with_language(machine, dialect)
+    check_has_work(drawing, dieline)
     open_questions = questions(drawing, dieline, machine)
     if open_questions:
         raise OpenQuestions([question.as_json() for question in open_questions])

@@ -6,6 +6,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
+import numpy as np
+
 from knifetip.library import load
 from knifetip.model.dieline import LineType
 
@@ -76,10 +78,17 @@ def _shallower(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None
 
 
 def _larger_machine(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
-    """Choose a larger machine, or turn the drawing by 90°."""
+    """Choose a larger machine."""
     if attempt.machine.name == "flat-cutter-hpgl":
         return _knife(refusal, attempt)
     return None
+
+
+def _turned(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt]:
+    """Turn the drawing by 90°."""
+    x, y = attempt.drawing.ends[..., 0], attempt.drawing.ends[..., 1]
+    turned = replace(attempt.drawing, ends=np.stack([-y, x], axis=-1))
+    return "turned", replace(attempt, drawing=turned)
 
 
 def _whole_sheet(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
@@ -100,6 +109,7 @@ _ACTIONS: Final[dict[str, Callable[[Refusal, Attempt], tuple[str, Attempt] | Non
     "groove.too-short": _ignored,
     "hpgl.press": _knife,
     "milling.shared-edge": _knife,
+    "drawing.fits-turned": _turned,
     "drawing.larger-than-table": _larger_machine,
     "sheet.without-outline": _whole_sheet,
     "verify.cuts-part": _thinner_cutter,

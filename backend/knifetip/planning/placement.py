@@ -19,19 +19,23 @@ def placement(dieline: Dieline, machine: Machine) -> tuple[float, float]:
     Raises
     ------
     TravelExceeded
-        The drawing is larger than the table.
+        The drawing is larger than the table; the message states whether it would fit if it were
+        turned by 90°.
     """
     has_work = ~np.isin(dieline.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED))
     low_x, low_y, high_x, high_y = extents(dieline.ends[has_work], dieline.bulge[has_work])
     x, y = machine.origin
-    if high_x - low_x > machine.width - x or high_y - low_y > machine.height - y:
+    width, height = high_x - low_x, high_y - low_y
+    room_x, room_y = machine.width - x, machine.height - y
+    if width > room_x or height > room_y:
+        fits_turned = height <= room_x and width <= room_y
         raise TravelExceeded(
-            "drawing.larger-than-table",
-            width=high_x - low_x,
-            height=high_y - low_y,
+            "drawing.fits-turned" if fits_turned else "drawing.larger-than-table",
+            width=width,
+            height=height,
             machine=machine.title,
-            room_x=machine.width - x,
-            room_y=machine.height - y,
+            room_x=room_x,
+            room_y=room_y,
         )
     # Rounded to the decimals of a program, so that the shift in its header is exact.
     return round(x - float(low_x), 4), round(y - float(low_y), 4)

@@ -22,11 +22,12 @@ _SHOWN: Final = 2
 
 
 def unit_question(drawing: Drawing, finding: UnitFinding) -> Question | None:
-    """Return the question that asks the user for the unit; None if the drawing has a unit.
+    """Return the question that asks the user for the unit.
 
-    ``finding`` is the evidence for all candidate units of the drawing.
+    The result is None if the drawing has a unit, or no edges that have a size.  ``finding`` is the
+    evidence for all candidate units of the drawing.
     """
-    if drawing.unit:
+    if drawing.unit or len(drawing) == 0:
         return None
     low_x, low_y, high_x, high_y = drawing.bounds
     width, height = float(high_x - low_x), float(high_y - low_y)

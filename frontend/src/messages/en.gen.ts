@@ -695,6 +695,10 @@ export const TEXTS = {
     "text": "The deflection of {deflection:.3f} mm cannot be corrected, because it is not smaller than the cutter's radius of {radius:.3f} mm.",
     "hint": "Measure the deflection of the cutter again, or correct it in the board file."
   },
+  "drawing.all-ignored": {
+    "text": "There is nothing to make: {count:the only edge|all # edges} of the drawing {count:is|are} ignored.",
+    "hint": "Give the edges that shall be made the line type cut, crease or another one."
+  },
   "drawing.changing": {
     "text": "Another request is changing drawing {drawing} at the same time.",
     "hint": "Try again in a moment."
@@ -703,13 +707,29 @@ export const TEXTS = {
     "text": "The drawing was deleted.",
     "hint": ""
   },
+  "drawing.empty": {
+    "text": "There is nothing to make: the file contains no objects.",
+    "hint": "Export the drawing again, with the lines of the carton in model space."
+  },
+  "drawing.fits-turned": {
+    "text": "The drawing measures {width:.1f} × {height:.1f} mm, but the table of {machine} measures only {room_x:.0f} × {room_y:.0f} mm. Turned by 90°, the drawing fits.",
+    "hint": "Turn the drawing by 90° and import it again."
+  },
   "drawing.in-use": {
     "text": "Drawing {drawing} cannot be deleted, because job {job} was made from it.",
     "hint": "Keep the drawing. Only drawings from which no job was made can be deleted."
   },
   "drawing.larger-than-table": {
     "text": "The drawing measures {width:.1f} × {height:.1f} mm, but the table of {machine} measures only {room_x:.0f} × {room_y:.0f} mm.",
-    "hint": "Check the unit of the drawing, rotate the drawing, or choose a larger machine."
+    "hint": "Check the unit of the drawing, choose a larger machine, or divide the drawing."
+  },
+  "drawing.no-lines": {
+    "text": "There is nothing to make: the file contains no lines that a tool can follow. {count:The only object was|All # objects were} left out: {reasons:; }.",
+    "hint": "Draw the carton with lines, arcs or curves in model space, parallel to the XY plane, and import it again."
+  },
+  "drawing.no-lines-reason": {
+    "text": "{count:once|# times}, {reason}",
+    "hint": ""
   },
   "drawing.open-questions": {
     "text": "{count:# question|# questions} about the drawing must be answered first: {questions: }",
@@ -2200,7 +2220,7 @@ export const TEXTS = {
     "hint": "Follow the reason for which the job was refused."
   },
   "job.no-work": {
-    "text": "The drawing contains nothing that the machine can make: every edge is ignored, too short for its tool, or in a place that the cutter does not enter.",
+    "text": "The drawing contains nothing that the machine can make: every edge is too short for its tool, or in a place that the cutter does not enter.",
     "hint": "Check the unit of the drawing and the line types of its edges. Otherwise choose another machine or machine file: a smaller creasing wheel for short creases, a thinner cutter or a knife for narrow contours."
   },
   "job.not-confirmed": {

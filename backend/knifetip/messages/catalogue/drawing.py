@@ -7,6 +7,12 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
+    "drawing.all-ignored": entry(
+        "There is nothing to make: {count:the only edge|all # edges} of the drawing "
+        "{count:is|are} ignored.",
+        "Give the edges that shall be made the line type cut, crease or another one.",
+        count="count",
+    ),
     "drawing.changing": entry(
         "Another request is changing drawing {drawing} at the same time.",
         "Try again in a moment.",
@@ -15,21 +21,48 @@ MESSAGES: Final[Entries] = {
     "drawing.deleted": entry(
         "The drawing was deleted.",
     ),
+    "drawing.empty": entry(
+        "There is nothing to make: the file contains no objects.",
+        "Export the drawing again, with the lines of the carton in model space.",
+    ),
     "drawing.in-use": entry(
         "Drawing {drawing} cannot be deleted, because job {job} was made from it.",
         "Keep the drawing. Only drawings from which no job was made can be deleted.",
         job="text",
         drawing="text",
     ),
-    "drawing.larger-than-table": entry(
+    "drawing.fits-turned": entry(
         "The drawing measures {width:.1f} × {height:.1f} mm, but the table of {machine} "
-        "measures only {room_x:.0f} × {room_y:.0f} mm.",
-        "Check the unit of the drawing, rotate the drawing, or choose a larger machine.",
+        "measures only {room_x:.0f} × {room_y:.0f} mm. Turned by 90°, the drawing fits.",
+        "Turn the drawing by 90° and import it again.",
         width="number",
         height="number",
         machine="text",
         room_x="number",
         room_y="number",
+    ),
+    "drawing.larger-than-table": entry(
+        "The drawing measures {width:.1f} × {height:.1f} mm, but the table of {machine} "
+        "measures only {room_x:.0f} × {room_y:.0f} mm.",
+        "Check the unit of the drawing, choose a larger machine, or divide the drawing.",
+        width="number",
+        height="number",
+        machine="text",
+        room_x="number",
+        room_y="number",
+    ),
+    "drawing.no-lines": entry(
+        "There is nothing to make: the file contains no lines that a tool can follow. "
+        "{count:The only object was|All # objects were} left out: {reasons:; }.",
+        "Draw the carton with lines, arcs or curves in model space, parallel to the XY plane, and "
+        "import it again.",
+        count="count",
+        reasons="messages",
+    ),
+    "drawing.no-lines-reason": entry(
+        "{count:once|# times}, {reason}",
+        count="count",
+        reason="message",
     ),
     "drawing.open-questions": entry(
         "{count:# question|# questions} about the drawing must be answered first: {questions: }",

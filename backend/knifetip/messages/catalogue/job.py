@@ -179,8 +179,8 @@ MESSAGES: Final[Entries] = {
         job="text",
     ),
     "job.no-work": entry(
-        "The drawing contains nothing that the machine can make: every edge is ignored, too short "
-        "for its tool, or in a place that the cutter does not enter.",
+        "The drawing contains nothing that the machine can make: every edge is too short for its "
+        "tool, or in a place that the cutter does not enter.",
         "Check the unit of the drawing and the line types of its edges. Otherwise choose another "
         "machine or machine file: a smaller creasing wheel for short creases, a thinner cutter or "
         "a knife for narrow contours.",
