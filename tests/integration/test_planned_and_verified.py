@@ -16,7 +16,7 @@ from knifetip.geometry.columns import F64, Bool
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
-from knifetip.model.verdict import Severity, Verdict
+from knifetip.model.verdict import Finding, Severity, Verdict
 from knifetip.planning import blade_operations, crease_operations, groove_operations
 from knifetip.verification.verify import verify
 from tests.support.modules import original
@@ -34,6 +34,11 @@ def verdict_of(line: Dieline, machine: Machine = MACHINE, **asked: Any) -> Verdi
     toolpath = sequence([compensate(operation) for operation in operations], machine)
     text = process(toolpath, machine, "grblhal").text
     return verify(text, line, (0.0, 0.0), machine, board)
+
+
+def faults(verdict: Verdict) -> list[Finding]:
+    """Return the findings that nobody can accept."""
+    return [finding for finding in verdict.findings if finding.severity is Severity.FAULT]
 
 
 @pytest.mark.parametrize("degrees", [7.0, 20.0, 45.0, 70.0, 90.0])
@@ -201,6 +206,57 @@ def test_a_crease_that_a_cut_goes_through_at_a_vertex(monkeypatch: pytest.Monkey
         crease_operations, "split_at_cuts", lambda paths, *_: right(paths, cut[:0], cut[:0, 0, 0])
     )
     assert not verdict_of(line).accepted
+
+
+CROSSING = ((200, 130), (200, 170)), ((200, 130), (200, 150), (230, 170))
+
+
+@pytest.mark.parametrize("past", [-0.06, -0.05, -0.035, 0.001, 0.035, 0.05, 0.06])
+@pytest.mark.parametrize("cut", CROSSING, ids=["straight", "vertex"])
+@pytest.mark.parametrize(
+    "turned", [(False, False), (True, False), (False, True), (True, True)], ids=str
+)
+def test_a_cut_that_crosses_creases_near_their_joint(
+    past: float, cut: tuple[tuple[int, int], ...], turned: tuple[bool, bool]
+) -> None:
+    joint = (200.0 + past, 150)
+    creases = edges(((120, 150), joint), (joint, (350, 150)))
+    creases = np.where(np.array(turned)[:, None, None], creases[:, ::-1], creases)
+    verdict = verdict_of(dieline(OUTLINE, (CREASE, creases), (CUT, edges(*pairwise(cut)))))
+    assert verdict.accepted, verdict.findings[:2]
+
+
+@pytest.mark.parametrize("past", [-0.06, -0.05, -0.01, 0.0, 0.01, 0.05, 0.05001, 0.06])
+@pytest.mark.parametrize("shift", [0.0, 0.1, 0.7, 1.3])
+def test_a_crease_that_ends_a_little_before_or_behind_a_cut(past: float, shift: float) -> None:
+    crease = edges(((120 + shift, 150), (200 + shift + past, 150)))
+    cut = edges(((200 + shift, 130), (200 + shift, 170)))
+    verdict = verdict_of(dieline(OUTLINE, (CREASE, crease), (CUT, cut)), short_crease="press")
+    assert not faults(verdict), verdict.findings[:2]
+
+
+@pytest.mark.parametrize("apart", [0.0, 0.03, 0.05, 0.06])
+def test_cuts_that_end_on_both_sides_of_a_crease_side_by_side(apart: float) -> None:
+    cuts = edges(((200, 130), (200, 150)), ((200 + apart, 150), (200 + apart, 170)))
+    for crease in edges(((120, 150), (350, 150)), ((350, 150), (120, 150))):
+        verdict = verdict_of(dieline(OUTLINE, (CREASE, crease[None]), (CUT, cuts)))
+        assert verdict.accepted, verdict.findings[:2]
+
+
+def test_a_row_of_creases_with_gaps_of_which_only_some_are_alike() -> None:
+    ends = ((120, 170), (170.38, 190), (190.72, 230), (230.79, 300), (300.54, 340))
+    row = edges(*[((low, 150), (high, 150)) for low, high in ends])
+    cut = edges(((231.14, 130), (231.14, 170)))
+    verdict = verdict_of(dieline(OUTLINE, (CREASE, row), (CUT, cut)), short_crease="press")
+    assert not faults(verdict), verdict.findings[:2]
+
+
+def test_creases_that_are_drawn_a_little_into_the_slots_between_them() -> None:
+    ends = ((120, 200.3), (204.8, 260.2), (264.7, 340))
+    row = edges(*[((low, 150), (high, 150)) for low, high in ends])
+    slots = [(CUT, edges(((x, 130), (x, 152)))) for x in (200, 205, 260, 265)]
+    verdict = verdict_of(dieline(OUTLINE, (CREASE, row), *slots), short_crease="press")
+    assert verdict.accepted, verdict.findings[:2]
 
 
 #: An S of two arcs and a half circle: the depth changes along them.

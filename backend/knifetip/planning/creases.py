@@ -7,7 +7,7 @@ double crease end at the same positions as the drawn crease.
 from __future__ import annotations
 
 from math import cos, hypot, radians, sin
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -19,7 +19,7 @@ from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.geometry.intersect import intersect_pairs
 from knifetip.geometry.path import Paths, select_paths
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
-from knifetip.geometry.tolerance import ANGLE, BULGE, GAP
+from knifetip.geometry.tolerance import ANGLE, BULGE, GAP, JOIN, POINT
 from knifetip.kernels import F64_3, I64_1, kernel
 
 #: A cut at a smaller angle runs along a crease and does not cross it (sine of 1°).
@@ -32,7 +32,8 @@ def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool
     """Return the paths, split where cuts cross them.
 
     A path is not split by a cut that only touches it from one side, nor by a cut on which the path
-    ends.
+    ends.  Cuts that cross a path at most ``GAP`` apart (mm) cross it at one place: the path stops
+    before the first of them, and starts again behind the last one.
 
     Parameters
     ----------
@@ -45,41 +46,120 @@ def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool
         The q new paths with m segments, in the order of ``paths``.
     row : (m,)
         Segment of ``paths`` from which each new segment comes.
-    split : (q, 2)
-        Whether the start, and whether the end, of each new path is at a split.
+    crossed : (q, 2)
+        Whether a cut crosses a path at the start, and at the end, of each new path.
     """
-    segment, fraction = find_cut_crossings(paths, ends, bulge)
-    count = len(paths.bulge)
-    row = np.concatenate([np.arange(count), segment])
-    low = np.concatenate([np.zeros(count), fraction])
-    added = np.arange(len(row)) >= count
-    order = np.lexsort((added, low, row))
-    row, low, added = row[order], low[order], added[order]
+    segment, fraction = _all_crossings(paths, ends, bulge)
+    inner = _is_inner(paths, segment, fraction)
+    place, path, first, last = _cluster_crossings(paths, segment[inner], fraction[inner])
+    size = arc.length(paths.start, paths.end, paths.bulge)
+    along = place - _begin_of_segments(paths, size)[segment[inner]]
+    # A cut at a joint, or too near to it for a segment between them, splits no segment.
+    own = size[segment[inner]]
+    divides = (along > 0.5 * JOIN) & (along < own - 0.5 * JOIN)
+    row = np.concatenate([np.arange(len(size)), segment[inner][divides]])
+    low = np.concatenate([np.zeros(len(size)), (along / own)[divides]])
+    order = np.lexsort((low, row))
+    row, low = row[order], low[order]
     high = np.where(np.append(row[1:] != row[:-1], True), 1.0, np.roll(low, -1))
-    # Drop stretches between two cuts at one point, and before a cut through a joint.
-    size = arc.length(paths.start, paths.end, paths.bulge)[row] * (high - low)
-    long_enough = (size > GAP) | ((low == 0.0) & (high == 1.0))
-    row, low, high, added = (
-        row[long_enough],
-        low[long_enough],
-        high[long_enough],
-        added[long_enough],
-    )
+    middle = _begin_of_segments(paths, size)[row] + 0.5 * (low + high) * size[row]
+    owner = paths.path_of[row]
+    passed, within = _locate_among_clusters(owner, middle, path, first, last)
+    kept = ~within & ((high > low) | ((low == 0.0) & (high == 1.0)))
+    row, low, high, owner, passed = (one[kept] for one in (row, low, high, owner, passed))
     near_end, far_end, bent = arc.sub_arc(
         paths.start[row], paths.end[row], paths.bulge[row], low, high
     )
-    owner = paths.path_of[row]
-    starts = np.flatnonzero(added | np.append(True, owner[1:] != owner[:-1]))
+    begins_path = np.append(True, (owner[1:] != owner[:-1]) | (passed[1:] != passed[:-1]))
+    starts = np.flatnonzero(begins_path[: len(row)])
     result = Paths(
         np.where((low == 0.0)[:, None], paths.start[row], near_end),
         np.where((high == 1.0)[:, None], paths.end[row], far_end),
         np.where((low == 0.0) & (high == 1.0), paths.bulge[row], bent),
         np.append(starts, len(row)),
     )
-    split_start = added[starts]
-    # A path ends at a split if the next path starts at one.
-    split = np.stack([split_start, np.append(split_start[1:], False)], axis=1)
-    return result, row.astype(np.int32), split
+    owner = owner[starts]
+    again = np.append(False, owner[1:] == owner[:-1])[: len(owner)]
+    points = arc.point_at(paths.start[segment], paths.end[segment], paths.bulge[segment], fraction)
+    crossed = _near_points(result, points)
+    crossed |= np.stack([again, np.append(again[1:], False)[: len(again)]], axis=1)
+    return result, row.astype(np.int32), crossed
+
+
+def _begin_of_segments(paths: Paths, size: F64) -> F64:
+    """Return the distance from the start of its path to the start of each segment, (n,) mm.
+
+    ``size`` are the lengths of the n segments, (n,) mm.
+    """
+    before = np.append(0.0, np.cumsum(size))[:-1]
+    result: F64 = before - before[paths.first[:-1]][paths.path_of]
+    return result
+
+
+def _cluster_crossings(paths: Paths, segment: I64, fraction: F64) -> tuple[F64, I64, F64, F64]:
+    """Return the places of k crossings along their paths, and the c clusters of the crossings.
+
+    Neighbours in one cluster are at most ``GAP`` mm apart.  ``segment`` and ``fraction`` are as
+    returned by ``find_cut_crossings``.
+
+    Returns
+    -------
+    place : (k,) mm
+        Distance of each crossing from the start of its path.  A crossing within ``JOIN`` of a joint
+        is moved to the joint.
+    path, first, last : (c,), (c,) mm and (c,) mm
+        Path of each cluster, and the least and greatest place of its crossings, sorted by path and
+        place.
+    """
+    size = arc.length(paths.start, paths.end, paths.bulge)
+    along = fraction * size[segment]
+    along = np.where(along < JOIN, 0.0, along)
+    along = np.where(size[segment] - along < JOIN, size[segment], along)
+    place = _begin_of_segments(paths, size)[segment] + along
+    path = paths.path_of[segment].astype(np.int64)
+    order = np.lexsort((place, path))
+    ordered, owner = place[order], path[order]
+    apart = (owner[1:] != owner[:-1]) | (np.diff(ordered) > GAP + POINT)
+    begin = np.flatnonzero(np.append(True, apart)[: len(ordered)])
+    end = np.append(begin[1:], len(ordered))[: len(begin)] - 1
+    return place, owner[begin], ordered[begin], ordered[end]
+
+
+def _locate_among_clusters(
+    owner: I64 | I32, place: F64, path: I64, first: F64, last: F64
+) -> tuple[I64, Bool]:
+    """Return the number of clusters that begin before each of m places, and whether the place is
+    inside a cluster.
+
+    The number counts the clusters of all paths up to the path of the place.
+
+    Parameters
+    ----------
+    owner, place : (m,) and (m,) mm
+        Path of each place, and its distance from the start of the path.
+    path, first, last : (c,)
+        Clusters as returned by ``_cluster_crossings``.
+    """
+    widest = 1.0 + float(max(place.max(initial=0.0), last.max(initial=0.0)))
+    passed = np.searchsorted(path * widest + first, owner * widest + place, side="right")
+    before = np.maximum(passed - 1, 0)
+    if len(path) == 0:
+        return passed, np.zeros(len(place), np.bool_)
+    return passed, (passed > 0) & (path[before] == owner) & (place < last[before])
+
+
+def _near_points(paths: Paths, points: F64) -> Bool:
+    """Return whether the start, and the end, of each of q paths is within ``GAP`` of a point,
+    (q, 2).
+
+    ``points`` are k points, (k, 2) mm.
+    """
+    stops = np.concatenate([paths.start[paths.first[:-1]], paths.end[paths.first[1:] - 1]])
+    stop, point = box_pairs(np.hstack([stops, stops]), np.hstack([points, points]), 2.0 * GAP)
+    near = np.hypot(*(stops[stop] - points[point]).T) <= GAP + POINT
+    result = np.zeros(len(stops), np.bool_)
+    result[stop[near]] = True
+    return result.reshape(2, -1).T
 
 
 def find_cut_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
@@ -95,34 +175,52 @@ def find_cut_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
     ends, bulge : (n, 2, 2) mm and (n,)
         Start and end points, and bulges, of the cuts.
     """
+    segment, fraction = _all_crossings(paths, ends, bulge)
+    inner = _is_inner(paths, segment, fraction)
+    return segment[inner], fraction[inner]
+
+
+def _all_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
+    """Return the k points at which cuts cross paths, also those at the ends of the paths.
+
+    The arguments and the result are those of ``find_cut_crossings``.
+    """
     if len(paths) == 0 or len(bulge) == 0:
         return np.zeros(0, np.int64), np.zeros(0)
-    segment, _, fraction = inner_crossings(paths, ends, bulge)
+    segment, _, fraction = _crossings_inside_cuts(paths, ends, bulge)
     at_vertex, vertex_fraction = _crossings_at_cut_ends(paths, ends, bulge)
     return np.concatenate([segment, at_vertex]), np.concatenate([fraction, vertex_fraction])
 
 
-def _crossings_at_cut_ends(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
-    """Return the k points of segments at which cuts from both sides of the segment end.
+def _is_inner(paths: Paths, segment: I64, fraction: F64) -> Bool:
+    """Return the mask of the points of paths that are more than ``GAP`` from the path's ends, (k,).
 
-    Returns the segment of each point (k,), and the parameter of the point on it, 0 … 1 (k,).
-    ``ends`` and ``bulge`` are the ends, (n, 2, 2) mm, and the bulges, (n,), of the cuts.
+    ``segment`` is the segment of each point, (k,), and ``fraction`` its parameter, 0 … 1, (k,).  A
+    joint between two segments of one path is not an end.
+    """
+    points = arc.point_at(paths.start[segment], paths.end[segment], paths.bulge[segment], fraction)
+    stops = np.stack([paths.start[paths.first[:-1]], paths.end[paths.first[1:] - 1]], axis=1)
+    away = np.hypot(*(points[:, None] - stops[paths.path_of[segment]]).transpose(2, 0, 1))
+    result: Bool = (away > GAP + POINT).all(axis=1)
+    return result
+
+
+def _crossings_at_cut_ends(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
+    """Return the k ends of cuts on segments, at points where cuts from both sides end.
+
+    Returns the segment of each end (k,), and the parameter of the end's foot on it, 0 … 1 (k,).
+    ``ends`` and ``bulge`` are the ends, (n, 2, 2) mm, and the bulges, (n,), of the cuts.  Ends of
+    one point follow each other along the path at most ``GAP`` mm apart.
     """
     points = ends.reshape(-1, 2)
     boxes = arc.bounding_boxes(paths.start, paths.end, paths.bulge)
-    end, row = box_pairs(np.hstack([points, points]), boxes, GAP)
+    end, row = box_pairs(np.hstack([points, points]), boxes, GAP + POINT)
     if len(end) == 0:
         return np.zeros(0, np.int64), np.zeros(0)
     segments = paths.start[row], paths.end[row], paths.bulge[row]
     fraction = arc.nearest_fraction(*segments, points[end])
     foot = arc.point_at(*segments, fraction)
-    stops = np.stack([paths.start[paths.first[:-1]], paths.end[paths.first[1:] - 1]], axis=1)
-    path = paths.path_of[row]
-    touches = np.hypot(*(foot - points[end]).T) <= GAP
-    for stop in (stops[path, 0], stops[path, 1]):
-        touches &= np.hypot(*(foot - stop).T) > GAP
-    # A point on a joint counts for the segment after it.
-    touches &= fraction < 1.0 - 1e-9
+    touches = np.hypot(*(foot - points[end]).T) <= GAP + POINT
     end, row, fraction = end[touches], row[touches], fraction[touches]
     ahead = unit_vectors(
         arc.tangent_at(paths.start[row], paths.end[row], paths.bulge[row], fraction)
@@ -130,17 +228,19 @@ def _crossings_at_cut_ends(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F6
     side = (left_normal(ahead) * outward_directions(ends, bulge).reshape(-1, 2)[end]).sum(axis=1)
     # A cut that leaves the crease by less than GAP was only drawn slightly too long.
     size = arc.length(ends[:, 0], ends[:, 1], bulge)[end // 2]
-    side[np.abs(side) * size <= GAP] = 0.0
-    order = np.lexsort((fraction, row))
-    row, fraction, side = row[order], fraction[order], side[order]
-    along = fraction * arc.length(paths.start, paths.end, paths.bulge)[row]
-    new = np.append(True, (row[1:] != row[:-1]) | (np.diff(along) > GAP))[: len(row)]
+    leaves = (np.abs(side) > _ACROSS) & (np.abs(side) * size > GAP + POINT)
+    row, fraction, side = row[leaves], fraction[leaves], side[leaves]
+    length = arc.length(paths.start, paths.end, paths.bulge)
+    along = _begin_of_segments(paths, length)[row] + fraction * length[row]
+    path = paths.path_of[row]
+    order = np.lexsort((along, path))
+    row, fraction, side, along, path = (one[order] for one in (row, fraction, side, along, path))
+    new = np.append(True, (path[1:] != path[:-1]) | (np.diff(along) > GAP + POINT))[: len(row)]
     group = np.cumsum(new) - 1
     both = np.zeros((int(new.sum()), 2), np.bool_)
-    both[group[side > _ACROSS], 0] = True
-    both[group[side < -_ACROSS], 1] = True
-    crossed = np.flatnonzero(new)[both.all(axis=1)]
-    return row[crossed], fraction[crossed]
+    both[group, (side < 0.0).astype(np.int64)] = True
+    crossed = both.all(axis=1)[group]
+    return row[crossed].astype(np.int64), fraction[crossed]
 
 
 def inner_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, I64, F64]:
@@ -162,16 +262,22 @@ def inner_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, I64, F64]
         Index of the segment and index of the cut of each crossing, and the position of the crossing
         on the segment as a parameter from 0 at its start to 1 at its end.
     """
+    segment, cut, fraction = _crossings_inside_cuts(paths, ends, bulge)
+    inner = _is_inner(paths, segment, fraction)
+    return segment[inner], cut[inner], fraction[inner]
+
+
+def _crossings_inside_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, I64, F64]:
+    """Return the k points at which segments of paths cross cuts more than ``GAP`` from the cut's
+    ends.
+
+    The arguments and the result are those of ``inner_crossings``.
+    """
     chords, owner, low, size = _split_into_chords(paths.start, paths.end, paths.bulge)
     cuts, cut, _, _ = _split_into_chords(ends[:, 0], ends[:, 1], bulge)
     chord, other = box_pairs(_bounding_boxes(chords), _bounding_boxes(cuts), 0.0)
-    stops = np.stack([paths.start[paths.first[:-1]], paths.end[paths.first[1:] - 1]], axis=1)
-    hit, along, position = _cross_inside(
-        _Chords(chords, stops[paths.path_of[owner]]),
-        _Chords(cuts, np.ascontiguousarray(ends[cut])),
-        chord,
-        other,
-    )
+    stops = np.ascontiguousarray(ends[cut])
+    hit, along, position = _cross_inside(chords, cuts, stops, chord, other)
     chord = chord[hit]
     segment, crossed, fraction = owner[chord], cut[other[hit]], low[chord] + along * size[chord]
     # A chord deviates from its arc, which would shift a crossing along the segment.
@@ -190,23 +296,16 @@ def inner_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, I64, F64]
     return segment, crossed, fraction
 
 
-class _Chords(NamedTuple):
-    """k chords of the segments of paths, or of cuts."""
-
-    ends: F64_3  #: (k, 2, 2) mm
-    stops: F64_3  #: (k, 2, 2) mm, ends of the path or the cut of each chord
-
-
 @kernel
-def _cross_inside(chords: _Chords, cuts: _Chords, one: I64_1, other: I64_1) -> Any:
-    """Return the h pairs of chords that cross away from the ends of their path and their cut.
-
-    A crossing is away from an end if it is more than ``GAP`` mm from the end.
+def _cross_inside(chords: F64_3, cuts: F64_3, stops: F64_3, one: I64_1, other: I64_1) -> Any:
+    """Return the h pairs of chords that cross more than ``GAP`` mm from the ends of the cut.
 
     Parameters
     ----------
-    chords, cuts
-        Chords of paths, and chords of cuts.
+    chords, cuts : (k, 2, 2) and (c, 2, 2) mm
+        Ends of chords of paths, and of chords of cuts.
+    stops : (c, 2, 2) mm
+        Ends of the cut of each chord in ``cuts``.
     one, other : (p,) and (p,)
         Index of the chord of the path, and index of the chord of the cut, of each pair.
 
@@ -221,10 +320,10 @@ def _cross_inside(chords: _Chords, cuts: _Chords, one: I64_1, other: I64_1) -> A
     found = 0
     for k in range(len(one)):
         i, j = one[k], other[k]
-        px, py = chords.ends[i, 0, 0], chords.ends[i, 0, 1]
-        rx, ry = chords.ends[i, 1, 0] - px, chords.ends[i, 1, 1] - py
-        qx, qy = cuts.ends[j, 0, 0], cuts.ends[j, 0, 1]
-        sx, sy = cuts.ends[j, 1, 0] - qx, cuts.ends[j, 1, 1] - qy
+        px, py = chords[i, 0, 0], chords[i, 0, 1]
+        rx, ry = chords[i, 1, 0] - px, chords[i, 1, 1] - py
+        qx, qy = cuts[j, 0, 0], cuts[j, 0, 1]
+        sx, sy = cuts[j, 1, 0] - qx, cuts[j, 1, 1] - qy
         turn = rx * sy - ry * sx
         if not abs(turn) > 1e-9 * hypot(rx, ry) * hypot(sx, sy):
             continue
@@ -235,8 +334,7 @@ def _cross_inside(chords: _Chords, cuts: _Chords, one: I64_1, other: I64_1) -> A
         x, y = px + rx * on_path, py + ry * on_path
         inside = True
         for end in range(2):
-            for stops in (chords.stops[i, end], cuts.stops[j, end]):
-                inside = inside and hypot(x - stops[0], y - stops[1]) > GAP
+            inside = inside and hypot(x - stops[j, end, 0], y - stops[j, end, 1]) > GAP + POINT
         if inside:
             pair[found], along[found] = k, on_path
             position[found, 0], position[found, 1] = x, y

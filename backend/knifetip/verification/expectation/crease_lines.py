@@ -9,7 +9,7 @@ creases, one on each side of it, at half of the board's crease distance.
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -18,8 +18,10 @@ from knifetip.model.dieline import LineType
 from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import azimuth_at, line_curves, point_at
 from knifetip.verification.curves.overlap import find_overlaps
+from knifetip.verification.expectation.edge_paths import EdgePaths, edge_paths, link_ends
 from knifetip.verification.expectation.edges import (
     JOIN_DISTANCE,
+    LIMIT_SLACK,
     STRAIGHT_ANGLE,
     TOUCH_DISTANCE,
     Edges,
@@ -40,53 +42,122 @@ CROSSING_LENGTH: Final = 0.01
 def split_at_cuts(edges: Edges, cuts: Edges) -> tuple[Edges, F64]:
     """Return the creases ``edges``, split where cuts cross them, and the crossing points, (k, 2)
     mm.
+
+    A crease has no part between two crossings that are at most ``TOUCH_DISTANCE`` apart.  It is not
+    split at crossings up to this distance from its free end, where no other crease is linked to it.
     """
-    crease, position = _cut_crossings(edges, cuts)
-    crossings = point_at(edges.curve[crease], position)
-    is_inner = (position > TOUCH_DISTANCE) & (position < edges.curve[crease, 5] - TOUCH_DISTANCE)
-    crease, position = crease[is_inner], position[is_inner]
-    count = len(edges)
-    row = np.concatenate([np.arange(count), crease])
-    low = np.concatenate([np.zeros(count), position])
+    crossing = _cut_crossings(edges, cuts)
+    points = point_at(edges.curve[crossing.edge], crossing.position)
+    paths = crossing.paths
+    length, path = paths.length[crossing.path], crossing.path
+    closed = paths.first[path] < 0
+    margin = TOUCH_DISTANCE + LIMIT_SLACK
+    kept = closed | ((crossing.place > margin) & (crossing.place < length - margin))
+    edge, position = crossing.edge[kept], crossing.position[kept]
+    path, place = path[kept], crossing.place[kept]
+    # A crossing at a joint splits none of the two edges.
+    inside = (position > JOIN_DISTANCE) & (position < edges.curve[edge, 5] - JOIN_DISTANCE)
+    row = np.concatenate([np.arange(len(edges)), edge[inside]])
+    low = np.concatenate([np.zeros(len(edges)), position[inside]])
     order = np.lexsort((low, row))
     row, low = row[order], low[order]
     last = np.append(row[1:] != row[:-1], True)
     high = np.where(last, edges.curve[row, 5], np.append(low[1:], 0.0))
-    long_enough = high - low > 1e-6
-    return _sub_edges(edges, row[long_enough], low[long_enough], high[long_enough]), crossings
+    middle = 0.5 * (low + high)
+    middle = np.where(paths.flipped[row], edges.curve[row, 5] - middle, middle)
+    gone = _between_crossings(path, place, paths.path[row], paths.begin[row] + middle)
+    remains = (high - low > 1e-6) & ~gone
+    return _sub_edges(edges, row[remains], low[remains], high[remains]), points
 
 
-def _cut_crossings(lines: Edges, cuts: Edges) -> tuple[I64, F64]:
-    """Return the k points at which cuts cross lines and arcs.
+def _between_crossings(path: I64, place: F64, owner: I64, middle: F64) -> Bool:
+    """Return whether each of m points lies between two neighbouring crossings that are at most
+    ``TOUCH_DISTANCE`` apart, (m,).
 
-    The result is the index of the line of each point, (k,), and the position of the point along
-    that line, (k,) mm.  A cut crosses a line if the line meets the cut between the cut's ends.
-    Cuts that end on a line at one point cross it there if they leave the line on both sides.
+    Parameters
+    ----------
+    path, place : (k,) and (k,) mm
+        Path of each crossing, and its distance from the start of the path.
+    owner, middle : (m,) and (m,) mm
+        Path of each point, and its distance from the start of the path.
     """
+    if len(path) < 2:
+        return np.zeros(len(owner), np.bool_)
+    order = np.lexsort((place, path))
+    path, place = path[order], place[order]
+    close = (path[1:] == path[:-1]) & (np.diff(place) <= TOUCH_DISTANCE + LIMIT_SLACK)
+    wide = float(max(place.max(), middle.max(initial=0.0))) + 1.0
+    before = np.searchsorted(path * wide + place, owner * wide + middle) - 1
+    between = (before >= 0) & (before < len(close))
+    before = np.clip(before, 0, len(close) - 1)
+    result: Bool = between & close[before] & (path[before] == owner)
+    return result
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Crossings:
+    """k points at which cuts cross creases, and the paths that the creases form."""
+
+    edge: I64  #: (k,) index of the crease
+    position: F64  #: (k,) mm from the start of the crease
+    path: I64  #: (k,) path of the crease
+    place: F64  #: (k,) mm from the start of the path
+    paths: EdgePaths
+
+
+def _cut_crossings(lines: Edges, cuts: Edges) -> _Crossings:
+    """Return the points at which cuts cross lines and arcs.
+
+    A cut crosses a line if the line meets the cut between the cut's ends.  Cuts also cross a line
+    if they end on the path of the line, leave the path on both sides, and their ends follow each
+    other along the path at most ``TOUCH_DISTANCE`` apart.
+    """
+    limit = TOUCH_DISTANCE + LIMIT_SLACK
+    paths = edge_paths(lines, link_ends(lines, STRAIGHT_ANGLE)[0])
     overlaps = cuts.find_overlaps(lines.curve, ON_DISTANCE)
     position, place = overlaps.along.mean(axis=1), overlaps.place.mean(axis=1)
-    is_inner = (place > TOUCH_DISTANCE) & (place < cuts.curve[overlaps.edge, 5] - TOUCH_DISTANCE)
+    is_inner = (place > limit) & (place < cuts.curve[overlaps.edge, 5] - limit)
     is_inner &= np.diff(overlaps.along)[:, 0] < CROSSING_LENGTH
-    touch = lines.touched_by_points(cuts.ends, TOUCH_DISTANCE)
+    touch = lines.touched_by_points(cuts.ends, limit)
     row, touch_position = touch.edge.astype(np.int64), touch.place[:, 0]
     side = np.sin(
         np.radians(cuts.outward[touch.curve] + 180.0 - azimuth_at(lines.curve[row], touch_position))
     )
-    side[np.abs(side) * cuts.curve[touch.curve // 2, 5] <= TOUCH_DISTANCE] = 0.0
-    order = np.lexsort((touch_position, row))
-    row, touch_position, side = row[order], touch_position[order], side[order]
-    new = np.ones(len(row), np.bool_)
-    new[1:] = (row[1:] != row[:-1]) | (np.diff(touch_position) > TOUCH_DISTANCE)
-    group = np.cumsum(new) - 1
     across = math.sin(math.radians(STRAIGHT_ANGLE))
-    both = np.zeros((int(new.sum()), 2), np.bool_)
-    both[group[side > across], 0] = True
-    both[group[side < -across], 1] = True
-    met = np.flatnonzero(new)[both.all(axis=1)]
-    return (
-        np.concatenate([overlaps.curve[is_inner].astype(np.int64), row[met]]),
-        np.concatenate([position[is_inner], touch_position[met]]),
+    leaves = np.abs(side) > across
+    leaves &= np.abs(side) * cuts.curve[touch.curve // 2, 5] > limit
+    row, touch_position = row[leaves], touch_position[leaves]
+    on_left = (side[leaves] > 0.0) != paths.flipped[row]
+    along = _places(lines, paths, row, touch_position)
+    path = paths.path[row]
+    order = np.lexsort((along, path))
+    row, touch_position, on_left = row[order], touch_position[order], on_left[order]
+    along, path = along[order], path[order]
+    new = np.ones(len(row), np.bool_)
+    new[1:] = (path[1:] != path[:-1]) | (np.diff(along) > limit)
+    group = np.cumsum(new) - 1
+    count = int(new.sum())
+    left, right = (np.bincount(group[one], minlength=count) for one in (on_left, ~on_left))
+    met = ((left > 0) & (right > 0))[group]
+    edge = np.concatenate([overlaps.curve[is_inner].astype(np.int64), row[met]])
+    position = np.concatenate([position[is_inner], touch_position[met]])
+    return _Crossings(
+        edge, position, paths.path[edge], _places(lines, paths, edge, position), paths
     )
+
+
+def _places(lines: Edges, paths: EdgePaths, edge: I64, position: F64) -> F64:
+    """Return the distances of k points from the start of the path of their edge, (k,) mm.
+
+    Parameters
+    ----------
+    lines, paths
+        The edges, and the paths that they form.
+    edge, position : (k,) and (k,) mm
+        Edge of each point, and its distance from the start of the edge.
+    """
+    onward = np.where(paths.flipped[edge], lines.curve[edge, 5] - position, position)
+    return paths.begin[edge] + onward
 
 
 def _sub_edges(edges: Edges, row: I64, low: F64, high: F64) -> Edges:
@@ -117,8 +188,9 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> E
     """Return the gaps between collinear dashes that were made as one crease, as edges.
 
     Each gap gets the row in the dieline of one of the two dashes beside it.  Collinear dashes count
-    as one crease if the wheel has creased a gap between them.  They also do if the wheel has
-    touched only one of the dashes: a short crease is pressed at a single point.
+    as one crease if the wheel has rolled or pressed a gap between them.  They also do if the wheel
+    has touched only one of the dashes: a short crease is pressed at a single point.  A gap that the
+    wheel has left out separates two creases if the wheel has worked on the dashes on both sides.
 
     Parameters
     ----------
@@ -140,36 +212,25 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> E
     near, far = near[~(touched[near] | touched[far])], far[~(touched[near] | touched[far])]
     unparted = np.ones(len(near), np.bool_)
     gaps = edges_from_curves(line_curves(dash.ends[near], dash.ends[far]))
-    unparted[_cut_crossings(gaps, cuts)[0]] = False
+    unparted[_cut_crossings(gaps, cuts).edge] = False
     near, far = near[unparted], far[unparted]
     if len(near) == 0:
         return edges.select(np.zeros(0, np.int64))
-    gap = np.hypot(*(dash.ends[near] - dash.ends[far]).T)
-    # Group the dashes that gaps connect.
-    name = np.arange(len(dash))
-    for _ in range(len(dash)):
-        least = name.copy()
-        np.minimum.at(least, near // 2, name[far // 2])
-        np.minimum.at(least, far // 2, name[near // 2])
-        least = least[least]
-        if np.array_equal(least, name):
-            break
-        name = least
+    curve = line_curves(dash.ends[near], dash.ends[far])
+    made, met = _gaps_made(dash, curve, wheel_paths, limit)
+    # A gap between two dashes that the wheel makes is made too, or separates two creases.
+    joins = made | ~(met[near // 2] & met[far // 2])
+    near, far, curve, made = near[joins], far[joins], curve[joins], made[joins]
+    name = _group_dashes(len(dash), near // 2, far // 2)
     many = np.bincount(name, minlength=len(dash))
     total = np.bincount(name, dash.curve[:, 5], minlength=len(dash))
     widest = np.zeros(len(dash))
-    np.maximum.at(widest, name[near // 2], gap)
-    row_ = name[near // 2]
-    good = (many[row_] >= 3) & (widest[row_] * many[row_] <= MAX_GAP_RATIO * total[row_] + 1e-6)
-    near, far = near[good], far[good]
-    curve = line_curves(dash.ends[near], dash.ends[far])
-    overlaps = find_overlaps(wheel_paths, curve, np.zeros(len(curve)), curve[:, 5], limit)
-    follows = np.abs(np.diff(overlaps.place)[:, 0]) > JOIN_DISTANCE
+    np.maximum.at(widest, name[near // 2], curve[:, 5])
     run = name[near // 2]
-    rolled = np.zeros(len(dash), np.bool_)
-    rolled[run[overlaps.edge[follows]]] = True
-    met = dash.find_overlaps(wheel_paths, limit).edge
-    rolled |= np.bincount(name[np.unique(met)], minlength=len(dash)) == 1
+    good = (many[run] >= 3) & (widest[run] * many[run] <= MAX_GAP_RATIO * total[run] + 1e-6)
+    near, far, curve, made, run = near[good], far[good], curve[good], made[good], run[good]
+    rolled = np.bincount(name[met], minlength=len(dash)) == 1
+    rolled[run[made]] = True
     near, far, curve = near[rolled[run]], far[rolled[run]], curve[rolled[run]]
     heading = azimuth_at(curve, np.zeros(len(curve)))
     return Edges(
@@ -180,6 +241,45 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> E
         np.stack([heading + 180.0, heading], axis=1).ravel(),
         heading,
     )
+
+
+def _gaps_made(dash: Edges, gaps: F64, wheel_paths: F64, limit: float) -> tuple[Bool, Bool]:
+    """Return the mask of the k gaps that the wheel rolls or presses, (k,), and of the n dashes on
+    which it does any work, (n,).
+
+    ``gaps`` and ``wheel_paths`` are lines and arcs as rows of six numbers (see ``curves.curve``).
+    The wheel works on a gap or dash if it runs along it, or is pressed on it, within ``limit`` mm.
+    """
+    found = find_overlaps(wheel_paths, gaps, np.zeros(len(gaps)), gaps[:, 5], limit)
+    length = np.abs(np.diff(found.place)[:, 0])
+    is_press = wheel_paths[found.curve, 5] < 1e-6
+    inside = (found.place.mean(axis=1) > limit) & (
+        found.place.mean(axis=1) < gaps[found.edge, 5] - limit
+    )
+    made = np.zeros(len(gaps), np.bool_)
+    made[found.edge[(length > JOIN_DISTANCE) | (is_press & inside)]] = True
+    touched = dash.find_overlaps(wheel_paths, limit)
+    along = np.abs(np.diff(touched.place)[:, 0]) >= 0.5 * np.diff(touched.along)[:, 0]
+    met = np.zeros(len(dash), np.bool_)
+    met[touched.edge[along]] = True
+    return made, met
+
+
+def _group_dashes(count: int, one: I64, other: I64) -> I64:
+    """Return the number of the group of each of ``count`` dashes, (count,).
+
+    Dashes are in one group if pairs connect them: dash ``one[i]`` and dash ``other[i]``, (k,) each.
+    """
+    name = np.arange(count)
+    for _ in range(count):
+        least = name.copy()
+        np.minimum.at(least, one, name[other])
+        np.minimum.at(least, other, name[one])
+        least = least[least]
+        if np.array_equal(least, name):
+            break
+        name = least
+    return name
 
 
 def _facing_ends(dash: Edges) -> tuple[I64, I64]:
@@ -252,10 +352,15 @@ def double_lines(edges: Edges, distance: float) -> Edges:
 
 
 def ends_at(edges: Edges, points: F64) -> Bool:
-    """Return the mask of the 2n ends of n edges that touch one of the points ``points``, (2n,).
+    """Return the mask of the 2n ends of n creases at which one of the crossings ``points`` lies.
 
-    ``points`` is (k, 2) mm.  End 2i is the start of edge i, and end 2i + 1 is its end.
+    ``points`` is (k, 2) mm.  End 2i is the start of edge i, and end 2i + 1 is its end.  A crossing
+    lies at most ``JOIN_DISTANCE`` from an end that is linked to another crease, and at most
+    ``TOUCH_DISTANCE`` from a free end.
     """
+    end, point = pairs_within(edges.ends, points, TOUCH_DISTANCE + LIMIT_SLACK)
+    linked = link_ends(edges, STRAIGHT_ANGLE)[0] >= 0
+    distance = np.hypot(*(edges.ends[end] - points[point]).T)
     result = np.zeros(len(edges.ends), np.bool_)
-    result[pairs_within(edges.ends, points, TOUCH_DISTANCE)[0]] = True
+    result[end[~linked[end] | (distance <= JOIN_DISTANCE)]] = True
     return result

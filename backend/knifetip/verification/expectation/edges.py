@@ -26,8 +26,12 @@ JOIN_DISTANCE: Final = 0.002
 TOUCH_DISTANCE: Final = 0.05
 
 
+#: Distances that drawings contain, such as 0.05 mm, may differ by this from rounding (mm).
+LIMIT_SLACK: Final = 1e-6
+
+
 #: Searches up to this distance share one grid of the edges (mm).
-_GRID_LIMIT: Final = TOUCH_DISTANCE
+_GRID_LIMIT: Final = TOUCH_DISTANCE + LIMIT_SLACK
 
 
 #: Greatest turn of edges that continue straight (degrees).

@@ -28,6 +28,7 @@ from knifetip.verification.expectation.crease_depth import depth_towards
 from knifetip.verification.expectation.edge_paths import EdgePaths, edge_paths, link_ends
 from knifetip.verification.expectation.edges import (
     JOIN_DISTANCE,
+    LIMIT_SLACK,
     STRAIGHT_ANGLE,
     TOUCH_DISTANCE,
     Edges,
@@ -35,10 +36,6 @@ from knifetip.verification.expectation.edges import (
 )
 from knifetip.verification.expectation.waste_ahead import waste_ahead
 from knifetip.verification.tools import OperationKind
-
-#: Distances that drawings contain, such as 0.05 mm, may differ by this from rounding (mm).
-_LIMIT_SLACK: Final = 1e-6
-
 
 #: A wheel that would be pressed by this depth or less is not pressed (mm).
 _SHALLOWEST_PRESS: Final = 0.001
@@ -152,8 +149,8 @@ def _continued_ends(edges: Edges, all_creases: Edges) -> Bool:
     distance = np.hypot(*(point_at(curve, place) - edges.ends[end]).T)
     continues = (
         (np.minimum(turn, 180.0 - turn) <= STRAIGHT_ANGLE)
-        & (distance < TOUCH_DISTANCE - _LIMIT_SLACK)
-        & (rest > TOUCH_DISTANCE + _LIMIT_SLACK)
+        & (distance < TOUCH_DISTANCE - LIMIT_SLACK)
+        & (rest > TOUCH_DISTANCE + LIMIT_SLACK)
     )
     result = np.zeros(len(edges.ends), np.bool_)
     result[end[continues]] = True
