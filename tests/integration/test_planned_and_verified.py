@@ -96,6 +96,17 @@ def test_a_groove_that_does_not_run_out_into_a_notch_is_refused(
     assert not verdict_of(line).accepted
 
 
+@pytest.mark.parametrize(
+    "cut",
+    [((250, 100), (250, 300)), ((250, 200.04), (250, 300)), ((200, 130), (300, 270))],
+    ids=["common edge of two blanks", "ends on the groove", "slanted"],
+)
+def test_a_groove_that_a_cut_crosses(cut: tuple[tuple[int, float], tuple[int, int]]) -> None:
+    line = dieline(OUTLINE, (GROOVE, edges(((100, 200), (400, 200)))), (CUT, edges(cut)))
+    verdict = verdict_of(line)
+    assert verdict.accepted, verdict.findings[:2]
+
+
 @pytest.mark.parametrize("factor", [0.0, 0.8])
 def test_a_groove_that_does_not_run_out_far_enough_is_refused(
     monkeypatch: pytest.MonkeyPatch, factor: float

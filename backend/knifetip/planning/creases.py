@@ -239,7 +239,7 @@ def _crossings_at_cut_ends(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F6
     group = np.cumsum(new) - 1
     both = np.zeros((int(new.sum()), 2), np.bool_)
     both[group, (side < 0.0).astype(np.int64)] = True
-    crossed = both.all(axis=1)[group]
+    crossed = both[group, 0] & both[group, 1]
     return row[crossed].astype(np.int64), fraction[crossed]
 
 

@@ -177,7 +177,7 @@ def _find_damage(paths: Paths, reach: float, run_out: F64, dieline: Dieline) -> 
     strip = nearby.clip(nearby.offset, POINT - reach, reach - POINT)
     path = strip.path
     strip = strip.clip(strip.along, inset[path, 0], (length - inset[:, 1])[path])
-    return strip.select(~_crosses_between_flanks(strip, reach))
+    return strip.select(~_crosses_groove(strip))
 
 
 def _find_nearby_chords(begin: F64, finish: F64, reach: float, dieline: Dieline) -> _NearbyChords:
@@ -247,12 +247,13 @@ def _ends_on_cuts(nearby: _NearbyChords, length: F64, reach: float, run_out: F64
     return result
 
 
-def _crosses_between_flanks(strip: _NearbyChords, reach: float) -> Bool:
-    """Return the mask of the chords whose cut crosses the groove and ends between its flanks, (k,).
+def _crosses_groove(strip: _NearbyChords) -> Bool:
+    """Return the mask of the chords whose cut crosses the groove, or ends on its line, (k,).
 
     ``strip`` contains the parts of the cuts near the grooves.  Such a part crosses the groove if it
-    has points on both sides of the groove's line, and extends across the groove at least as far as
-    along the groove.  ``reach`` is the distance of the flanks from the groove's line (mm).
+    comes within ``GAP`` of the groove's line from both sides or from one, and extends across the
+    groove at least as far as along the groove.  The panels beside such a cut lose no more of their
+    top corner than at a groove that ends on the cut.
     """
     if len(strip.path) == 0:
         return np.zeros(0, np.bool_)
@@ -263,8 +264,7 @@ def _crosses_between_flanks(strip: _NearbyChords, reach: float) -> Bool:
         ends = strip.at_ends(values)
         np.minimum.at(low[:, column], group, ends.min(axis=1))
         np.maximum.at(high[:, column], group, ends.max(axis=1))
-    crosses = (low[:, 1] <= 0.0) & (high[:, 1] >= 0.0)
+    crosses = (low[:, 1] <= GAP) & (high[:, 1] >= -GAP)
     steep = high[:, 0] - low[:, 0] <= high[:, 1] - low[:, 1]
-    between = np.maximum(-low[:, 1], high[:, 1]) < reach - 2.0 * POINT
-    result: Bool = (crosses & steep & between)[group]
+    result: Bool = (crosses & steep)[group]
     return result

@@ -1381,7 +1381,7 @@ export const TEXTS = {
   },
   "groove.through-cut-at-it": {
     "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At {place:.1f} mm from the start of the groove, its flank reaches {through:.2f} mm sideways across the cut at edge {cut}. The cut lies only {distance:.2f} mm from the centre line of the groove.",
-    "hint": "End the groove at the cut, or move the groove or the cut."
+    "hint": "End the groove at the cut, let the cut cross the groove at 45° or more, or move one of them."
   },
   "groove.tight-bend": {
     "text": "The V-groove at edge {edge} is bent with a radius of {radius:.1f} mm. A straight blade of {blade:.2f} mm width would deviate from this bend by more than {error:.3f} mm.",

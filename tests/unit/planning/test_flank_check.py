@@ -97,6 +97,9 @@ def test_a_slit_between_the_flanks_along_the_groove_is_refused() -> None:
         ((180, 50), (190, 50)),  # it starts at the end of the groove
         ((175, 30), (185, 70)),  # oblique
         ((99.9, 49.2), (100.1, 50.8)),  # it lies across the groove, between its flanks
+        ((100, 30), (100, 70)),  # across the groove
+        ((90, 40), (109, 60)),  # at 46°
+        ((100, 50.04), (100, 70)),  # it ends on the groove
         ((60, 51.01), (90, 51.01)),
         ((181, 50.5), (190, 50.5)),
     ],
@@ -105,6 +108,14 @@ def test_a_groove_may_end_on_a_cut_cross_it_or_run_far_beside_it(
     slit: tuple[tuple[float, float], tuple[float, float]],
 ) -> None:
     assert planned(edges(((20, 50), (180, 50))), (LineType.CUT, edges(slit)))
+
+
+@pytest.mark.parametrize("slit", [((90, 40), (111, 60)), ((100, 50.06), (100, 70))])
+def test_a_cut_across_a_groove_is_refused_if_it_slants_or_ends_between_line_and_flank(
+    slit: tuple[tuple[float, float], tuple[float, float]],
+) -> None:
+    with pytest.raises(FlankOutside):
+        planned(edges(((20, 50), (180, 50))), (LineType.CUT, edges(slit)))
 
 
 @pytest.mark.parametrize(("gap", "fine"), [(0.99, False), (1.01, True)])

@@ -139,7 +139,8 @@ MESSAGES: Final[Entries] = {
         "{place:.1f} mm from the start of the groove, its flank reaches {through:.2f} mm "
         "sideways across the cut at edge {cut}. The cut lies only {distance:.2f} mm from the "
         "centre line of the groove.",
-        "End the groove at the cut, or move the groove or the cut.",
+        "End the groove at the cut, let the cut cross the groove at 45° or more, or move one of "
+        "them.",
         groove="count",
         width="number",
         through="number",

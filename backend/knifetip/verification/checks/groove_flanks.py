@@ -2,7 +2,8 @@
 
 In the top face a groove is a strip on both sides of its line, bounded by its flanks.  A cut inside
 the strip loses its sharp edge.  Two kinds of cuts are permitted inside the strip: a cut on which
-the groove ends or over which it runs out, and a cut that crosses the groove.
+the groove ends or over which it runs out, and a cut that crosses the groove or ends on its line
+(see ``_nearest_points``).
 """
 
 from __future__ import annotations
@@ -83,8 +84,9 @@ def _nearest_points(
     """Return the pairs of a groove and a cut inside its strip, with the nearest point of the cut.
 
     The strip is the part of the top face that the groove removes.  The returned point is the one
-    nearest to the groove's line.  Pairs in which the cut crosses the groove are left out.  Lines
-    and arcs are rows of six numbers (see ``curves.curve``).
+    nearest to the groove's line.  Pairs in which the cut crosses the groove, or ends within
+    ``TOUCH_DISTANCE`` of its line, are left out if the cut extends across the groove at least as
+    far as along it.  Lines and arcs are rows of six numbers (see ``curves.curve``).
 
     Parameters
     ----------
@@ -116,7 +118,7 @@ def _nearest_points(
     group = group.reshape(-1)
     left, right = _group_extremes(offset, group, len(pair))
     first, last = _group_extremes(place, group, len(pair))
-    crosses = (left <= 0.0) & (right >= 0.0)
+    crosses = (left <= TOUCH_DISTANCE) & (right >= -TOUCH_DISTANCE)
     across: Bool = crosses & (last - first <= right - left)
     # A cut with points on both sides of the line touches the line.
     least = np.abs(offset).min(axis=1)
