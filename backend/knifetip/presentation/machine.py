@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import Any
 
+from knifetip.languages.registry import find_language
 from knifetip.model.machine import Machine, Station
 
 
@@ -16,6 +17,7 @@ def machine_json(machine: Machine) -> dict[str, Any]:
         "width": machine.width,
         "height": machine.height,
         "dialect": machine.dialect,
+        "language": find_language(machine.dialect).title,
         "origin": list(machine.origin),
         "travel_z": machine.travel_z,
         "clearance": machine.clearance,

@@ -2583,9 +2583,14 @@ export interface components {
             height: number;
             /**
              * Dialect
-             * @description Name of the controller language
+             * @description Name of the controller language in machine files
              */
             dialect: string;
+            /**
+             * Language
+             * @description Name of the controller language for display
+             */
+            language: string;
             /**
              * Origin
              * @description Position of the lower left corner of a drawing on the table (mm)

@@ -43,7 +43,7 @@ export function MachinePanel() {
   return (
     <Section title="Machine and tools" flush aside={<Gateway machine={machine} />}>
       <div style={{ padding: "0 8px 6px" }} className={css.note}>
-        {machine.title || machine.name}, controller language {machine.dialect}
+        {machine.title || machine.name}, controller language {machine.language}
       </div>
       {machine.carriages.map((carriage) => (
         <div key={carriage.number}>

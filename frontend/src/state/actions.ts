@@ -10,7 +10,13 @@ import {
   type Unit,
 } from "../api/client";
 import type { LineType } from "../geometry/records";
-import { applyDrawing, cachedDrawing, displayedRevision, enqueue } from "./drawingSync";
+import {
+  applyDrawing,
+  cachedDrawing,
+  clearQuestions,
+  displayedRevision,
+  enqueue,
+} from "./drawingSync";
 import {
   type Change,
   inverseOf,
@@ -181,6 +187,7 @@ export function compile(machine: string, board: string): Promise<void> {
     const { drawing, copies, sheet } = useUiStore.getState();
     if (drawing === null) return;
     useUiStore.getState().set({ pickingCorners: false });
+    clearQuestions();
     const machines = queryClient.getQueryData(queries.machines().queryKey);
     const chosen = machines?.find(({ name }) => name === machine);
     const { corners: types, lift: height } = useUiStore.getState();

@@ -29,7 +29,7 @@ export async function applyDrawing(drawing: Drawing): Promise<void> {
   queryClient.setQueryData(queries.drawing(drawing.id).queryKey, drawing);
   // The job's tool path belongs to the previous revision of the drawing.
   useUiStore.getState().openJob(null);
-  useUiStore.getState().set({ compileQuestions: [], retypePreviews: [] });
+  clearQuestions();
   const stale = [
     queries.edges(drawing.id).queryKey,
     queries.importReports(drawing.id),
@@ -39,6 +39,12 @@ export async function applyDrawing(drawing: Drawing): Promise<void> {
   // Cancel requests in flight: their answers may be of the previous revision.
   await Promise.all(stale.map((queryKey) => queryClient.cancelQueries({ queryKey })));
   await Promise.all(stale.map((queryKey) => queryClient.invalidateQueries({ queryKey })));
+}
+
+/** Forget the questions for which a job was refused, their message, and previews of answers. */
+export function clearQuestions(): void {
+  useUiStore.getState().set({ compileQuestions: [], retypePreviews: [] });
+  useNotifications.getState().dismissError("drawing.open-questions");
 }
 
 export const cachedDrawing = (id: string): Drawing | undefined =>
@@ -83,7 +89,7 @@ async function applyRemoteChange(id: string, refused = false): Promise<boolean> 
   const { length } = page.past;
   const remaining = undoableChanges(page.past, rows);
   page.replaceHistory(remaining);
-  page.set({ compileQuestions: [], retypePreviews: [] });
+  clearQuestions();
   closeOutdatedJob();
   useNotifications.getState().add({
     title: refused

@@ -6,6 +6,8 @@ import { renderHint, renderText } from "../messages/render";
 
 export interface Notification {
   readonly id: number;
+  /** Code of the error, if the server reported it. */
+  readonly code?: string;
   readonly title: string;
   readonly detail: string;
   readonly hint: string;
@@ -18,6 +20,8 @@ interface Notifications {
   readonly list: readonly Notification[];
   add(notification: Omit<Notification, "id">): void;
   dismiss(id: number): void;
+  /** Dismiss the notifications that report an error. */
+  dismissError(code: string): void;
 }
 
 const MAX_SHOWN = 4;
@@ -34,6 +38,7 @@ export const useNotifications = create<Notifications>()((set) => ({
       return { list: [...others, { ...notification, id: ++last }].slice(-MAX_SHOWN) };
     }),
   dismiss: (id) => set(({ list }) => ({ list: list.filter((one) => one.id !== id) })),
+  dismissError: (code) => set(({ list }) => ({ list: list.filter((one) => one.code !== code) })),
 }));
 
 /** Problems of the page have a title for users; that of the server names the type of the error. */
@@ -41,6 +46,7 @@ const fromProblem = (problem: Problem): Omit<Notification, "id"> => ({
   ...(problem.code === "stored.text"
     ? { title: problem.title, detail: renderText(problem) }
     : { title: renderText(problem) || problem.title, detail: "" }),
+  code: problem.code,
   hint: renderHint(problem),
   source: problem.source,
 });

@@ -105,7 +105,8 @@ class MachineOut(BaseModel):
     title: str = Field(description="Name of the machine for display")
     width: float = Field(description="Width of the table along X (mm)")
     height: float = Field(description="Height of the table along Y (mm)")
-    dialect: str = Field(description="Name of the controller language")
+    dialect: str = Field(description="Name of the controller language in machine files")
+    language: str = Field(description="Name of the controller language for display")
     origin: tuple[float, float] = Field(
         description="Position of the lower left corner of a drawing on the table (mm)"
     )
