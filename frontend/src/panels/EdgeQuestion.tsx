@@ -61,7 +61,7 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
       >
         <span className={questionCss.questionHead}>
           <span className={css.dot} style={{ background: indexColour(question.colour) }} />
-          <span className={css.rowName}>{edgeQuestionTitle(question)}</span>
+          <span className={questionCss.questionTitle}>{edgeQuestionTitle(question)}</span>
           <span className={css.rowFigure}>
             {pluralize(rows.length, "edge")}
             {facts !== null && ` · ${length(facts.length)}`}

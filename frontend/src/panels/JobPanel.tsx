@@ -63,7 +63,8 @@ export function JobPanel() {
             leftSection={<IconDownload size={15} aria-hidden />}
             data-testid="program"
           >
-            Download machine program ({pluralize(job.lines, "line")})
+            Download {job.state === "refused" ? "refused" : "machine"} program (
+            {pluralize(job.lines, "line")})
           </Button>
         )}
       </div>

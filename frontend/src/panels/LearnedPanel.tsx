@@ -98,7 +98,7 @@ function LearnedRule({ proposal, profile }: { proposal: Proposal; profile: Profi
           <TextInput
             size="xs"
             style={{ flex: 1 }}
-            placeholder="Name of the new profile, e.g. the customer"
+            placeholder="New profile"
             aria-label="Name of the new profile"
             maxLength={120}
             value={title}
