@@ -2216,7 +2216,7 @@ export const TEXTS = {
     "hint": "Resume the job."
   },
   "job.no-shortfalls": {
-    "text": "Job {job} cannot be accepted, because it is not refused for shortfalls alone.",
+    "text": "No shortfalls of job {job} can be accepted: the job is not refused, or also for other reasons.",
     "hint": "Follow the reason for which the job was refused."
   },
   "job.no-work": {
@@ -2348,8 +2348,8 @@ export const TEXTS = {
     "hint": "Draw the edges of this layer again."
   },
   "lead.no-corner": {
-    "text": "{count:# contour has|# contours have} a lead-in perpendicular to the contour, because {count:it has|they have} no corner that the tool can go round by {angle:g}°, with room for the lead-in. X and Y on the sheet in mm ({count:one contour|the first contours}): {places:; }.",
-    "hint": "No action is needed.  To go round more corners, set a smaller negative angle of the lead-in in the machine file."
+    "text": "{count:# contour has|# contours have} a lead-in perpendicular to the contour, because {count:it has|they have} no outer corner that turns by at least {angle:g}° and has room for the lead-in. X and Y on the sheet in mm ({count:one contour|the first contours}): {places:; }.",
+    "hint": "No action is needed. To begin at corners that turn less, set a negative angle nearer to 0° for the lead-in in the machine file."
   },
   "lead.no-room": {
     "text": "{count:# contour has|# contours have} no lead-in or no lead-out, because the tool would cut into another edge there. The tool plunges or lifts on the contour, which may leave a mark. X and Y on the sheet in mm ({count:one contour|the first contours}): {places:; }.",
@@ -3708,11 +3708,11 @@ export const TEXTS = {
     "hint": "Order the passes by increasing depth."
   },
   "verify.groove-shifted": {
-    "text": "The V-groove was shifted by {distance:.2f} mm, so that its flank does not cut through the cut beside it.",
+    "text": "The V-groove was shifted by {distance:.2f} mm, so that its flank does not reach the cut beside it.",
     "hint": "If the fold must not move, move the cut, or set groove_shift in the board file to 0."
   },
   "verify.hanging-piece": {
-    "text": "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board that hangs on bridges or narrow necks only since line {line} of the program, so this part of the board may move.",
+    "text": "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board that, from line {line} of the program on, hangs only on bridges or narrow necks and may therefore move.",
     "hint": "Process this edge before the cut that leaves only the bridges or necks."
   },
   "verify.head-not-located": {
@@ -3924,7 +3924,7 @@ export const TEXTS = {
     "hint": "Give the edge a line type."
   },
   "verify.unknown-beside-zone": {
-    "text": "The head moves from an unknown position, and its tip is below {top:g} mm, the top of the keep-out zone {zone}, or at an unknown height. Its way may lead through the zone.",
+    "text": "The head moves from an unknown position, and its tip is below {top:g} mm, the top of the keep-out zone {zone}, or at an unknown height. The move may lead through the zone.",
     "hint": "Lift Z above the zone before the first move of X or Y."
   },
   "verify.unknown-position": {

@@ -70,11 +70,11 @@ MESSAGES: Final[Entries] = {
     ),
     "lead.no-corner": entry(
         "{count:# contour has|# contours have} a lead-in perpendicular to the contour, because "
-        "{count:it has|they have} no corner that the tool can go round by {angle:g}°, with room "
+        "{count:it has|they have} no outer corner that turns by at least {angle:g}° and has room "
         "for the lead-in. X and Y on the sheet in mm ({count:one contour|the first contours}): "
         "{places:; }.",
-        "No action is needed.  To go round more corners, set a smaller negative angle of the "
-        "lead-in in the machine file.",
+        "No action is needed. To begin at corners that turn less, set a negative angle nearer to "
+        "0° for the lead-in in the machine file.",
         count="count",
         angle="number",
         places="texts",

@@ -174,7 +174,8 @@ MESSAGES: Final[Entries] = {
         job="text",
     ),
     "job.no-shortfalls": entry(
-        "Job {job} cannot be accepted, because it is not refused for shortfalls alone.",
+        "No shortfalls of job {job} can be accepted: the job is not refused, or also for other "
+        "reasons.",
         "Follow the reason for which the job was refused.",
         job="text",
     ),

@@ -213,7 +213,7 @@ MESSAGES: Final[Entries] = {
     ),
     "verify.unknown-beside-zone": entry(
         "The head moves from an unknown position, and its tip is below {top:g} mm, the top of the "
-        "keep-out zone {zone}, or at an unknown height. Its way may lead through the zone.",
+        "keep-out zone {zone}, or at an unknown height. The move may lead through the zone.",
         "Lift Z above the zone before the first move of X or Y.",
         zone="text",
         top="number",

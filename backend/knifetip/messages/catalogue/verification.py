@@ -9,6 +9,11 @@ from typing import Final
 
 from knifetip.messages.entry import Entries, entry
 
+_COMPILE_AGAIN: Final = (
+    "Compile the job again. If the finding remains, report it as an internal error with the "
+    "program file."
+)
+
 MESSAGES: Final[Entries] = {
     "verify.bad-tolerance": entry(
         "The tolerance of the verification is {tolerance} mm, which is not a valid length.",
@@ -18,8 +23,7 @@ MESSAGES: Final[Entries] = {
     "verify.beside-line": entry(
         "The path of the {tool:tool} is {distance:.3f} mm away from the edge that it should "
         "follow.",
-        "Compile the job again. If the finding remains, report it as an internal error with "
-        "the program file.",
+        _COMPILE_AGAIN,
         tool="text",
         distance="number",
     ),
@@ -41,8 +45,7 @@ MESSAGES: Final[Entries] = {
     "verify.bridge-spare": entry(
         "The bridge at {place:.3f} mm from the start of the contour is not needed, because the "
         "bridges before and after it are only {distance:.3f} mm apart.",
-        "Compile the job again. If the finding remains, report it as an internal error with "
-        "the program file.",
+        _COMPILE_AGAIN,
         place="number",
         distance="number",
     ),
@@ -96,19 +99,16 @@ MESSAGES: Final[Entries] = {
     "verify.comes-out-anywhere": entry(
         "The knife leaves the board at a point that is neither the end of an edge nor the point "
         "where it entered.",
-        "Compile the job again. If the finding remains, report it as an internal error with the "
-        "program file.",
+        _COMPILE_AGAIN,
     ),
     "verify.comes-out-past": entry(
         "The knife leaves the board {distance:.3f} mm beyond the end of the edge.",
-        "Compile the job again. If the finding remains, report it as an internal error with the "
-        "program file.",
+        _COMPILE_AGAIN,
         distance="number",
     ),
     "verify.comes-out-short": entry(
         "The knife leaves the board {distance:.3f} mm before the end of the edge.",
-        "Compile the job again. If the finding remains, report it as an internal error with the "
-        "program file.",
+        _COMPILE_AGAIN,
         distance="number",
     ),
     "verify.contour-unreached": entry(
@@ -181,8 +181,7 @@ MESSAGES: Final[Entries] = {
     ),
     "verify.goes-in-anywhere": entry(
         "The knife enters the board at a point where no edge begins.",
-        "Compile the job again. If the finding remains, report it as an internal error with the "
-        "program file.",
+        _COMPILE_AGAIN,
     ),
     "verify.groove-arc": entry(
         "The V-groove is an arc, which a tilted blade cannot follow.",
@@ -203,15 +202,15 @@ MESSAGES: Final[Entries] = {
         before="number",
     ),
     "verify.groove-shifted": entry(
-        "The V-groove was shifted by {distance:.2f} mm, so that its flank does not cut through the "
-        "cut beside it.",
+        "The V-groove was shifted by {distance:.2f} mm, so that its flank does not reach the cut "
+        "beside it.",
         "If the fold must not move, move the cut, or set groove_shift in the board file to 0.",
         distance="number",
     ),
     "verify.hanging-piece": entry(
         "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board "
-        "that hangs on bridges or narrow necks only since line {line} of the program, so this part "
-        "of the board may move.",
+        "that, from line {line} of the program on, hangs only on bridges or narrow necks and may "
+        "therefore move.",
         "Process this edge before the cut that leaves only the bridges or necks.",
         x="number",
         y="number",
@@ -245,8 +244,7 @@ MESSAGES: Final[Entries] = {
     ),
     "verify.not-worked": entry(
         "{length:.3f} mm along the edge are not {work}{where}.",
-        "Compile the job again. If the finding remains, report it as an internal error with "
-        "the program file.",
+        _COMPILE_AGAIN,
         length="number",
         work="message",
         where="message",
@@ -292,8 +290,7 @@ MESSAGES: Final[Entries] = {
     "verify.pass-alone": entry(
         "The cutter mills {length:.3f} mm only {depth:.3f} mm deep, and no other pass goes through "
         "the board there.",
-        "Compile the job again. If the finding remains, report it as an internal error with the "
-        "program file.",
+        _COMPILE_AGAIN,
         length="number",
         depth="number",
     ),
@@ -308,21 +305,18 @@ MESSAGES: Final[Entries] = {
     ),
     "verify.past-end": entry(
         "The {tool:tool} continues {length:.3f} mm beyond the end of the edge.",
-        "Compile the job again. If the finding remains, report it as an internal error with the "
-        "program file.",
+        _COMPILE_AGAIN,
         tool="text",
         length="number",
     ),
     "verify.past-open-cut": entry(
         "The cutter continues {length:.3f} mm beyond the end of an open cut.",
-        "Compile the job again. If the finding remains, report it as an internal error with "
-        "the program file.",
+        _COMPILE_AGAIN,
         length="number",
     ),
     "verify.past-stop": entry(
         "The {tool:tool} cuts {length:.3f} mm beyond the point where it must stop.",
-        "Compile the job again. If the finding remains, report it as an internal error with "
-        "the program file.",
+        _COMPILE_AGAIN,
         tool="text",
         length="number",
     ),
@@ -368,8 +362,7 @@ MESSAGES: Final[Entries] = {
     "verify.stray": entry(
         "The {tool:tool} processes {length:.3f} mm of the board at X{x:.3f} Y{y:.3f} "
         "(coordinates of the sheet), where the drawing has no edge.",
-        "Compile the job again. If the finding remains, report it as an internal error with "
-        "the program file.",
+        _COMPILE_AGAIN,
         tool="text",
         length="number",
         x="number",
@@ -387,8 +380,7 @@ MESSAGES: Final[Entries] = {
     "verify.stray-plunge": entry(
         "The {tool:tool} enters the board at X{x:.3f} Y{y:.3f} (coordinates of the sheet), "
         "where the drawing has no edge.",
-        "Compile the job again. If the finding remains, report it as an internal error with "
-        "the program file.",
+        _COMPILE_AGAIN,
         tool="text",
         x="number",
         y="number",
@@ -460,8 +452,7 @@ MESSAGES: Final[Entries] = {
     "verify.wrong-heading": entry(
         "The {tool:tool} is turned {degrees:.3f}° away from the direction of the edge, which "
         "moves its cutting edge {swing:.3f} mm sideways.",
-        "Compile the job again. If the finding remains, report it as an internal error with "
-        "the program file.",
+        _COMPILE_AGAIN,
         tool="text",
         degrees="number",
         swing="number",
