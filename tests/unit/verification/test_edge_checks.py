@@ -322,6 +322,22 @@ def test_collinear_creases_may_be_rolled_together_or_at_their_own_depths() -> No
     np.testing.assert_allclose(verdict.setback, [back, back], atol=1e-9)
 
 
+def test_a_perforation_too_short_for_a_gap_is_one_cut_even_if_others_cross_it() -> None:
+    lead = 0.4056  # 2.3 tan 10°
+    kind = LineType.PERFORATION
+    drawn = dieline(
+        (kind, 0, 10, 8.5, 10, 0.0), (kind, 2, 6, 2, 14.5, 0.0), (kind, 5, 6, 5, 14.5, 0.0),
+    )  # fmt: skip
+
+    def texts(end: float) -> list[str]:
+        end, up = round(end, 4), round(14.5 - lead, 4)
+        text = cut_lines((0, 10, end, 10, 0), (2, 6, 2, up, 90), (5, 6, 5, up, 90))
+        return [f.text for f in verify(text, drawn, (0.0, 0.0), MACHINE, BOARD).findings]
+
+    assert texts(8.5 - lead) == []
+    assert texts(9.0 - lead) != []
+
+
 def test_a_perforation_has_cuts_and_gaps() -> None:
     drawn = dieline((LineType.PERFORATION, 0, 0, 18, 0, 0.0))
     lead = 2.3 * math.tan(math.radians(10.0))

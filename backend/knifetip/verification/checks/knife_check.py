@@ -343,10 +343,12 @@ class KnifeCheck(StationCheck):
             )
         self._check_perforation_bridges(overlaps, perforated, lead)
         size = np.bincount(self.track, self.curve[:, 5], minlength=len(dashed))
-        number = np.bincount(edge[line >= 0], minlength=len(self.edges))
+        # A perforation that is too short for a gap is one cut.  Tip paths that only cross it, as
+        # those of other perforations, are not counted.
+        along = keep[overlaps.best[keep] & (np.abs(np.diff(overlaps.place[keep])[:, 0]) > SHORT)]
+        number = np.bincount(overlaps.edge[along], minlength=len(self.edges))
         alone = np.zeros(len(dashed), np.bool_)
-        few = keep[number[overlaps.edge[keep]] <= 2]
-        alone[self.track[overlaps.curve[few]]] = True
+        alone[self.track[overlaps.curve[along[number[overlaps.edge[along]] == 1]]]] = True
         wrong = dashed & ~alone & (np.abs(size - (cut - lead)) > self.slack)
         first = np.searchsorted(self.track, np.arange(len(dashed)))
         for track in np.flatnonzero(wrong)[:MAX_FINDINGS]:
