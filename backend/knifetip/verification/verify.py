@@ -30,6 +30,7 @@ from knifetip.verification.checks.overlap_check import check_overlaps
 from knifetip.verification.checks.unreached_areas import merge_unreached
 from knifetip.verification.checks.work_order import check_work_order
 from knifetip.verification.checks.zone_check import check_zones
+from knifetip.verification.curves.group_order import order_in_groups
 from knifetip.verification.expectation.edges import place_edges
 from knifetip.verification.expectation.sheet_area import SheetArea, place_sheet
 from knifetip.verification.findings import MAX_FINDINGS, Findings
@@ -145,7 +146,7 @@ def _samples(context: CheckContext) -> Samples:
     if not columns:
         return Samples()
     edge, place, deviation = columns
-    order = np.lexsort((place, edge))[:: -(-len(edge) // MAX_SAMPLES) or 1]
+    order = order_in_groups(edge, place, place)[:: -(-len(edge) // MAX_SAMPLES) or 1]
     return Samples(edge[order], np.clip(place[order], 0.0, 1.0), deviation[order])
 
 

@@ -27,8 +27,10 @@ from knifetip.verification.checks.check_context import (
     PRINT_TURN,
     CheckContext,
 )
+from knifetip.verification.checks.stretch_figures import sample_stretches
 from knifetip.verification.columns import F64, I32, I64, Bool
-from knifetip.verification.curves.curve import azimuth_at, left_distance, point_at
+from knifetip.verification.curves.curve import azimuth_at, point_at
+from knifetip.verification.curves.group_order import order_in_groups
 from knifetip.verification.curves.intervals import SHORT, Overlaps, uncovered_curves
 from knifetip.verification.expectation.edges import Edges, angle_between
 from knifetip.verification.findings import MAX_FINDINGS
@@ -180,9 +182,8 @@ class StationCheck(ABC):
         distance, blend, rows = overlaps.distance[best], self.blend[work], self.edges.row[edge]
         fit_error = self.context.fit_error[rows]
         shown = self.figures.record_deviation(rows, distance, blend, fit_error)
-        span, size = (
-            np.abs(np.diff(stretch[best])[:, 0]) for stretch in (overlaps.place, overlaps.along)
-        )
+        along, place = overlaps.along[best], overlaps.place[best]
+        span, size = (np.abs(stretch[:, 1] - stretch[:, 0]) for stretch in (place, along))
         # A path across the tolerance band, as at a corner, follows another edge.
         figure = np.where(span >= 0.5 * size, distance + blend + fit_error, 0.0)
         for row in np.flatnonzero(figure > limit[edge] + 1e-9)[:MAX_FINDINGS]:
@@ -200,15 +201,16 @@ class StationCheck(ABC):
                 "deviation", edge[row], message, shown[row], work[row], severity=severity
             )
         drawn = self.size[edge] - self.before[edge] - self.spare[edge, 1]
-        for fraction in (0.0, 0.5, 1.0):
-            along = overlaps.along[best] @ (1.0 - fraction, fraction)
-            offset = left_distance(self.curve[work], along, self.edges.curve[edge])
-            place = overlaps.place[best] @ (1.0 - fraction, fraction) - self.before[edge]
-            self.context.samples.append((self.edges.row[edge], place / drawn, offset))
+        before = self.before[edge]
+        positions, offsets = sample_stretches(
+            np.ascontiguousarray(self.curve), work, along, self.edges.curve, edge, place
+        )
+        for position, offset in zip(positions, offsets, strict=True):
+            self.context.samples.append((rows, (position - before) / drawn, offset))
         if "Z" not in self.context.programmed:
             return
         deep = self.context.board.caliper - self.z[work]
-        lowest, highest = self.planned_depths(edge, overlaps.place[best])
+        lowest, highest = self.planned_depths(edge, place)
         planned = np.where(np.abs(deep - lowest) > np.abs(deep - highest), lowest, highest)
         wrong = np.abs(deep - planned)
         if final is not None:
@@ -444,7 +446,7 @@ class StationCheck(ABC):
         low = np.concatenate([low, self.high[edge_rows]])
         high = np.concatenate([high, self.high[edge_rows]])
         line = np.concatenate([line, np.full(len(edge_rows), -1)])
-        order = np.lexsort((high, low, edge))
+        order = order_in_groups(edge, low, high)
         edge, low, high, line = edge[order], low[order], high[order], line[order]
         # Offset each edge, so that one running maximum serves all edges.
         step = edge * (2.0 * float(self.size.max(initial=0.0)) + 1.0)

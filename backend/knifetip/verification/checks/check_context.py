@@ -10,6 +10,7 @@ import numpy as np
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine
 from knifetip.model.verdict import Unreached
+from knifetip.verification.checks.stretch_figures import record_greatest
 from knifetip.verification.columns import F64, I32
 from knifetip.verification.expectation.edges import Edges
 from knifetip.verification.expectation.sheet_area import SheetArea
@@ -69,10 +70,10 @@ class EdgeFigures:
         """
         blend = np.where(np.isfinite(blend), blend, 0.0)
         total: F64 = distance + blend + fit_error
-        np.maximum.at(self.deviation, rows, total)
-        np.maximum.at(self.path_deviation, rows, distance)
-        np.maximum.at(self.blending, rows, blend)
-        np.maximum.at(self.fit_error, rows, fit_error)
+        record_greatest(rows, total, self.deviation)
+        record_greatest(rows, distance, self.path_deviation)
+        record_greatest(rows, blend, self.blending)
+        record_greatest(rows, fit_error, self.fit_error)
         return total
 
     def copy_rows(self, source: I32, target: I32) -> None:

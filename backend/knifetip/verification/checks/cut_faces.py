@@ -16,7 +16,8 @@ import numpy as np
 from knifetip.kernels import F64_2, I64_1, Bool_1, kernel
 from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.curves.curve import line_curves, point_at
-from knifetip.verification.curves.overlap import EdgeGrid, find_overlaps, list_edges
+from knifetip.verification.curves.group_order import order_in_groups
+from knifetip.verification.curves.overlap import EdgeGrid, list_edges
 from knifetip.verification.expectation.edge_paths import edge_paths, joined_ends
 from knifetip.verification.expectation.edges import (
     JOIN_DISTANCE,
@@ -95,8 +96,8 @@ def faces_between(cuts: Edges, links: F64) -> CutFaces:
     ``links`` are the straight lines that close gaps, as rows of six numbers (see
     ``curves.curve``), (k, 6).
     """
-    curve = np.concatenate([cuts.curve, links])
-    piece, edge, begin = split_curves(curve)
+    drawn = cuts if len(links) == 0 else edges_from_curves(np.concatenate([cuts.curve, links]))
+    piece, edge, begin = split_edges(drawn)
     edge = np.where(edge < len(cuts), edge, len(cuts) - 1 - edge)
     unique, twin, first = without_duplicates(edges_from_curves(piece))
     cycle, swept, component = face_cycles(unique)
@@ -113,7 +114,7 @@ def find_dangling_ends(cuts: Edges) -> I64:
     2i + 1.
     """
     a, b = cuts.near_ends(JOIN_DISTANCE)
-    end, edge = cuts.touched_ends(JOIN_DISTANCE)
+    end, edge, _ = cuts.touched_ends(JOIN_DISTANCE)
     loose = np.ones(len(cuts.ends), np.bool_)
     loose[a[a // 2 != b // 2]] = False
     loose[end[end // 2 != edge]] = False
@@ -203,34 +204,31 @@ def _neighbour_mask(one: I64_1, other: I64_1, points: F64_2, first: I64_1) -> An
     return kept
 
 
-def split_curves(curve: F64, *, at_crossings: bool = True) -> tuple[F64, I64, F64]:
-    """Split n curves where the ends of other curves touch them, and where two curves cross.
+def split_edges(edges: Edges, *, at_crossings: bool = True) -> tuple[F64, I64, F64]:
+    """Split n edges where the ends of other edges touch them, and where two edges cross.
 
     Parameters
     ----------
-    curve : (n, 6)
-        Lines and arcs as rows of six numbers (see ``curves.curve``).
+    edges
+        The n edges.
     at_crossings
-        Whether curves are also split where they cross.
+        Whether edges are also split where they cross.
 
     Returns
     -------
-    Three arrays: the p pieces as rows of six numbers (p, 6), the index of the curve of each piece
-    (p,), and the position on that curve at which the piece starts (p,) mm.
+    Three arrays: the p pieces as rows of six numbers (p, 6) (see ``curves.curve``), the index of
+    the edge of each piece (p,), and the position on that edge at which the piece starts (p,) mm.
     """
-    size, nothing = curve[:, 5], np.zeros(len(curve))
-    ends = np.stack([point_at(curve, nothing), point_at(curve, size)], axis=1).reshape(-1, 2)
-    touches = find_overlaps(line_curves(ends, ends), curve, nothing, size, JOIN_DISTANCE)
-    inner = (touches.place[:, 0] > JOIN_DISTANCE) & (
-        touches.place[:, 0] < size[touches.edge] - JOIN_DISTANCE
-    )
-    split, place = touches.edge[inner], touches.place[inner, 0]
+    curve, size = edges.curve, edges.curve[:, 5]
+    _, touched, place = edges.touched_ends(JOIN_DISTANCE)
+    inner = (place > JOIN_DISTANCE) & (place < size[touched] - JOIN_DISTANCE)
+    split, place = touched[inner], place[inner]
     if at_crossings:
-        crossing, crossing_place = _crossings(curve)
+        crossing, crossing_place = _crossings(edges)
         split, place = np.concatenate([split, crossing]), np.concatenate([place, crossing_place])
     owner = np.concatenate([np.arange(len(curve)), split])
-    position = np.concatenate([nothing, place])
-    order = np.lexsort((position, owner))
+    position = np.concatenate([np.zeros(len(curve)), place])
+    order = order_in_groups(owner, position, position)
     owner, position = owner[order].astype(np.int64), position[order]
     last = np.append(owner[1:] != owner[:-1], True)[: len(owner)]
     stop = np.where(last, size[owner], np.append(position[1:], 0.0)[: len(position)])
@@ -246,14 +244,12 @@ def split_curves(curve: F64, *, at_crossings: bool = True) -> tuple[F64, I64, F6
     return piece, owner, position
 
 
-def _crossings(curve: F64) -> tuple[I32, F64]:
-    """Return the index of a curve and a position on it (mm) for each point at which another curve
+def _crossings(edges: Edges) -> tuple[I32, F64]:
+    """Return the index of an edge and a position on it (mm) for each point at which another edge
     crosses it, (k,) each.
-
-    ``curve`` contains lines and arcs as rows of six numbers (see ``curves.curve``), (n, 6).
     """
-    size = curve[:, 5]
-    cross = find_overlaps(curve, curve, np.zeros(len(curve)), size, JOIN_DISTANCE)
+    size = edges.curve[:, 5]
+    cross = edges.find_overlaps(edges.curve, JOIN_DISTANCE)
     # If an end of one lies on the other, they touch and do not cross.
     low, high = cross.place_range()
     crosses = (cross.along[:, 0] > JOIN_DISTANCE) & (

@@ -25,7 +25,7 @@ from knifetip.model.verdict import Severity
 from knifetip.verification.checks import milling_geometry
 from knifetip.verification.checks.bridge_check import check_bridges, order_bridges
 from knifetip.verification.checks.check_context import DEPTH_TOLERANCE, NEAR_EDGE, CheckContext
-from knifetip.verification.checks.cut_faces import split_curves
+from knifetip.verification.checks.cut_faces import split_edges
 from knifetip.verification.checks.milling_geometry import spans_near_points
 from knifetip.verification.checks.milling_shortfalls import (
     distance_from_disc,
@@ -109,7 +109,7 @@ def _split_at_junctions(edges: Edges) -> tuple[Edges, I64, F64]:
     """Return the p pieces of n edges between the ends of other edges that lie on them, the index of
     the edge of each piece (p,), and the position on this edge at which the piece begins (p,) mm.
     """
-    curve, owner, begin = split_curves(edges.curve, at_crossings=False)
+    curve, owner, begin = split_edges(edges, at_crossings=False)
     if len(curve) == len(edges):
         return edges, owner, begin
     pieces = edges_from_curves(curve)

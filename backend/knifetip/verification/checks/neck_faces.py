@@ -140,9 +140,13 @@ def cut_components(cuts: Edges, faces: CutFaces) -> I64:
     ``faces`` contains the pieces into which the cuts are split where they meet.
     """
     piece = np.flatnonzero(faces.edge >= 0)
-    curve, edge = faces.curve[piece], faces.edge[piece]
-    ends = _curve_ends(curve)
-    a, b = pairs_within(ends, ends, JOIN_DISTANCE)
+    edge = faces.edge[piece]
+    if len(faces.pieces) == len(piece) == len(faces.edge):
+        # The faces were found from the same pairs of ends.
+        a, b = faces.pieces.near_ends(JOIN_DISTANCE)
+    else:
+        ends = _curve_ends(faces.curve[piece])
+        a, b = pairs_within(ends, ends, JOIN_DISTANCE)
     return lowest_connected(edge[a // 2], edge[b // 2], len(cuts))
 
 

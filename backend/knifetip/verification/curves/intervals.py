@@ -13,6 +13,7 @@ import numpy as np
 
 from knifetip.kernels import F64_1, F64_2, I32_1, I32_2, OutF64_2, kernel
 from knifetip.verification.columns import F64, I32, I64, Bool
+from knifetip.verification.curves.group_order import order_in_groups
 
 #: Lengths that differ by less are equal (mm).
 EPSILON: Final = 1e-9
@@ -149,7 +150,7 @@ def uncovered_edges(edge: I64, low: F64, high: F64, size: F64) -> tuple[I64, F64
     all_rows = np.arange(len(size))
     edge = np.concatenate([edge, all_rows])
     low, high = np.concatenate([low, size]), np.concatenate([high, size])
-    order = np.lexsort((high, low, edge))
+    order = order_in_groups(edge, low, high)
     edge, low, high = edge[order], np.maximum(low[order], 0.0), high[order]
     # Offset each edge, so that one running maximum serves all edges.
     step = edge * (2.0 * float(size.max(initial=0.0)) + 1.0)

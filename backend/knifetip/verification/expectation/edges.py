@@ -9,6 +9,7 @@ from typing import Any, Final, TypeVar, cast
 import numpy as np
 
 from knifetip.errors import GeometryError
+from knifetip.kernels import F64_1, kernel
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.verification.columns import F64, I32, I64
 from knifetip.verification.curves.curve import arc_curves, azimuth_at, line_curves, point_at
@@ -131,16 +132,25 @@ class Edges:
         """
         return self.find_overlaps(line_curves(points, points), limit)
 
-    def touched_ends(self, distance: float) -> tuple[I32, I32]:
-        """Return the k pairs of an end and an edge at most ``distance`` mm apart, (k,) each.
+    def touched_ends(self, distance: float) -> tuple[I32, I32, F64]:
+        """Return the k pairs of an end and an edge at most ``distance`` mm apart, and the position
+        on the edge that is nearest to the end (mm), (k,) each.
 
         The distance is at most ``TOUCH_DISTANCE``.  End 2i is the start of edge i, and end 2i + 1
         is its end; each end also forms a pair with its own edge.
         """
+        return self.compute_once(
+            f"ends within {distance} of edges", lambda: self._find_touched_ends(distance)
+        )
+
+    def _find_touched_ends(self, distance: float) -> tuple[I32, I32, F64]:
+        """Return the result of ``touched_ends``."""
         touches = self.touched_by_points(self.ends, TOUCH_DISTANCE)
-        foot = point_at(self.curve[touches.edge], touches.place[:, 0])
-        near = np.hypot(*(foot - self.ends[touches.curve]).T) <= distance
-        return touches.curve[near], touches.edge[near]
+        end, edge, place = touches.curve, touches.edge, touches.place[:, 0].copy()
+        foot = point_at(self.curve[edge], place)
+        pair = np.arange(len(end))
+        near = pair_distances(foot, pair, self.ends, end.astype(np.int64)) <= distance
+        return (end, edge, place) if near.all() else (end[near], edge[near], place[near])
 
     def compute_once(self, name: str, compute: Callable[[], Result]) -> Result:
         """Return the result of ``compute``, which is called only once for each ``name``.
@@ -282,9 +292,20 @@ def pairs_within(points: F64, others: F64, distance: float) -> tuple[I64, I64]:
 def angle_between(one: F64, other: F64, turn: float = 360.0) -> F64:
     """Return the smaller angle between two directions, in degrees, from 0 to half of ``turn``.
 
-    ``one`` and ``other`` are arrays of directions (degrees) that are compared element by element.
-    Directions that differ by a multiple of ``turn`` (degrees) are equal.
+    ``one`` and ``other`` are arrays of directions (degrees), (n,), that are compared element by
+    element.  Directions that differ by a multiple of ``turn`` (degrees) are equal.
     """
-    half = turn / 2.0
-    result: F64 = np.abs((one - other + half) % turn - half)
+    result: F64 = _angles_between(np.ascontiguousarray(one), np.ascontiguousarray(other), turn)
     return result
+
+
+@kernel
+def _angles_between(one: F64_1, other: F64_1, turn: float) -> Any:
+    """Return the result of ``angle_between``."""
+    angle, half = np.empty(len(one)), turn / 2.0
+    for row in range(len(one)):
+        beyond = one[row] - other[row] + half
+        if not 0.0 <= beyond < turn:
+            beyond = beyond % turn
+        angle[row] = abs(beyond - half)
+    return angle

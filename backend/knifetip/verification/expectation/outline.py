@@ -17,6 +17,7 @@ import numpy as np
 from knifetip.kernels import F64_1, F64_2, I64_1, inline_kernel, kernel
 from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import point_at
+from knifetip.verification.curves.group_order import order_in_groups
 from knifetip.verification.expectation.edges import (
     JOIN_DISTANCE,
     Edges,
@@ -96,7 +97,7 @@ def face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
     straight = curve[:, 0] == 0.0
     bend = np.where(straight, 0.0, curve[:, 0] / np.where(straight, 1.0, curve[:, 3]))
     bend = np.where(back, -bend, bend)
-    order = np.lexsort((bend, leaves, node))
+    order = order_in_groups(node, leaves, bend)
     cycle, swept = _trace_cycles(order, node[order], swept_areas(edges))
     component = lowest_connected(
         np.concatenate([node, np.arange(2 * count)]),
@@ -243,11 +244,9 @@ def _count_by_rays(points: F64, outlines: F64, first: I64, boxes: F64, *, own: b
 
     For the parameters see ``_count_containing``.
     """
-    counts = [
-        _count_containing(points + np.array([0.0, shift]), outlines, first, boxes, own)
-        for shift in _RAY_SHIFTS
-    ]
-    result: I64 = np.sort(counts, axis=0)[1]
+    result: I64 = _count_containing(
+        np.ascontiguousarray(points), outlines, first, boxes, np.array(_RAY_SHIFTS), own
+    )
     return result
 
 
@@ -269,10 +268,13 @@ def _bounding_boxes(outlines: F64, first: I64) -> F64:
 
 
 @kernel
-def _count_containing(points: F64_2, outlines: F64_2, first: I64_1, boxes: F64_2, own: bool) -> Any:
+def _count_containing(
+    points: F64_2, outlines: F64_2, first: I64_1, boxes: F64_2, shifts: F64_1, own: bool
+) -> Any:
     """Return the number of outlines that contain each of n points, shape (n,).
 
-    A point is inside if a ray along +X crosses the outline an odd number of times.
+    A point is inside if a ray along +X crosses the outline an odd number of times.  Three rays are
+    counted, and the median of the three numbers is returned.
 
     Parameters
     ----------
@@ -285,25 +287,42 @@ def _count_containing(points: F64_2, outlines: F64_2, first: I64_1, boxes: F64_2
         Index of the first curve of each outline, followed by k.
     boxes : (c, 4) mm
         Bounding box of each outline: least x, least y, greatest x, greatest y.
+    shifts : (3,) mm
+        Shift of each ray along Y.
     own
         If True, point i belongs to outline i, and this outline is not counted for it.
     """
     depth = np.zeros(len(points), np.int64)
     low, width, begin, listed = _list_in_bands(boxes)
+    least, most = shifts.min(), shifts.max()
+    counts = np.zeros(3, np.int64)
     for i in range(len(points)):
-        x = points[i, 0]
-        y = points[i, 1]
-        band = _band_at(y, low, width, len(begin) - 1)
-        for entry in range(begin[band], begin[band + 1]):
-            j = listed[entry]
-            if own and i == j:
-                continue
-            if x < boxes[j, 0] or y < boxes[j, 1] or x > boxes[j, 2] or y > boxes[j, 3]:
-                continue
-            crossed = 0
-            for row in range(first[j], first[j + 1]):
-                crossed += _ray_crossings(outlines[row], x, y)
-            depth[i] += crossed % 2
+        x, y = points[i, 0], points[i, 1]
+        counts[:] = 0
+        band = _band_at(y + least, low, width, len(begin) - 1)
+        last = _band_at(y + most, low, width, len(begin) - 1)
+        # An outline in two bands is counted in the first of them.
+        for place in range(band, last + 1):
+            for entry in range(begin[place], begin[place + 1]):
+                j = listed[entry]
+                if own and i == j:
+                    continue
+                if x < boxes[j, 0] or x > boxes[j, 2]:
+                    continue
+                if y + most < boxes[j, 1] or y + least > boxes[j, 3]:
+                    continue
+                if place > band and _band_at(boxes[j, 1], low, width, len(begin) - 1) < place:
+                    continue
+                for ray in range(3):
+                    ray_y = y + shifts[ray]
+                    if ray_y < boxes[j, 1] or ray_y > boxes[j, 3]:
+                        continue
+                    crossed = 0
+                    for row in range(first[j], first[j + 1]):
+                        crossed += _ray_crossings(outlines[row], x, ray_y)
+                    counts[ray] += crossed % 2
+        a, b, c = counts[0], counts[1], counts[2]
+        depth[i] = max(min(a, b), min(max(a, b), c))
     return depth
 
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from knifetip.verification.columns import F64, I32, Bool
 from knifetip.verification.curves.curve import azimuth_at
+from knifetip.verification.curves.group_order import order_in_groups
 from knifetip.verification.expectation.edges import TOUCH_DISTANCE, Edges, angle_between
 from knifetip.verification.expectation.outline import find_outlines
 
@@ -45,7 +46,7 @@ def waste_ahead(ahead: F64, end: I32, cut: I32, place: F64, cuts: Edges) -> Bool
     board_left = np.concatenate([left[onward], ~left[back]])
     turn = (ahead[at] - direction) % 360.0
     # The last row of each end is the direction that is next clockwise.
-    order = np.lexsort((-turn, at))
+    order = order_in_groups(at, -turn, turn)
     result = np.zeros(len(ahead), np.bool_)
     result[at[order]] = ~board_left[order]
     along = angle_between(ahead[at], direction) <= _ALONG_OUTLINE
