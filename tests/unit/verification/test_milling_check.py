@@ -244,6 +244,34 @@ def test_a_round_hole_is_milled_from_inside() -> None:
     assert wide[0].measure == pytest.approx(0.02)
 
 
+@pytest.mark.parametrize("backwards", [False, True])
+@pytest.mark.parametrize("wider", [-0.0004, 0.0, 0.0004])
+def test_the_disc_turns_on_the_spot_in_a_corner_as_round_as_itself(
+    wider: float, backwards: bool
+) -> None:
+    r, b = 3.0 + wider, math.tan(math.pi / 8.0)
+    drawn = dieline(
+        (CUT, 0, 0, 100, 0, 0.0), (CUT, 100, 0, 100, 80, 0.0), (CUT, 100, 80, 0, 80, 0.0),
+        (CUT, 0, 80, 0, 0, 0.0),
+        (CUT, 30 + r, 30, 60 - r, 30, 0.0), (CUT, 60 - r, 30, 60, 30 + r, b),
+        (CUT, 60, 30 + r, 60, 50 - r, 0.0), (CUT, 60, 50 - r, 60 - r, 50, b),
+        (CUT, 60 - r, 50, 30 + r, 50, 0.0), (CUT, 30 + r, 50, 30, 50 - r, b),
+        (CUT, 30, 50 - r, 30, 30 + r, 0.0), (CUT, 30, 30 + r, 30 + r, 30, b),
+    )  # fmt: skip
+    ways = [f"G1 X{x} Y{y}" for x, y in ((57, 33), (57, 47), (33, 47), (33, 33), (45, 33))]
+    if backwards:
+        ways = [*ways[-2::-1], ways[-1]]
+    hole = ("G0 X45 Y33 Z20", "G0 Z4", "G1 Z-0.3 F1200", "F6000", *ways, "G1 Z4 F1200")
+    assert faults(verdict_of(program(*hole, *SQUARE), drawn)) == ()
+    farther = [way.replace("X57", "X57.03") for way in hole]
+    wrong = faults(verdict_of(program(*farther, *SQUARE), drawn))
+    assert wrong[0].measure == pytest.approx(0.03, abs=0.001)
+    corner = hole.index("G1 X57 Y33")
+    across = [*hole[: corner + 1], "G1 X62 Y28", "G1 X57 Y33", *hole[corner + 1 :]]
+    crossed = faults(verdict_of(program(*across, *SQUARE), drawn))
+    assert max(finding.measure for finding in crossed) >= 3.0
+
+
 def test_a_slot_narrower_than_the_disc_is_unreached_and_one_that_is_wider_is_not() -> None:
     def slotted(width: float, bottom: float = 20.0) -> Dieline:
         left, right = 50 - width / 2, 50 + width / 2

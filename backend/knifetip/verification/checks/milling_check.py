@@ -15,6 +15,7 @@ Source: "Tool radius compensation", equations 1-9.  The reach into corners was d
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from itertools import chain
 from typing import Final
 
 import numpy as np
@@ -519,16 +520,23 @@ class _MillingCheck:
         along = self._open_cut_mask()
         penetration = np.zeros(len(path))
         sides = np.zeros((2, len(path)))
-        for position in milling_geometry.nearest_candidates(
-            self.centres.curve[path], overlaps.along, curve[edge], self._disc_is_round
+        # The ends of a stretch beside an arc are inexact if the disc is nearly as wide as it.
+        whole = overlaps.along.copy()
+        bent = curve[edge, 0] != 0.0
+        whole[bent, 0], whole[bent, 1] = 0.0, self.centres.curve[path[bent], 5]
+        candidates = milling_geometry.nearest_candidates
+        for position in chain(
+            candidates(self.centres.curve[path], overlaps.along, curve[edge], self._disc_is_round),
+            candidates(self.centres.curve[path], whole, curve[edge], True),
         ):
+            centre = point_at(self.centres.curve[path], position)
             penetration = np.maximum(
                 penetration,
-                milling_geometry.disc_penetration(
-                    point_at(self.centres.curve[path], position), curve[edge], self.reach
-                ),
+                milling_geometry.disc_penetration(centre, curve[edge], self.reach),
             )
+            beside = milling_geometry.is_beside_arc(centre, curve[edge], self.reach)
             offset = left_distance(self.centres.curve[path], position, curve[edge])
+            offset = np.where(beside, offset, 0.0)
             sides = np.stack([np.minimum(sides[0], offset), np.maximum(sides[1], offset)])
         # A path with points on both sides of an edge crosses the edge.
         crosses = (sides[0] < -EPSILON) & (sides[1] > EPSILON)

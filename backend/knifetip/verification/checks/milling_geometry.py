@@ -9,11 +9,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from knifetip.verification.columns import F64
+from knifetip.verification.columns import F64, Bool
 from knifetip.verification.curves.intervals import EPSILON
 
 
-def spans_near_points(curve: F64, point: F64, limit: float) -> tuple[F64, F64]:
+def spans_near_points(curve: F64, point: F64, limit: float | F64) -> tuple[F64, F64]:
     """Return the start and the end of the stretch of each of n curves near a point, (n,) mm each.
 
     The stretch is the part of the curve within ``limit`` of the point; its start and end are
@@ -27,7 +27,7 @@ def spans_near_points(curve: F64, point: F64, limit: float) -> tuple[F64, F64]:
         Lines and arcs as rows of six numbers (see ``curves.curve``), and the point for each of
         them.
     limit : mm
-        Greatest distance from the point.
+        Greatest distance from the point; one for all, or one for each curve, (n,).
     """
     to = point - curve[:, 1:3]
     straight = curve[:, 0] == 0.0
@@ -77,6 +77,10 @@ def nearest_candidates(curve: F64, along: F64, edge: F64, round_: bool) -> Itera
     for half in (0.0, np.pi):
         turned = curve[:, 0] * (towards + half - curve[:, 4]) % (2.0 * np.pi)
         yield np.clip(np.where(straight, foot, turned * curve[:, 3]), low, high)
+    # Where the curve crosses the circle of an arc.
+    radius = np.where(flat, 1.0, edge[:, 3])
+    for crossing in spans_near_points(curve, edge[:, 1:3], radius):
+        yield np.where(flat, low, np.clip(crossing, low, high))
     if not round_:
         for fraction in np.linspace(0.0, 1.0, 9)[1:-1]:
             yield low + (high - low) * fraction
@@ -121,10 +125,34 @@ def _angle_beside_arc(angle: F64, arcs: F64) -> F64:
     return result
 
 
+def is_beside_arc(points: F64, edge: F64, reach: F64) -> Bool:
+    """Return whether each of n points lies in the sector of its arc, seen from the centre, (n,).
+
+    The result is True for lines, and at the centre itself.  For an ellipse the sector is wider by
+    the greatest distance between the directions of a point and of the contact with the arc.
+
+    Parameters
+    ----------
+    points, edge : (n, 2) mm and (n, 6)
+        The points, and the edge for each of them: a line or arc as a row of six numbers (see
+        ``curves.curve``).
+    reach : (2,) mm
+        Half-axes of the disc along X and Y.
+    """
+    result: Bool = edge[:, 0] == 0.0
+    bent = np.flatnonzero(~result)
+    to = points[bent] - edge[bent, 1:3]
+    beside = _angle_beside_arc(np.arctan2(to[:, 1], to[:, 0]), edge[bent])
+    past = np.hypot(*to.T) * np.minimum(beside, 0.5 * np.pi)
+    result[bent] = past <= 2.0 * np.ptp(reach) + EPSILON
+    return result
+
+
 def disc_penetration(points: F64, edge: F64, reach: F64) -> F64:
     """Return how far a disc or ellipse centred at each of n points extends past an edge, (n,) mm.
 
-    The result is negative if the disc does not reach the edge.
+    The result is negative if the disc does not reach the edge, and -∞ for a point that does not lie
+    beside an arc: the ends of the arc are nearest to it, which are corners.
 
     Parameters
     ----------
@@ -152,5 +180,8 @@ def disc_penetration(points: F64, edge: F64, reach: F64) -> F64:
     beside = _angle_beside_arc(np.arctan2(to[narrow, 1], to[narrow, 0]), edge[narrow])
     across = np.sqrt(np.maximum(reach.max() ** 2 - (distance[narrow] * np.sin(beside)) ** 2, 0.0))
     bent[narrow] = distance[narrow] * np.cos(beside) + across - edge[narrow, 3]
+    elsewhere = ~is_beside_arc(points, edge, reach)
+    elsewhere[narrow] = False
+    bent[elsewhere] = -np.inf
     result: F64 = np.where(straight, flat, bent)
     return result
