@@ -46,17 +46,19 @@ def map_to_drawn(verdict: Verdict, cleaned: Cleaned, drawn: Dieline) -> Verdict:
     row, target = parts.row[live], parts.cleaned[live]
     columns: dict[str, Any] = {}
     for name in _WORST:
-        worst = np.zeros(count)
-        np.maximum.at(worst, row, getattr(verdict, name)[target])
-        columns[name] = worst
+        columns[name] = worst = np.zeros(count)
+        if (measured := getattr(verdict, name)).any():
+            np.maximum.at(worst, row, measured[target])
     own = live & ~parts.by_other_edge
     length = arc.length(drawn.ends[:, 0], drawn.ends[:, 1], drawn.bulge)
     size = ((parts.end - parts.begin) * length[parts.row])[own]
     whole = np.bincount(parts.cleaned[own], size, len(cleaned.dieline))
     fraction = size / whole[parts.cleaned[own]]
     for name in _LENGTHS:
-        part = fraction * getattr(verdict, name)[parts.cleaned[own]]
-        columns[name] = np.bincount(parts.row[own], part, count).astype(np.float64)
+        columns[name] = np.zeros(count)
+        if (measured := getattr(verdict, name)).any():
+            part = fraction * measured[parts.cleaned[own]]
+            columns[name] = np.bincount(parts.row[own], part, count).astype(np.float64)
     shown = cleaned.dieline.source
     return replace(
         verdict,

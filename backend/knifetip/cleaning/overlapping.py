@@ -13,7 +13,7 @@ computed in a frame that is rotated nearly to the direction of the line, so that
 from __future__ import annotations
 
 import math
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
@@ -55,16 +55,8 @@ def find_overlapping(ends: F64, bulge: F64) -> tuple[I64, I64]:
     boxes, bucket, angle, width = _frame_boxes(rows, np.radians(_FAN), np.radians(ANGLE), SAME)
     shelf = np.floor(boxes[:, 1] / np.where(bucket == _ARCS, reach / 64.0, SAME))
     order = np.lexsort((boxes[:, 0], shelf, bucket))
-    found = _overlapping(
-        rows[order],
-        boxes[order] + np.outer(bucket[order] * reach, [0.0, 1.0, 0.0, 1.0]),
-        bucket[order],
-        angle[order],
-        width[order],
-        reach,
-        math.radians(_FAN),
-        SAME,
-    )
+    frames = _Frames(boxes, bucket, angle, width)
+    found = _overlapping(rows, frames, order, reach, math.radians(_FAN), SAME)
     one, two = order[found[:, 0]], order[found[:, 1]]
     # Sorting is faster here than numpy's ``unique``, which hashes: there may be millions.
     pair = np.sort(np.minimum(one, two) * len(bulge) + np.maximum(one, two))
@@ -147,18 +139,49 @@ def _box(rows: F64_2, i: int, turn: float, same: float, boxes: OutF64_2, box_row
     boxes[box_row, 3] = max(v0, v1) + same
 
 
+class _Frames(NamedTuple):
+    """The bounding boxes of k edges, each in a frame; see ``_frame_boxes``."""
+
+    boxes: F64_2  #: (k, 4) bounding box of each edge in its frame (mm)
+    bucket: I64_1  #: (k,) number of the frame of each edge
+    angle: F64_1  #: (k,) direction of each line (radians)
+    width: F64_1  #: (k,) greatest difference to the direction of a line that overlaps (radians)
+
+
 @kernel
 def _overlapping(
-    rows: F64_2,
-    boxes: F64_2,
-    bucket: I64_1,
-    angle: F64_1,
-    width: F64_1,
-    reach: float,
-    fan: float,
-    same: float,
+    edges: F64_2, frames: _Frames, order: I64_1, reach: float, fan: float, same: float
 ) -> Any:
-    count = len(rows)
+    """Return the pairs of edges that overlap, (p, 2), as indices in ``order``.
+
+    Parameters
+    ----------
+    edges : (k, 5)
+        Edges: x0, y0, x1, y1, bulge.
+    frames
+        Bounding boxes of the edges.
+    order : (k,)
+        The edges, sorted by frame so that near ones follow one another.
+    reach : mm
+        Distance by which the boxes of successive frames are moved apart.
+    fan : radians
+        Angle between the directions of neighbouring frames.
+    same : mm
+        Largest distance of two edges that overlap.
+    """
+    count = len(order)
+    rows, boxes = np.empty((count, 5)), np.empty((count, 4))
+    bucket = np.empty(count, np.int64)
+    angle, width = np.empty(count), np.empty(count)
+    for i in range(count):
+        at = order[i]
+        bucket[i], angle[i], width[i] = frames.bucket[at], frames.angle[at], frames.width[at]
+        for column in range(5):
+            rows[i, column] = edges[at, column]
+        for column in range(4):
+            boxes[i, column] = frames.boxes[at, column]
+        boxes[i, 1] += bucket[i] * reach
+        boxes[i, 3] += bucket[i] * reach
     tree, stack = build_tree(boxes), new_stack()
     other = np.empty((1, 4))
     found = np.empty((64, 2), np.int64)

@@ -62,9 +62,17 @@ def length(start: F64, end: F64, bulge: F64) -> F64:
     ``start``, ``end`` (n, 2) mm and ``bulge`` (n,) are the lines and arcs.  Coordinates must be so
     small that their squares are finite floats; otherwise the result is inf.
     """
-    # Computed by column, since operations on rows of two numbers are slow.
-    x, y = end[:, 0] - start[:, 0], end[:, 1] - start[:, 1]
-    return length_from_chord(np.sqrt(x * x + y * y), bulge)
+    return length_from_chord(_chord_lengths(start, end), bulge)
+
+
+@kernel
+def _chord_lengths(start: F64_2A, end: F64_2A) -> Any:
+    """Return the distance of ``start`` (n, 2) mm from ``end`` (n, 2) mm, (n,) mm."""
+    size = np.empty(len(start))
+    for row in range(len(start)):
+        x, y = end[row, 0] - start[row, 0], end[row, 1] - start[row, 1]
+        size[row] = math.sqrt(x * x + y * y)
+    return size
 
 
 def length_from_chord(chord: F64, bulge: F64) -> F64:

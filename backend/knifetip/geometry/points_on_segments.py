@@ -59,7 +59,7 @@ def find_points_on_segments(
     """
     if len(points) == 0 or len(bulge) == 0:
         return np.zeros(len(points), np.bool_)
-    boxes = _boxes(np.column_stack([start, end, bulge]))
+    boxes = _boxes(start, end, bulge)
     sweep = arc.sweep(bulge)
     bent = np.flatnonzero(np.abs(sweep) >= _LEAST_SWEEP)
     middle, radius, first = np.zeros((len(bulge), 2)), np.zeros(len(bulge)), np.zeros(len(bulge))
@@ -78,15 +78,18 @@ def find_points_on_segments(
 
 
 @kernel
-def _boxes(rows: F64_2) -> Any:
+def _boxes(start: F64_2A, end: F64_2A, bulge: F64_1A) -> Any:
     """Return a box around each segment, (n, 4): x min, y min, x max, y max.
 
-    ``rows`` (n, 5) are the segments: x0, y0, x1, y1, bulge.  The box of an arc may be larger than
-    necessary.
+    ``start``, ``end`` (n, 2) mm and ``bulge`` (n,) are the segments.  The box of an arc may be
+    larger than necessary.
     """
-    boxes = np.empty((len(rows), 4))
-    for i in range(len(rows)):
-        write_box(rows, i, boxes, i)
+    boxes, segment = np.empty((len(bulge), 4)), np.empty((1, 5))
+    for i in range(len(bulge)):
+        for axis in range(2):
+            segment[0, axis], segment[0, axis + 2] = start[i, axis], end[i, axis]
+        segment[0, 4] = bulge[i]
+        write_box(segment, 0, boxes, i)
     return boxes
 
 

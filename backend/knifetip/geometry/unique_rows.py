@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from knifetip.geometry.columns import I64
-from knifetip.kernels import I64_1, I64_2, kernel
+from knifetip.kernels import I32_1, I64_2, kernel
 
 #: Initial size of the hash table.
 _SLOTS: Final = 1024
@@ -58,7 +58,7 @@ def _distinct_rows(table: I64_2) -> Any:
     rows = len(table)
     first = np.empty(rows, np.int64)
     kind = np.empty(rows, np.int64)
-    slots = np.full(_SLOTS, -1, np.int64)
+    slots = np.full(_SLOTS, -1, np.int32)
     count = 0
     for row in range(rows):
         if row > 0 and _equal_rows(table, row, row - 1):
@@ -73,7 +73,7 @@ def _distinct_rows(table: I64_2) -> Any:
             count += 1
         kind[row] = slots[slot]
         if 2 * count > len(slots):
-            slots = np.full(4 * len(slots), -1, np.int64)
+            slots = np.full(4 * len(slots), -1, np.int32)
             for number in range(count):
                 slot = _slot(table, first[number], slots)
                 while slots[slot] >= 0:
@@ -92,7 +92,7 @@ def _equal_rows(table: I64_2, row: int, other: int) -> bool:
 
 
 @kernel
-def _slot(table: I64_2, row: int, slots: I64_1) -> Any:
+def _slot(table: I64_2, row: int, slots: I32_1) -> Any:
     """Return the slot of the hash table ``slots`` at which the search for a row begins.
 
     ``table`` contains rows of integers, and ``row`` is the number of the row to search for.

@@ -184,4 +184,6 @@ def extents(ends: F64, bulge: F64) -> F64:
     if len(ends) == 0:
         return np.zeros(4)
     boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)
-    return np.concatenate([boxes[:, :2].min(axis=0), boxes[:, 2:].max(axis=0)])
+    # By column, since reductions of rows of two numbers are slow.
+    low, high = boxes[:, :2].T, boxes[:, 2:].T
+    return np.array([low[0].min(), low[1].min(), high[0].max(), high[1].max()])

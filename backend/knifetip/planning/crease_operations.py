@@ -143,10 +143,13 @@ def _continued_ends(paths: Paths) -> Bool:
     segment passes or begins less than ``GAP`` from the end, has the direction of the end there, and
     leads on by more than ``GAP``.
     """
-    (points, _), outward = end_points(paths), -end_directions(paths)
+    (points, segment), outward = end_points(paths), -end_directions(paths)
     result = np.zeros(len(points), np.bool_)
     boxes = arc.bounding_boxes(paths.start, paths.end, paths.bulge)
     end, row = box_pairs(np.hstack([points, points]), boxes, GAP)
+    # A segment does not lead on beyond its own end, unless it is a closed curve.
+    others = (row != segment[end]) | (paths.bulge[row] != 0.0)
+    end, row = end[others], row[others]
     if len(end) == 0:
         return result
     segments = paths.start[row], paths.end[row], paths.bulge[row]

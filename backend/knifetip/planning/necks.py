@@ -12,6 +12,7 @@ beside all of them.
 
 from __future__ import annotations
 
+import math
 from typing import Any, Final
 
 import numpy as np
@@ -21,7 +22,7 @@ from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.tolerance import CONTOUR_GAP, JOIN
 from knifetip.geometry.union_find import flatten, union
 from knifetip.geometry.vertices import number_vertices
-from knifetip.kernels import I64_1, kernel
+from knifetip.kernels import F64_2, I64_1, I64_2, kernel
 from knifetip.planning.stretches import Stretches
 from knifetip.topology.contour_gaps import closing_links
 from knifetip.topology.noding import split_at_crossings
@@ -102,19 +103,36 @@ def _tips_in_wide_faces(stretches: Stretches, tips: I64, count: int) -> I64:
         return tips
     face = stretches.face
     box = arc.bounding_boxes(stretches.ends[:, 0], stretches.ends[:, 1], stretches.bulge)
-    low = np.full((2, int(face.max()) + 1), np.inf)
-    high = -low
-    for axis in range(2):
-        for side in range(2):
-            np.minimum.at(low[axis], face[:, side], box[:, axis])
-            np.maximum.at(high[axis], face[:, side], box[:, 2 + axis])
-    wide = (high - low >= MIN_EXTENT).all(axis=0)
+    wide = _are_wide(np.ascontiguousarray(face), box, int(face.max()) + 1)
     wide[0] = True
     own = stretches.row < count
     borders = np.zeros(count, np.bool_)
     borders[stretches.row[own & wide[face].any(axis=1)]] = True
     result: I64 = tips[borders[tips // 2]]
     return result
+
+
+@kernel
+def _are_wide(face: I64_2, box: F64_2, count: int) -> Any:
+    """Return the mask of the faces that extend at least ``MIN_EXTENT`` along X and Y, (count,).
+
+    ``face`` (m, 2) are the faces beside each of m stretches, and ``box`` (m, 4) mm the bounding
+    boxes of the stretches.
+    """
+    extent = np.full((count, 4), -math.inf)
+    for row in range(len(face)):
+        for side in range(2):
+            own = face[row, side]
+            for axis in range(2):
+                extent[own, axis] = max(extent[own, axis], -box[row, axis])
+                extent[own, axis + 2] = max(extent[own, axis + 2], box[row, axis + 2])
+    wide = np.empty(count, np.bool_)
+    for own in range(count):
+        wide[own] = (
+            extent[own, 2] + extent[own, 0] >= MIN_EXTENT
+            and extent[own, 3] + extent[own, 1] >= MIN_EXTENT
+        )
+    return wide
 
 
 def _find_removable_links(face: I64, narrow: Bool, link: I64, length: F64) -> Bool:

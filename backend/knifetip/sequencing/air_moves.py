@@ -197,16 +197,19 @@ def _expand_rapids(pose: F64_2, rapid: Bool_1, height: float) -> Any:
         if up:
             rows[used] = row
             used += 1
-            expanded[used] = pose[row]
+            for axis in range(4):
+                expanded[used, axis] = pose[row, axis]
             expanded[used, 2] = height
         if down:
             rows[used] = row
             used += 1
-            expanded[used] = pose[row + 1]
+            for axis in range(4):
+                expanded[used, axis] = pose[row + 1, axis]
             expanded[used, 2] = height
         rows[used] = row
         used += 1
-        expanded[used] = pose[row + 1]
+        for axis in range(4):
+            expanded[used, axis] = pose[row + 1, axis]
         if up and not down:
             expanded[used, 2] = height
     return expanded, rows
