@@ -14,7 +14,7 @@ from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.pipeline import Compiled
 from tests.support.drawings import drawing
-from tests.support.shapes import dieline, edges
+from tests.support.shapes import closed, dieline, edges
 
 CUT, CREASE = LineType.CUT, LineType.CREASE
 
@@ -40,5 +40,25 @@ def test_an_outline_may_start_at_a_corner_on_which_a_cut_ends(machine: str) -> N
         (CUT, edges((low, tip), (tip, high), (high, left), (left, low))),
         (CUT, edges((tip, (90, 25)))),
         bulge={2: bend, 3: bend},
+    )
+    assert refusals(compiled(line, machine, "fbb-0.4")) == []
+
+
+@pytest.mark.parametrize("machine", ["demo-table", "laser-table", "flat-cutter-hpgl"])
+@pytest.mark.parametrize("turn", [0.0, 0.3])
+def test_cuts_that_touch_a_round_crease_do_not_split_it(machine: str, turn: float) -> None:
+    # Two straight creases end where the circle touches the panel.
+    def turned(x: float, y: float) -> tuple[float, float]:
+        return (
+            x * math.cos(turn) - y * math.sin(turn),
+            x * math.sin(turn) + y * math.cos(turn),
+        )
+
+    west, east, south, north = (turned(*end) for end in ((0, 25), (50, 25), (25, 0), (25, 50)))
+    panel = closed(*(turned(*corner) for corner in ((0, 0), (50, 0), (50, 50), (0, 50))))
+    line = dieline(
+        (CUT, panel),
+        (CREASE, edges((west, east), (south, north), (east, west), (west, east))),
+        bulge={6: 1.0, 7: 1.0},
     )
     assert refusals(compiled(line, machine, "fbb-0.4")) == []

@@ -293,7 +293,16 @@ def _crossings_inside_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, I6
     nearest = np.where(np.isnan(away), np.inf, away).argmin(axis=1)
     found = exact.count > 0
     fraction[bent[found]] = exact.first[np.arange(len(bent)), nearest][found]
-    return segment, crossed, fraction
+    ahead = arc.tangent_at(paths.start[row], paths.end[row], paths.bulge[row], fraction[bent])
+    on_cut = exact.second[np.arange(len(bent)), nearest]
+    along = arc.tangent_at(
+        ends[cut_row, 0], ends[cut_row, 1], bulge[cut_row], np.where(found, on_cut, 0.5)
+    )
+    # The tangent of an arc, or an arc beside it, touches the arc only.
+    sine = np.abs((left_normal(unit_vectors(ahead)) * unit_vectors(along)).sum(axis=1))
+    crosses = np.ones(len(segment), np.bool_)
+    crosses[bent[found & (sine <= _ACROSS)]] = False
+    return segment[crosses], crossed[crosses], fraction[crosses]
 
 
 @kernel

@@ -21,8 +21,8 @@ from knifetip.verification.expectation.crease_lines import (
     concatenate_edges,
     creased_gaps,
     double_lines,
-    ends_at,
     split_at_cuts,
+    split_ends,
 )
 from knifetip.verification.expectation.edges import (
     STRAIGHT_ANGLE,
@@ -61,8 +61,8 @@ class CreaseCheck(StationCheck):
             all_creases, _ = split_at_cuts(
                 concatenate_edges(all_creases, between), self.context.edges.with_types(LineType.CUT)
             )
-        parts = ends_at(single, crossings)
-        self._note_junctions(single, crossings)
+        parts = split_ends(single, crossings)
+        self._note_junctions(single, crossings.points)
         many = 2 if pair > 0.0 else 1
         if pair > 0.0:
             single, all_creases, parts = (

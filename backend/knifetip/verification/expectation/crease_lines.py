@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 
@@ -39,15 +39,24 @@ ON_DISTANCE: Final = 1e-4
 CROSSING_LENGTH: Final = 0.01
 
 
-def split_at_cuts(edges: Edges, cuts: Edges) -> tuple[Edges, F64]:
-    """Return the creases ``edges``, split where cuts cross them, and the crossing points, (k, 2)
-    mm.
+class CutCrossings(NamedTuple):
+    """k points at which cuts cross creases."""
+
+    points: F64  #: (k, 2) mm
+    azimuth: F64  #: (k,) degrees, direction of the crease that is crossed there
+
+
+def split_at_cuts(edges: Edges, cuts: Edges) -> tuple[Edges, CutCrossings]:
+    """Return the creases ``edges``, split where cuts cross them, and these crossings.
 
     A crease has no part between two crossings that are at most ``TOUCH_DISTANCE`` apart.  It is not
     split at crossings up to this distance from its free end, where no other crease is linked to it.
     """
     crossing = _cut_crossings(edges, cuts)
-    points = point_at(edges.curve[crossing.edge], crossing.position)
+    crossed = edges.curve[crossing.edge]
+    crossings = CutCrossings(
+        point_at(crossed, crossing.position), azimuth_at(crossed, crossing.position)
+    )
     paths = crossing.paths
     length, path = paths.length[crossing.path], crossing.path
     closed = paths.first[path] < 0
@@ -67,7 +76,7 @@ def split_at_cuts(edges: Edges, cuts: Edges) -> tuple[Edges, F64]:
     middle = np.where(paths.flipped[row], edges.curve[row, 5] - middle, middle)
     gone = _between_crossings(path, place, paths.path[row], paths.begin[row] + middle)
     remains = (high - low > 1e-6) & ~gone
-    return _sub_edges(edges, row[remains], low[remains], high[remains]), points
+    return _sub_edges(edges, row[remains], low[remains], high[remains]), crossings
 
 
 def _between_crossings(path: I64, place: F64, owner: I64, middle: F64) -> Bool:
@@ -108,9 +117,10 @@ class _Crossings:
 def _cut_crossings(lines: Edges, cuts: Edges) -> _Crossings:
     """Return the points at which cuts cross lines and arcs.
 
-    A cut crosses a line if the line meets the cut between the cut's ends.  Cuts also cross a line
-    if they end on the path of the line, leave the path on both sides, and their ends follow each
-    other along the path at most ``TOUCH_DISTANCE`` apart.
+    A cut crosses a line if the line meets the cut between the cut's ends, but not if it only
+    touches the line, as the tangent of an arc does.  Cuts also cross a line if they end on the path
+    of the line, leave the path on both sides, and their ends follow each other along the path at
+    most ``TOUCH_DISTANCE`` apart.
     """
     limit = TOUCH_DISTANCE + LIMIT_SLACK
     paths = edge_paths(lines, link_ends(lines, STRAIGHT_ANGLE)[0])
@@ -351,16 +361,18 @@ def double_lines(edges: Edges, distance: float) -> Edges:
     return concatenate_edges(*sides)
 
 
-def ends_at(edges: Edges, points: F64) -> Bool:
-    """Return the mask of the 2n ends of n creases at which one of the crossings ``points`` lies.
+def split_ends(edges: Edges, crossings: CutCrossings) -> Bool:
+    """Return the mask of the 2n ends of n creases at which cuts cross a crease, (2n,).
 
-    ``points`` is (k, 2) mm.  End 2i is the start of edge i, and end 2i + 1 is its end.  A crossing
-    lies at most ``JOIN_DISTANCE`` from an end that is linked to another crease, and at most
-    ``TOUCH_DISTANCE`` from a free end.
+    The ends of other creases at the same point, in another direction, are not marked.  End 2i is
+    the start of edge i, and end 2i + 1 is its end.  A crossing lies at most ``JOIN_DISTANCE`` from
+    an end that is linked to another crease, and at most ``TOUCH_DISTANCE`` from a free end.
     """
-    end, point = pairs_within(edges.ends, points, TOUCH_DISTANCE + LIMIT_SLACK)
+    end, crossing = pairs_within(edges.ends, crossings.points, TOUCH_DISTANCE + LIMIT_SLACK)
     linked = link_ends(edges, STRAIGHT_ANGLE)[0] >= 0
-    distance = np.hypot(*(edges.ends[end] - points[point]).T)
+    distance = np.hypot(*(edges.ends[end] - crossings.points[crossing]).T)
+    turn = angle_between(edges.outward[end], crossings.azimuth[crossing], 180.0)
     result = np.zeros(len(edges.ends), np.bool_)
-    result[end[~linked[end] | (distance <= JOIN_DISTANCE)]] = True
+    split = (~linked[end] | (distance <= JOIN_DISTANCE)) & (turn <= STRAIGHT_ANGLE)
+    result[end[split]] = True
     return result
