@@ -22,7 +22,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import radians, sin
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
@@ -31,10 +31,11 @@ from knifetip.errors import PlanError
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import left_normal, unit_vectors
 from knifetip.geometry.columns import F64, I64, U8, Bool
-from knifetip.geometry.intersect import intersect_pairs
+from knifetip.geometry.intersect import MAX_POINTS, intersect_rows
 from knifetip.geometry.points_on_segments import find_points_on_segments
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import ANGLE, CONTOUR_GAP, JOIN
+from knifetip.kernels import F64_1, F64_2, I64_1, kernel
 from knifetip.model.dieline import LineType
 from knifetip.topology.contour_gaps import closing_links, find_dangling_ends
 from knifetip.topology.noding import split_at_crossings
@@ -127,21 +128,16 @@ def _divide_at_cuts(ends: F64, bulge: F64, folds: I64, cuts: I64) -> _Parts:
     """
     boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)
     one, other = box_pairs(boxes[folds], boxes[cuts], JOIN)
-    fold, cut = folds[one], cuts[other]
-    contacts = intersect_pairs(
-        ends[fold, 0], ends[fold, 1], bulge[fold], ends[cut, 0], ends[cut, 1], bulge[cut], JOIN
-    )
-    pair, column = np.nonzero(np.arange(contacts.first.shape[1]) < contacts.count[:, None])
-    edge, fraction = fold[pair], contacts.first[pair, column]
-    cut, on_cut = cut[pair], contacts.second[pair, column]
+    edges = np.column_stack([ends.reshape(-1, 4), bulge])
+    lengths = arc.length(ends[:, 0], ends[:, 1], bulge)
+    (edge, cut), (fraction, on_cut) = _inner_contacts(edges, lengths, folds[one], cuts[other])
     ahead = unit_vectors(arc.tangent_at(ends[edge, 0], ends[edge, 1], bulge[edge], fraction))
     along = unit_vectors(arc.tangent_at(ends[cut, 0], ends[cut, 1], bulge[cut], on_cut))
-    length = arc.length(ends[edge, 0], ends[edge, 1], bulge[edge])
-    inner = (fraction * length > JOIN) & ((1.0 - fraction) * length > JOIN)
-    inner &= np.abs((left_normal(ahead) * along).sum(axis=1)) > _ACROSS
+    length = lengths[edge]
+    inner = np.abs((left_normal(ahead) * along).sum(axis=1)) > _ACROSS
     edge, fraction, length = edge[inner], fraction[inner], length[inner]
     cut, on_cut = cut[inner], on_cut[inner]
-    cut_length = arc.length(ends[cut, 0], ends[cut, 1], bulge[cut])
+    cut_length = lengths[cut]
     through = (on_cut * cut_length > JOIN) & ((1.0 - on_cut) * cut_length > JOIN)
     if not through.any() and not _has_neighbours(edge, fraction * length):
         # Single cuts that end on a fold enclose nothing.
@@ -159,6 +155,41 @@ def _divide_at_cuts(ends: F64, bulge: F64, folds: I64, cuts: I64) -> _Parts:
     edge, begin = edge[new], begin[new]
     is_last = np.append(np.diff(edge) > 0, True)[: len(edge)]
     return _Parts(edge, begin, np.where(is_last, 1.0, np.roll(begin, -1)))
+
+
+@kernel
+def _inner_contacts(edges: F64_2, size: F64_1, fold: I64_1, cut: I64_1) -> Any:
+    """Return the c contacts of folds with cuts that are more than ``JOIN`` from the ends of the
+    fold.
+
+    Parameters
+    ----------
+    edges, size : (k, 5) and (k,) mm
+        Edges: x0, y0, x1, y1, bulge; and their lengths.
+    fold, cut : (p,) and (p,)
+        Indices of the fold and the cut of each pair.
+
+    Returns
+    -------
+    pair, fraction : (2, c) and (2, c)
+        The fold and the cut of each contact, and the parameters of the contact on the two, 0 … 1.
+    """
+    pair, fraction = np.empty((2, 16), np.int64), np.empty((2, 16))
+    common = np.empty((MAX_POINTS, 4))
+    found = 0
+    for k in range(len(fold)):
+        length = size[fold[k]]
+        for at in range(intersect_rows(edges, fold[k], edges, cut[k], JOIN, common)):
+            first = common[at, 2]
+            if not (first * length > JOIN and (1.0 - first) * length > JOIN):
+                continue
+            if found == pair.shape[1]:
+                pair = np.concatenate((pair, np.empty_like(pair)), axis=1)
+                fraction = np.concatenate((fraction, np.empty_like(fraction)), axis=1)
+            pair[0, found], pair[1, found] = fold[k], cut[k]
+            fraction[0, found], fraction[1, found] = first, common[at, 3]
+            found += 1
+    return pair[:, :found].copy(), fraction[:, :found].copy()
 
 
 def _has_neighbours(edge: I64, place: F64) -> bool:

@@ -104,7 +104,8 @@ def chain(
     if count == 0:
         return Chains(np.zeros(0, np.int32), np.zeros(0, np.bool_), np.zeros(1, np.int32))
     node = number_vertices(ends.reshape(-1, 2), gap)
-    if group is not None:
+    # Vertices are numbered as their first ends, so that one group would change no number.
+    if group is not None and (group != group[0]).any():
         node = unique_rows(node, np.repeat(group, 2))[1].astype(np.int32)
     by_node, bounds = sort_by_vertex(node)
     link = _link_ends(

@@ -243,12 +243,14 @@ def _ends_on_cuts(paths: Paths, source: I32, dieline: Dieline) -> Bool:
     segment of the paths.
     """
     points, segment = end_points(paths)
+    on_cut = np.zeros(len(points), np.bool_)
+    rows = np.flatnonzero(~np.tile(paths.closed, 2))
+    if len(rows) == 0:
+        return on_cut
     cut = np.flatnonzero(dieline.line_type == LineType.CUT)
     ends, bulge = dieline.ends[cut], dieline.bulge[cut]
     index = np.full(len(dieline), -1, np.int32)
     index[cut] = np.arange(len(cut))
-    on_cut = np.zeros(len(points), np.bool_)
-    rows = np.flatnonzero(~np.tile(paths.closed, 2))
     on_cut[rows] = find_points_on_segments(
         points[rows], index[source[segment[rows]]], ends[:, 0], ends[:, 1], bulge, GAP
     )

@@ -108,11 +108,11 @@ def find_half_edges_below(points: F64, start: F64, end: F64, bulge: F64) -> I64:
 
 def _spans_of_edges(start: F64, end: F64, bulge: F64) -> tuple[F64, I64]:
     """Return the k spans of n edges, as ``_split_into_spans`` does, and the upper half-edges."""
-    centre = np.where(np.abs(bulge)[:, None] < BULGE, 0.0, arc.centre(start, end, bulge))
-    radius = arc.radius(start, end, bulge)
-    spans, above = _split_into_spans(
-        start, end, bulge, centre, np.where(np.isfinite(radius), radius, 0.0)
-    )
+    centre, radius = np.zeros((len(bulge), 2)), np.zeros(len(bulge))
+    bent = np.flatnonzero(np.abs(bulge) >= BULGE)
+    arcs = start[bent], end[bent], bulge[bent]
+    centre[bent], radius[bent] = arc.centre(*arcs), arc.radius(*arcs)
+    spans, above = _split_into_spans(start, end, bulge, centre, radius)
     return spans, above
 
 
