@@ -18,9 +18,16 @@ from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.tolerance import BULGE
 from knifetip.model.machine import Carriage
-from knifetip.model.toolpath import Motion, Toolpath
+from knifetip.model.toolpath import Toolpath
 from knifetip.post.chords import split_moves
 from knifetip.post.rs274.controller import Dialect
+from knifetip.post.rs274.line_columns import (
+    LineColumns,
+    TimeRules,
+    compute_lines,
+    round_poses,
+    swivel_without_turn,
+)
 from knifetip.post.rs274.line_text import MAX_BYTES, LineFormat, LineWords, write_lines
 
 #: An arc with a smaller sagitta is written as a line (mm).
@@ -29,8 +36,6 @@ MIN_SAGITTA: Final = 0.0005
 MIN_RADIUS: Final = 0.002
 #: Greatest deviation of the chords of an arc that is too large for the controller (mm).
 CHORD_DEVIATION: Final = 0.001
-#: Least time of a move in G93 (minutes).
-MIN_MINUTES: Final = 1e-4 / 60.0
 #: Greatest number of decimals of a feed; zeros at the end are left out.
 FEED_DECIMALS: Final = 9
 #: End of a line after which the machine must come to rest; the dwell of zero seconds waits for it.
@@ -166,66 +171,46 @@ def _compose_words(
     ``blending`` is the greatest deviation that the controller may make between two moves (mm).
     """
     scale = 10.0**dialect.decimals
-    units = np.rint(moves.pose * scale).astype(np.int64)
-    emit = units[1:] != units[:-1]
-    emit[0] = True
-    printed = emit[:, 0] | emit[:, 1] | emit[:, 2] | emit[:, 3]
-    turns = units[1:, 3] != units[:-1, 3]
-
-    pose = units / scale
-    start, end = pose[:-1, :2], pose[1:, :2]
-    is_arc = np.abs(moves.bulge) >= BULGE
-    is_arc &= (units[1:, 0] != units[:-1, 0]) | (units[1:, 1] != units[:-1, 1])
-    bulge = np.where(is_arc, moves.bulge, 0.0)
-    centre = np.zeros((len(bulge), 2), np.int64)
-    middle = arc.centre(start[is_arc], end[is_arc], bulge[is_arc])
-    centre[is_arc] = np.rint((middle - start[is_arc]) * scale).astype(np.int64)
-    emit[is_arc] |= (True, True, False, True)
-
-    rapid = moves.motion == Motion.RAPID
-    swivel = moves.motion == Motion.SWIVEL
-    # A move of one unit may be only the rounding of a turn that is too small to be written.
-    still = np.flatnonzero(swivel & ~turns)
-    moved = (np.abs(units[still + 1, :3] - units[still, :3]) > 1).any(axis=1)
-    if moved.any():
-        row = moves.row[still[np.argmax(moved)]]
-        raise ProgramError("toolpath.swivel-without-turn", row=row)
-    inverse = ~rapid & turns & (~is_arc | swivel | dialect.inverse_arcs)
-    if not carriage.is_first:
-        inverse = ~rapid
-    degrees = np.abs(pose[1:, 3] - pose[:-1, 3])
-    travel = np.hypot(arc.length(start, end, bulge), pose[1:, 2] - pose[:-1, 2])
-    feed_of_move = np.where(rapid, 1.0, moves.feed)
-    minutes = np.where(swivel, degrees, travel) / feed_of_move
-    minutes = np.maximum(minutes, degrees / (60.0 * carriage.axes[3].velocity))
-    minutes = np.maximum(minutes, MIN_MINUTES)
-    feed = np.where(inverse, 1.0 / minutes, moves.feed)
-
-    keep = np.flatnonzero(printed)
-    inverse, rapid = inverse[keep], rapid[keep]
-    counts = _feed_units(feed[keep])
+    units = round_poses(moves.pose, scale)
+    unturned = swivel_without_turn(units, moves.motion)
+    if unturned >= 0:
+        raise ProgramError("toolpath.swivel-without-turn", row=moves.row[unturned])
+    arcs = np.flatnonzero(np.abs(moves.bulge) >= BULGE)
+    arcs = arcs[(units[arcs + 1, :2] != units[arcs, :2]).any(axis=1)]
+    start, end, arc_bulge = units[arcs, :2] / scale, units[arcs + 1, :2] / scale, moves.bulge[arcs]
+    bulge = np.zeros(len(moves.bulge))
+    bulge[arcs] = arc_bulge
+    rules = TimeRules(
+        scale,
+        60.0 * carriage.axes[3].velocity,
+        arcs=dialect.inverse_arcs,
+        always=not carriage.is_first,
+    )
+    lengths = arc.length(start, end, arc_bulge)
+    lines: LineColumns = compute_lines(units, bulge, lengths, moves.motion, moves.feed, rules)
+    centre = np.zeros((len(lines.row), 2), np.int64)
+    offset = arc.centre(start, end, arc_bulge) - start
+    centre[np.searchsorted(lines.row, arcs)] = np.rint(offset * scale).astype(np.int64)
+    counts = _feed_units(lines.feed)
     if dialect.blending:
-        turn = np.radians(pose[1:, 3] - pose[:-1, 3])[keep]
-        exact_stop = _exact_stops(turn, travel[keep], minutes[keep], rapid, carriage, blending)
+        exact_stop = _exact_stops(lines, carriage, blending)
     else:
-        exact_stop = np.zeros(len(keep), np.bool_)
+        exact_stop = np.zeros(len(lines.row), np.bool_)
     words = LineWords(
-        code=np.where(rapid, 0, np.where(is_arc, 2 + (moves.bulge > 0), 1)[keep]).astype(np.uint8),
-        inverse=inverse,
-        ends_inverse=~inverse & np.concatenate([[False], inverse[:-1]]),
-        axes=units[1:][keep],
-        emit=emit[keep],
-        centre=centre[keep],
+        code=lines.code,
+        inverse=lines.inverse,
+        ends_inverse=~lines.inverse & np.concatenate([[False], lines.inverse[:-1]]),
+        axes=lines.axes,
+        emit=lines.emit,
+        centre=centre,
         feed=counts,
-        emit_feed=_feed_words(counts, inverse, rapid),
+        emit_feed=_feed_words(counts, lines.inverse, lines.rapid),
         exact_stop=exact_stop,
     )
-    return words, moves.row[keep]
+    return words, moves.row[lines.row]
 
 
-def _exact_stops(
-    turn: F64, travel: F64, minutes: F64, rapid: Bool, carriage: Carriage, blending: float
-) -> Bool:
+def _exact_stops(lines: LineColumns, carriage: Carriage, blending: float) -> Bool:
     """Return the mask of the n moves that must end at rest because LinuxCNC would leave the path,
     (n,).
 
@@ -242,22 +227,17 @@ def _exact_stops(
 
     Parameters
     ----------
-    turn : (n,) float64, radians
-        Turn of C in each move.
-    travel : (n,) float64, mm
-        Length of each move.
-    minutes : (n,) float64
-        Time of each move; ignored for rapids.
-    rapid : (n,)
-        Mask of the rapids.
+    lines
+        The n moves.
     carriage
         Contains the accelerations of the axes.
     blending : float, mm
         Greatest deviation that is permitted without a stop.
     """
+    turn, travel = np.radians(lines.turn), lines.travel
     in_place = (travel == 0.0) & (turn != 0.0)
     bend = np.divide(turn, travel, out=np.zeros_like(turn), where=travel > 0.0)
-    speed = travel / (60.0 * minutes)
+    speed = travel / (60.0 * lines.minutes)
     change = np.abs(np.diff(bend))
     fastest = np.maximum(speed[1:], speed[:-1])
     x, y, _, c = (axis.acceleration for axis in carriage.axes)
@@ -265,6 +245,7 @@ def _exact_stops(
     time = np.maximum(fastest / thrust, fastest * change / twist)
     deviation = change * (fastest * time) ** 2 / 2.0
     # Above the board deviations do not matter, but a tool must be turned before it plunges.
+    rapid = lines.rapid
     air = rapid[1:] | rapid[:-1]
     both = rapid[1:] & rapid[:-1]
     result = np.zeros(len(turn), np.bool_)
@@ -277,11 +258,15 @@ def _feed_units(feed: F64) -> I64:
 
     ``feed`` are the feeds in the unit of the program.  They are rounded to six significant digits.
     """
-    safe = np.maximum(feed, 1e-3)
+    # Neighbouring lines often have the same feed.
+    new = np.ones(len(feed), np.bool_)
+    new[1:] = feed[1:] != feed[:-1]
+    safe = np.maximum(feed[new], 1e-3)
     decimals = np.clip(5.0 - np.floor(np.log10(safe)), 0.0, FEED_DECIMALS)
     digits = np.rint(safe * 10.0**decimals).astype(np.int64)
-    units: I64 = digits * 10 ** (FEED_DECIMALS - decimals).astype(np.int64)
-    return units
+    units = digits * 10 ** (FEED_DECIMALS - decimals).astype(np.int64)
+    result: I64 = units[np.cumsum(new) - 1]
+    return result
 
 
 def _feed_words(feed: I64, inverse: Bool, rapid: Bool) -> Bool:
