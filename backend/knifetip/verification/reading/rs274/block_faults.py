@@ -104,37 +104,41 @@ def _check_values(blocks: ProgramBlocks, state: ModalState, machine: Machine, se
     ``settle`` is the shortest permitted time (s) from the last switching of an output or the
     spindle to a move in each block, one entry per block.  A dwell must last exactly this time or 0.
     """
-    fault, has, has_code, number = blocks.fault, blocks.has, blocks.has_code, blocks.number
-    timed = has_code(Group.DWELL)
+    fault, has, has_code, number = blocks.fault_at, blocks.has, blocks.has_code, blocks.number
+    timed = np.flatnonzero(has_code(Group.DWELL))
+    dwell = number["P"][timed]
     # A dwell of 0 only ends blending; all others are for settling after switching.
-    waits = (number["P"] == 0.0) | (np.abs(number["P"] - settle) <= PRINT_ROUNDING)
-    fault(timed & ~waits, Message("rs274.wrong-dwell", settle=machine.settle))
-    fault(has("F") & ~(number["F"] > 0.0), Message("rs274.bad-feed"))
+    waits = (dwell == 0.0) | (np.abs(dwell - settle[timed]) <= PRINT_ROUNDING)
+    fault(timed[~waits], Message("rs274.wrong-dwell", settle=machine.settle))
+    blocks.fault(has("F") & ~(number["F"] > 0.0), Message("rs274.bad-feed"))
     outputs = [station.output for station in machine.stations if station.output >= 0]
     outputs += extra_outputs(machine)
+    switched = np.flatnonzero(has_code(Group.OUTPUT))
     fault(
-        has_code(Group.OUTPUT) & ~np.isin(number["P"], outputs),
+        switched[~np.isin(number["P"][switched], outputs)],
         Message("rs274.unknown-output", machine=machine.name),
     )
     # A spindle has its own speed; an oscillating knife has S1.
     turns = np.array([*(expected_tool(held.tool).speed for held in machine.stations), 1.0])
-    fault(has("S") & ~has_code(Group.SPINDLE, 3), Message("rs274.speed-without-m3"))
-    fault(
-        has_code(Group.SPINDLE, 3) & (state.speed != np.rint(turns[state.station])),
-        Message("rs274.wrong-speed"),
-    )
+    starts = has_code(Group.SPINDLE, 3)
+    blocks.fault(has("S") & ~starts, Message("rs274.speed-without-m3"))
+    starts_at = np.flatnonzero(starts)
+    speed = np.rint(turns[state.station[starts_at]])
+    fault(starts_at[state.speed[starts_at] != speed], Message("rs274.wrong-speed"))
     known = [station.number for station in machine.stations]
+    chosen = np.flatnonzero(has("T"))
     fault(
-        has("T") & ~np.isin(number["T"], known),
+        chosen[~np.isin(number["T"][chosen], known)],
         Message("rs274.unknown-station", machine=machine.name),
     )
-    fault(has_code(Group.CHANGE) & np.isnan(state.chosen), Message("rs274.change-without-station"))
+    changes = np.flatnonzero(has_code(Group.CHANGE))
+    fault(changes[np.isnan(state.chosen[changes])], Message("rs274.change-without-station"))
+    offsets = np.flatnonzero(has_code(Group.LENGTH, 430))
+    fault(offsets[np.isnan(state.loaded[offsets])], Message("rs274.offset-without-station"))
+    numbered = np.flatnonzero(has("N"))
+    value = number["N"][numbered]
     fault(
-        has_code(Group.LENGTH, 430) & np.isnan(state.loaded),
-        Message("rs274.offset-without-station"),
-    )
-    fault(
-        has("N") & ((number["N"] < 0.0) | (number["N"] != np.rint(number["N"]))),
+        numbered[(value < 0.0) | (value != np.rint(value))],
         Message("rs274.bad-line-number"),
     )
 
@@ -163,8 +167,7 @@ def _check_modes(blocks: ProgramBlocks, state: ModalState, settle: F64) -> None:
     moving = has_code(Group.MOTION)
     first_move = int(np.argmax(moving)) if moving.any() else blocks.count
     for group, mode in _REQUIRED_MODES.items():
-        stated = has_code(group)
-        stated[first_move + 1 :] = False
+        stated = has_code(group)[: first_move + 1]
         if first_move < blocks.count and not stated.any():
             fault(np.arange(blocks.count) == first_move, Message("rs274.moves-unstated", mode=mode))
     if state.uses_tool_table:

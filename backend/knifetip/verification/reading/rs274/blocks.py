@@ -104,6 +104,7 @@ class ProgramBlocks:
         self, words: ProgramWords, letters: str, faults: list[tuple[int, Message]]
     ) -> None:
         self.faults = faults
+        self._masks: dict[str | tuple[Group, int | None], Bool] = {}
         count, used = _count_blocks(words.line, words.letter)
         if count > MAX_BLOCKS:
             raise ProgramUnreadable("program.too-many-lines", lines=count, limit=MAX_BLOCKS)
@@ -135,13 +136,18 @@ class ProgramBlocks:
 
         If there are more than a thousand such blocks, only the first thousand get a fault.
         """
-        for block in np.flatnonzero(mask)[:1000]:
+        self.fault_at(np.flatnonzero(mask), message)
+
+    def fault_at(self, rows: I64, message: Message) -> None:
+        """Add a fault with the text ``message`` for each of the blocks ``rows``, (k,), or for the
+        first thousand of them.
+        """
+        for block in rows[:1000]:
             self._fault(block, message)
 
     def has(self, letter: str) -> Bool:
         """Return the mask of the blocks with a word of this letter, one entry per block."""
-        result: Bool = ~np.isnan(self.number[letter])
-        return result
+        return self._mask(letter, lambda: ~np.isnan(self.number[letter]))
 
     def has_code(self, group: Group, code: int | None = None) -> Bool:
         """Return the mask of the blocks that have a G or M word of a modal group, one entry per
@@ -151,8 +157,20 @@ class ProgramBlocks:
         a G word is ten times its number; the code of an M word is its number.
         """
         column = self.group[group]
-        result: Bool = column >= 0 if code is None else column == code
-        return result
+        if code is None:
+            return self._mask((group, None), lambda: column >= 0)
+        return self._mask((group, code), lambda: column == code)
+
+    def _mask(self, key: str | tuple[Group, int | None], compute: Callable[[], Bool]) -> Bool:
+        """Return the mask of the blocks with some word, which is computed only once for each
+        ``key``.
+
+        Many rules ask for the same words.  The mask is read-only.
+        """
+        if key not in self._masks:
+            self._masks[key] = compute()
+            self._masks[key].flags.writeable = False
+        return self._masks[key]
 
 
 @kernel
