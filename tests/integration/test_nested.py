@@ -232,6 +232,21 @@ def test_a_hole_in_a_part_on_wide_bridges_is_cut_before_the_part() -> None:
     assert order_codes(late) == {("verify.hanging-piece", edge) for edge in range(4, 8)}
 
 
+@pytest.mark.parametrize(
+    ("left", "code"), [(1.5, "verify.loose-piece"), (3.0, "verify.hanging-piece")]
+)
+def test_a_short_length_that_a_knife_leaves_uncut_does_not_hold_the_part(
+    left: float, code: str
+) -> None:
+    sides, hole = box(100, 100, 200, 100), box(150, 130, 20, 20)
+    line = dieline((CUT, sides), (CUT, hole))
+    outline = np.concatenate([sides[:3], edges(((100, 200), (100, 100 + left)))])
+    parts = [dieline((CUT, outline)), dieline((CUT, hole))]
+    operations = [one for part in parts for one in plan(part, KNIFE, BOARD)]
+    late = verdict_of(line, sequence([compensate(one) for one in operations], KNIFE))
+    assert order_codes(late) == {(code, edge) for edge in range(4, 8)}
+
+
 @pytest.mark.parametrize("kind", [CREASE, LineType.HALF_CUT, LineType.PERFORATION])
 def test_other_work_after_the_first_cut_of_the_outline_is_refused(kind: LineType) -> None:
     sides = box(100, 100, 200, 100)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import pytest
@@ -79,11 +80,11 @@ def test_contours_are_unwound_at_lifts(line: Dieline, limit: float, dialect: str
     "change", [{"trail": 5.0, "oscillating": False}, {"lead_in": 5.0, "lead_out": 5.0}]
 )
 def test_drag_knives_and_knives_with_leads_are_unwound(
-    change: dict[str, float], limit: float
+    change: dict[str, Any], limit: float
 ) -> None:
     knife = load.machine("demo-table").stations[0].tool
     assert isinstance(knife, Knife)
-    changed = replace(knife, **change)  # type: ignore[arg-type]
+    changed = replace(knife, **change)
     for line in (rounded(200, 100, 10), spiral(3)):
         made = compiled(line, limit, "grblhal", changed)
         assert [finding.text for finding in made.verdict.findings if finding.refuses] == []
