@@ -236,7 +236,7 @@ def print_verdict(verdict: Verdict) -> None:
         f"{verdict.fit_error.max(initial=0.0):.4f}), "
         f"overcut {verdict.overcut.max(initial=0.0):.3f} mm, "
         f"uncut {verdict.uncut.sum():.3f} mm, setback {verdict.setback.sum():.3f} mm, "
-        f"{verdict.seconds:.1f} s",
+        f"{verdict.seconds:.1f} s at the programmed feeds",
         "green" if verdict.accepted else "red",
     )
     if len(verdict.areas):

@@ -5,7 +5,7 @@ import pytest
 
 from knifetip.errors import RequestError
 from knifetip.messages import Message
-from knifetip.model.acceptance import with_exceptions
+from knifetip.model.acceptance import Exceptions, with_exceptions, with_ordered_exceptions
 from knifetip.model.verdict import Acceptance, Finding, Severity, Verdict
 
 WIDE = Message("verify.wide-slit", length=50.0, width=6.0)
@@ -67,3 +67,17 @@ def test_a_note_beside_a_shortfall_of_the_same_code_stays_a_note() -> None:
     accepted = with_exceptions(verdict(slit(3), note), {(3, WIDE.code)}, GIVEN)
     assert accepted.accepted
     assert [found.acceptance for found in accepted.findings] == [GIVEN, None]
+
+
+def test_an_order_accepts_the_shortfalls_that_it_names_and_the_program_has() -> None:
+    order = Exceptions(((3, WIDE.code), (9, WIDE.code)), GIVEN)
+    made = with_ordered_exceptions(verdict(slit(3)), order)
+    assert made.accepted
+    assert [found.acceptance for found in made.findings] == [GIVEN]
+    more = with_ordered_exceptions(verdict(slit(3), slit(4)), order)
+    assert not more.accepted
+    assert [found.acceptance for found in more.findings] == [GIVEN, None]
+    # An order is no acceptance of a fault with the same edge and code.
+    twin = replace(slit(3), severity=Severity.FAULT)
+    spoilt = with_ordered_exceptions(verdict(slit(3), twin), order)
+    assert [found.acceptance for found in spoilt.findings] == [None, None]

@@ -54,6 +54,15 @@ def test_a_zone_on_an_arc_is_found_and_one_inside_it_is_not(text: bytes) -> None
     assert codes(text, inside) == []
 
 
+def test_an_arc_that_leaves_the_box_around_its_ends_is_found() -> None:
+    # Half a circle of 20 mm from (110, 20) to (110, 60), which reaches X 130.
+    half_circle = "G1 Z4.0000 F6000\nG3 X110.0000 Y60.0000 I0.0000 J20.0000 F24000"
+    text = changed(LINUXCNC, "G1 X110.0000 F24000", f"G1 X110.0000 F24000\n{half_circle}")
+    beside = Zone("pin", 128.0, 39.0, 2.0, 2.0, 9.0)
+    assert "verify.in-zone" not in codes(LINUXCNC, beside)
+    assert "verify.in-zone" in codes(text, beside)
+
+
 def test_every_rapid_that_is_led_through_a_zone_below_its_top_is_refused() -> None:
     rapids = list(re.finditer(rb"G0 X-?[\d.]+ Y-?[\d.]+ Z20\.0000[^\n]*\n", LINUXCNC))
     assert rapids
