@@ -53,6 +53,46 @@ def test_a_groove_that_meets_the_edge_at_any_angle(degrees: float, step: float) 
     assert verdict.accepted, verdict.findings[:2]
 
 
+@pytest.mark.parametrize(
+    ("kind", "ends", "code"),
+    [
+        (CUT, (((200, 200), (200.4, 200)),), "verify.cut-too-short"),
+        (CUT, (((200, 200), (200.2, 200)), ((200.2, 200), (200.2, 200.2))), "verify.cut-too-short"),
+        (LineType.HALF_CUT, (((200, 200), (200.1, 200)),), "verify.cut-too-short"),
+        (GROOVE, (((200, 200), (200.8, 200)),), "verify.groove-too-short"),
+    ],
+)
+def test_an_edge_that_is_too_short_for_the_tool_is_a_shortfall(
+    kind: LineType, ends: Any, code: str
+) -> None:
+    other = (CREASE, edges(((150, 110), (150, 290))))
+    verdict = verdict_of(dieline(OUTLINE, (kind, edges(*ends)), other))
+    assert faults(verdict) == []
+    found = {
+        (finding.edge, finding.message.code)
+        for finding in verdict.findings
+        if finding.severity is Severity.SHORTFALL
+    }
+    assert found == {(4 + place, code) for place in range(len(ends))}
+
+
+@pytest.mark.parametrize(
+    ("kind", "long", "least"), [(CUT, 0.45, 0.41), (LineType.HALF_CUT, 0.2, 0.18), (GROOVE, 3.2, 3)]
+)
+def test_an_edge_that_is_left_out_although_the_tool_can_make_it_is_a_fault(
+    kind: LineType, long: float, least: float
+) -> None:
+    assert long > least
+    line = dieline(OUTLINE, (kind, edges(((200, 200), (200 + long, 200)))))
+    whole = plan(line, MACHINE, BOARD)
+    text = process(
+        sequence([compensate(some) for some in whole if 4 not in some.source], MACHINE), MACHINE,
+        "grblhal",
+    ).text  # fmt: skip
+    found = faults(verify(text, line, (0.0, 0.0), MACHINE, BOARD))
+    assert {finding.message.code for finding in found} == {"verify.not-worked"}
+
+
 NOTCHED = (CUT, closed((100, 100), (400, 100), (400, 300), (270, 300), (250, 260), (230, 300),
                        (100, 300)))  # fmt: skip
 PLUS = (CUT, closed((200, 100), (300, 100), (300, 200), (400, 200), (400, 300), (200, 300)))

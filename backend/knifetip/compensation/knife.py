@@ -25,7 +25,7 @@ import math
 import numpy as np
 
 from knifetip.compensation.contour_starts import lifting_corners
-from knifetip.compensation.tracks import Strokes, at_height, headings
+from knifetip.compensation.tracks import Strokes, at_height, empty_toolpath, headings
 from knifetip.compensation.unwinding import TurnLimits, lifts_to_unwind
 from knifetip.errors import EdgeTooShort
 from knifetip.geometry import arc
@@ -40,6 +40,7 @@ from knifetip.geometry.path import (
     start_in_middle,
     trim_ends,
 )
+from knifetip.model.dieline import LineType
 from knifetip.model.operation import End, Operation
 from knifetip.model.tool import Knife
 from knifetip.model.toolpath import Motion, Toolpath
@@ -55,14 +56,19 @@ def knife_toolpath(operation: Operation) -> Toolpath:
     above the board; at other corners it turns in the board.  It is lifted, too, where C would leave
     its limits (see ``unwinding``).
 
+    A cut that ends inside a panel is left out if it is not longer than the length by which the
+    slanted blade cuts the top face ahead of its tip; the verifier reports it as a shortfall.
+
     Raises
     ------
     EdgeTooShort
-        A cut that ends inside a panel or at a bridge is not longer than the length by which the
-        slanted blade cuts the top face ahead of its tip.
+        A dash, or a cut that ends at a bridge, is not longer than this length.
     """
     blade = operation.tool
     assert isinstance(blade, Knife)
+    operation = _without_short_cuts(operation, blade)
+    if len(operation.paths) == 0:
+        return empty_toolpath()
     paths, rows, motion = _adjust_ends(operation, blade, *_begin_contours(operation, blade))
     source = operation.source[rows]
     c_start, c_end = headings(paths)
@@ -91,6 +97,20 @@ def knife_toolpath(operation: Operation) -> Toolpath:
         swing=np.where(down, 0.0, np.tan(np.radians(turned) / 4.0)) * (blade.trail > 0.0),
         motion=motion,
     ).to_toolpath(operation)
+
+
+def _without_short_cuts(operation: Operation, blade: Knife) -> Operation:
+    """Return an operation without the cuts and half-cuts that end inside a panel and are not longer
+    than the lead of the blade.
+    """
+    if operation.line_type not in (LineType.CUT, LineType.HALF_CUT):
+        return operation
+    paths = operation.paths
+    lead = blade.lead(1.0) * operation.depth[paths.first[1:] - 1, 0]
+    short = (operation.finish == End.FREE) & (paths.lengths <= lead)
+    if not short.any():
+        return operation
+    return operation.with_paths(np.flatnonzero(~short).astype(np.int32))
 
 
 def _head(tip: F64, c: F64, blade: Knife) -> F64:
@@ -169,8 +189,8 @@ def _adjust_ends(
     Raises
     ------
     EdgeTooShort
-        A path that ends inside a panel or at a bridge is not longer than the length by which it
-        would be shortened.
+        A dash, or a path that ends at a bridge, is not longer than the length by which it would be
+        shortened.
     """
     finish = operation.finish
     last = origin[paths.first[1:] - 1]

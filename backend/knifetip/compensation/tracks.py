@@ -61,6 +61,12 @@ def at_height(pose: F64, height: float) -> F64:
     return above
 
 
+def empty_toolpath() -> Toolpath:
+    """Return a toolpath without moves."""
+    none, rows, codes = np.zeros(0), np.zeros(0, np.int32), np.zeros(0, np.uint8)
+    return Toolpath(np.zeros((1, 4)), none, codes, none, rows, codes, rows)
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Strokes:
     """n segments of the tip's path in machining order, with the poses of the head at both ends.
@@ -107,8 +113,7 @@ class Strokes:
         has no moves.
         """
         if len(self.track) == 0:
-            none, rows, codes = np.zeros(0), np.zeros(0, np.int32), np.zeros(0, np.uint8)
-            return Toolpath(np.zeros((1, 4)), none, codes, none, rows, codes, rows)
+            return empty_toolpath()
         pose, bulge, motion, feed, source, track = _write_moves(
             self.start,
             self.end,

@@ -114,18 +114,25 @@ def groove_section(depth: float, caliper: float, cutter: VCutter) -> GrooveSecti
 def vgroove_toolpath(operation: Operation) -> Toolpath:
     """Return the toolpath that cuts V-grooves: two passes along every path at each depth.
 
+    A groove of one segment that is shorter than the blade is wide is left out; the verifier reports
+    it as a shortfall.
+
     Raises
     ------
     CurvedGroove
         A path contains an arc, which a straight blade cannot follow.
     EdgeTooShort
-        A path is shorter than the blade is wide.
+        Grooves that continue each other are together shorter than the blade is wide.
     GrooveTooDeep
         The depth of a groove is not less than the thickness of the board, or the blade would
         overrun an end inside a panel by more than the board allows.
     """
     cutter = operation.tool
     assert isinstance(cutter, VCutter)
+    short = operation.paths.lengths < 2.0 * cutter.half_width
+    short &= np.diff(operation.paths.first) == 1
+    if short.any():
+        operation = operation.with_paths(np.flatnonzero(~short).astype(np.int32))
     _check_paths(operation, cutter)
     start, end = _extend_run_outs(operation)
     offset = head_offset(start, end, cutter)

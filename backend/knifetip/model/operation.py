@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import IntEnum
 
 import numpy as np
 
 from knifetip.geometry.columns import F64, I32, U8, freeze
-from knifetip.geometry.path import Paths
+from knifetip.geometry.path import Paths, select_paths
 from knifetip.model.corners import AS_OTHERS
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import Tool
@@ -95,3 +95,26 @@ class Operation:
         put(self, "bridges", freeze(self.bridges, np.float64, -1, 2))
         put(self, "source", freeze(self.source, np.int32, count))
         put(self, "begin", freeze(self.begin, np.int32, -1))
+
+    def with_paths(self, kept: I32) -> Operation:
+        """Return the operation with selected paths only; ``kept`` are their indices, ascending.
+
+        The operation must not have bridges.
+        """
+        paths, rows = select_paths(self.paths, kept)
+        begin = self.begin
+        if len(begin):
+            begin = np.searchsorted(rows, begin[kept]).astype(np.int32)
+        return replace(
+            self,
+            paths=paths,
+            depth=self.depth[rows],
+            start=self.start[kept],
+            finish=self.finish[kept],
+            source=self.source[rows],
+            run_out=self.run_out[kept],
+            end_depth=self.end_depth[kept] if len(self.end_depth) else self.end_depth,
+            k_at=self.k_at[rows],
+            corner_at=self.corner_at[rows],
+            begin=begin,
+        )

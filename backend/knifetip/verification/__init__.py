@@ -72,6 +72,7 @@ verify.contour-unreached           checks.milling_shortfalls
 verify.crease-meets-cuts           checks.crease_check
 verify.crease-stops-at-cut         checks.crease_check
 verify.crease-too-short            checks.crease_check
+verify.cut-too-short               checks.knife_check
 verify.cuts-part                   checks.milling_check
 verify.cutter-at-rest              tools
 verify.feed-of-other-axis          checks.motion_checks
@@ -84,6 +85,7 @@ verify.groove-arc                  checks.groove_check
 verify.groove-past-ends            checks.groove_check
 verify.groove-shallower            checks.groove_check
 verify.groove-shifted              checks.groove_check
+verify.groove-too-short            checks.groove_check
 verify.hanging-piece               checks.work_order
 verify.head-not-located            checks.carriage_check
 verify.heads-too-near              checks.carriage_check

@@ -3663,6 +3663,10 @@ export const TEXTS = {
     "text": "The crease is too short for the creasing wheel and is not made: it is {length:.2f} mm long, the wheel has a radius of {radius:.1f} mm, and it must stop {clearance:.2f} mm before each free end.",
     "hint": "Join the crease to a crease on the same straight line, set its line type to ignored, or choose a board on which short creases are pressed or a smaller creasing wheel."
   },
+  "verify.cut-too-short": {
+    "text": "The cut is {length:.2f} mm long and ends inside a panel. The slanted blade of the knife needs a cut longer than {lead:.2f} mm, so the cut is not made.",
+    "hint": "Draw a longer cut, join the cut to another cut, set its line type to ignored, or choose a knife with a less slanted blade."
+  },
   "verify.cuts-part": {
     "text": "The cutter cuts sideways into a part, up to {depth:.3f} mm from the edge of the part.",
     "hint": "Move the parts further apart, or choose a thinner cutter."
@@ -3710,6 +3714,10 @@ export const TEXTS = {
   "verify.groove-shifted": {
     "text": "The V-groove was shifted by {distance:.2f} mm, so that its flank does not reach the cut beside it.",
     "hint": "If the fold must not move, move the cut, or set groove_shift in the board file to 0."
+  },
+  "verify.groove-too-short": {
+    "text": "The V-groove is {length:.2f} mm long, but the blade is {blade:.2f} mm wide, so the groove is not made.",
+    "hint": "Draw a longer groove, set its line type to crease or ignored, or choose a V-cutter with a narrower blade."
   },
   "verify.hanging-piece": {
     "text": "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board that, from line {line} of the program on, hangs only on bridges or narrow necks and may therefore move.",

@@ -107,9 +107,17 @@ def test_c_has_no_jump_around_a_circle() -> None:
     assert turned == pytest.approx(360 + np.degrees(2.0 / 10.0))
 
 
-def test_a_cut_shorter_than_the_lead_is_refused() -> None:
+def test_a_cut_shorter_than_the_lead_is_left_out() -> None:
+    assert len(knife_toolpath(planned(edges(((0, 0), (2.2, 0)))))) == 0
+    path = knife_toolpath(planned(edges(((0, 0), (2.2, 0)), ((0, 5), (20, 5)))))
+    assert set(path.source.tolist()) == {1}
+
+
+def test_a_cut_shorter_than_the_lead_that_ends_at_a_bridge_is_refused() -> None:
+    operation = planned(edges(((0, 0), (2.2, 0))))
+    bridged = replace(operation, finish=np.array([End.BRIDGE], np.uint8))
     with pytest.raises(EdgeTooShort, match=r"2\.30 mm"):
-        knife_toolpath(planned(edges(((0, 0), (2.2, 0)))))
+        knife_toolpath(bridged)
 
 
 def led(ends: F64, **leads: Any) -> Toolpath:

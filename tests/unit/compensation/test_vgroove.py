@@ -110,9 +110,15 @@ def test_an_arc_is_refused() -> None:
         vgroove_toolpath(plan(line, MACHINE, BOARD)[0])
 
 
-def test_a_groove_shorter_than_the_blade_is_refused() -> None:
+def test_a_groove_shorter_than_the_blade_is_left_out() -> None:
+    assert len(grooved(edges(((0, 0), (2.9, 0))))) == 0
+    path = grooved(edges(((0, 0), (2.9, 0)), ((0, 5), (20, 5))))
+    assert set(path.source[path.motion == Motion.FEED].tolist()) == {1}
+
+
+def test_grooves_that_are_together_shorter_than_the_blade_are_refused() -> None:
     with pytest.raises(EdgeTooShort, match=r"2\.90 mm long, but the blade is 3\.00 mm"):
-        grooved(edges(((0, 0), (2.9, 0))))
+        grooved(edges(((0, 0), (1.5, 0)), ((1.5, 0), (2.9, 0))))
 
 
 def test_a_groove_through_the_board_is_refused() -> None:

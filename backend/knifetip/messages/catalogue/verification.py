@@ -140,6 +140,14 @@ MESSAGES: Final[Entries] = {
         radius="number",
         clearance="number",
     ),
+    "verify.cut-too-short": entry(
+        "The cut is {length:.2f} mm long and ends inside a panel. The slanted blade of the knife "
+        "needs a cut longer than {lead:.2f} mm, so the cut is not made.",
+        "Draw a longer cut, join the cut to another cut, set its line type to ignored, or choose a "
+        "knife with a less slanted blade.",
+        length="number",
+        lead="number",
+    ),
     "verify.cuts-part": entry(
         "The cutter cuts sideways into a part, up to {depth:.3f} mm from the edge of the part.",
         "Move the parts further apart, or choose a thinner cutter.",
@@ -206,6 +214,14 @@ MESSAGES: Final[Entries] = {
         "beside it.",
         "If the fold must not move, move the cut, or set groove_shift in the board file to 0.",
         distance="number",
+    ),
+    "verify.groove-too-short": entry(
+        "The V-groove is {length:.2f} mm long, but the blade is {blade:.2f} mm wide, so the groove "
+        "is not made.",
+        "Draw a longer groove, set its line type to crease or ignored, or choose a V-cutter with a "
+        "narrower blade.",
+        length="number",
+        blade="number",
     ),
     "verify.hanging-piece": entry(
         "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board "

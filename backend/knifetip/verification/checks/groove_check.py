@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import Final
 
 import numpy as np
 
@@ -29,6 +30,9 @@ from knifetip.verification.expectation.expected_work import groove_continues
 from knifetip.verification.expectation.run_outs import run_outs
 from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.tools import ANGLE_TOLERANCE
+
+#: Greatest rounding error of a length (mm).
+_ROUNDING: Final = 1e-6
 
 
 class GrooveCheck(StationCheck):
@@ -66,10 +70,11 @@ class GrooveCheck(StationCheck):
         check_stray_work(self, overlaps, self.curve[:, 5], off_board)
         # The allowed extra run-out is not required.
         self.low, self.high = self.low + self.spare[:, 0], self.high - self.spare[:, 1]
+        left_out = self._report_short_grooves(overlaps, drawn, blade)
         for forward in (True, False):
             direction = overlaps.place[:, 1] > overlaps.place[:, 0]
             self.check_uncut(
-                overlaps, np.arange(len(self.edges)), (direction == forward) & final, forward
+                overlaps, np.flatnonzero(~left_out), (direction == forward) & final, forward
             )
         if blade is None:
             return
@@ -90,6 +95,37 @@ class GrooveCheck(StationCheck):
                 Message("verify.groove-past-ends", length=past[edge], most=limit),
                 past[edge],
             )
+
+    def _report_short_grooves(
+        self, overlaps: Overlaps, drawn: Edges, blade: VCutter | None
+    ) -> Bool:
+        """Report straight grooves that are shorter than the blade and are not made, as shortfalls.
+
+        Returns the mask of these n grooves, (n,).  A groove that another one continues is never
+        among them.
+
+        Parameters
+        ----------
+        overlaps
+            Overlaps of the tip paths with the edges.
+        drawn
+            The n grooves without run-outs.
+        blade
+            The V-cutter; without it no groove is reported.
+        """
+        if blade is None:
+            return np.zeros(len(drawn), np.bool_)
+        wide = 2.0 * blade.half_width
+        short: Bool = (drawn.curve[:, 0] == 0.0) & (drawn.curve[:, 5] < wide + _ROUNDING)
+        short &= ~groove_continues(drawn).reshape(-1, 2).any(axis=1)
+        along = overlaps.best & (np.abs(np.diff(overlaps.place)[:, 0]) > SHORT)
+        short[overlaps.edge[along]] = False
+        for edge in np.flatnonzero(short)[:MAX_FINDINGS]:
+            length = float(drawn.curve[edge, 5])
+            message = Message("verify.groove-too-short", length=length, blade=wide)
+            self.add_finding("uncut", edge, message, length, severity=Severity.SHORTFALL)
+        np.add.at(self.figures.uncut, self.edges.row[short], drawn.curve[short, 5])
+        return short
 
     def _shift_grooves(self, blade: VCutter) -> None:
         """Shift the expected grooves away from cuts that their flanks would damage, and add notes.

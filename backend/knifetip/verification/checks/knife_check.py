@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import Final
 
 import numpy as np
 
 from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import Knife
+from knifetip.model.verdict import Severity
 from knifetip.verification.checks.bridge_check import check_bridges, find_bridges
 from knifetip.verification.checks.check_base import StationCheck
 from knifetip.verification.checks.stray_work import check_stray_work
@@ -24,10 +26,13 @@ from knifetip.verification.curves.intervals import SHORT, Overlaps, mark_nearest
 from knifetip.verification.curves.overlap import find_overlaps
 from knifetip.verification.expectation.edge_paths import EdgePaths, continues_straight
 from knifetip.verification.expectation.edges import Edges, angle_between
-from knifetip.verification.expectation.expected_work import knife_ends
+from knifetip.verification.expectation.expected_work import KnifeEnds, knife_ends
 from knifetip.verification.expectation.outline import count_enclosing, find_outlines
 from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.tools import OperationKind
+
+#: Greatest rounding error of a length (mm).
+_ROUNDING: Final = 1e-6
 
 
 class KnifeCheck(StationCheck):
@@ -88,7 +93,9 @@ class KnifeCheck(StationCheck):
         overlaps = mark_nearest(overlaps, self.curve, overrun_start)
         self.check_position(overlaps)
         check_stray_work(self, overlaps, overrun_start)
-        self.check_uncut(overlaps, np.flatnonzero(~perforated & ~has_bridges))
+        left_out = np.zeros(len(self.edges), np.bool_)
+        left_out[self._report_short_cuts(overlaps, solid_rows, ends, lead_depth * slant)] = True
+        self.check_uncut(overlaps, np.flatnonzero(~perforated & ~has_bridges & ~left_out))
         if has_bridges.any():
             self._check_bridge_gaps(
                 overlaps, solid_edges, solid_rows, ends.paths, rounds, lead_depth * slant
@@ -105,6 +112,41 @@ class KnifeCheck(StationCheck):
             self._record_faces(
                 overlaps, over, lead_depth * slant, (lead_depth - overrun_depth) * slant
             )
+
+    def _report_short_cuts(
+        self, overlaps: Overlaps, solid_rows: I64, ends: KnifeEnds, lead: float
+    ) -> I64:
+        """Report cuts that are too short for the blade and are not made, as shortfalls.
+
+        Both ends of such a cut lie inside a panel, and the cut is not longer than ``lead`` (mm),
+        the length by which the blade cuts the top face ahead of its tip.
+
+        Parameters
+        ----------
+        overlaps
+            Overlaps of the tip paths with the edges.
+        solid_rows, ends
+            Indices of the cuts and half-cuts in the edges of this check, and their planned stops.
+
+        Returns
+        -------
+        Indices of the edges of the reported cuts.
+        """
+        paths = ends.paths
+        is_short = (paths.first >= 0) & (paths.length <= lead + _ROUNDING)
+        is_short &= ends.free[paths.first] & ends.free[paths.last]
+        is_made = np.zeros(len(self.edges), np.bool_)
+        along = overlaps.best & (np.abs(np.diff(overlaps.place)[:, 0]) > SHORT)
+        is_made[overlaps.edge[along]] = True
+        is_short[paths.path[is_made[solid_rows]]] = False
+        edges: I64 = solid_rows[is_short[paths.path]]
+        np.add.at(self.figures.uncut, self.edges.row[edges], self.size[edges])
+        length = dict(zip(solid_rows.tolist(), paths.length[paths.path].tolist(), strict=True))
+        for edge in edges[:MAX_FINDINGS].tolist():
+            message = Message("verify.cut-too-short", length=length[edge], lead=lead)
+            size = float(self.size[edge])
+            self.add_finding("uncut", edge, message, size, severity=Severity.SHORTFALL)
+        return edges
 
     def _record_faces(self, overlaps: Overlaps, over: F64, top: float, bottom: float) -> None:
         """Record the uncut length of each edge in the bottom face, and its overcut in the top face.
