@@ -293,6 +293,11 @@ def clean(dieline: Dieline) -> Cleaned:
     return _report(dieline, length, at_work, state)
 
 
+def _is_ascending(column: I64) -> bool:
+    """Return whether each entry of a column is greater than the one before it."""
+    return bool((column[1:] > column[:-1]).all())
+
+
 def _slots(state: _State, count: int) -> tuple[I64, I64]:
     """Return where each of the k current edges is placed in the cleaned dieline.
 
@@ -304,8 +309,9 @@ def _slots(state: _State, count: int) -> tuple[I64, I64]:
     one source, only the one nearest to the start of the drawn edge is placed there, and the others
     are placed in rows after all drawn edges.  ``count`` is the number of drawn edges.
     """
-    owned = np.flatnonzero((state.edge >= 0) & ~state.overlapping)
-    order = owned[np.lexsort((state.begin[owned], state.row[owned], state.edge[owned]))]
+    order = np.flatnonzero((state.edge >= 0) & ~state.overlapping)
+    if not _is_ascending(state.edge[order]):
+        order = order[np.lexsort((state.begin[order], state.row[order], state.edge[order]))]
     edge, row = state.edge[order], state.row[order]
     head = np.flatnonzero(np.append(True, edge[1:] != edge[:-1])) if len(edge) else edge
     slot = np.full(len(state.bulge), -1, np.int64)
@@ -314,7 +320,9 @@ def _slots(state: _State, count: int) -> tuple[I64, I64]:
     source[edge[head]] = shown
     taken = np.full(count, -1, np.int64)
     # If a drawn edge has several pieces, the piece nearest to its start takes its row.
-    by_row = head[np.lexsort((state.begin[order[head]], row[head]))]
+    by_row = head
+    if not _is_ascending(row[head]):
+        by_row = head[np.lexsort((state.begin[order[head]], row[head]))]
     first = by_row[np.append(True, row[by_row][1:] != row[by_row][:-1])] if len(by_row) else by_row
     slot[edge[first]] = row[first]
     taken[row[first]] = edge[first]
@@ -336,7 +344,9 @@ def _report(dieline: Dieline, length: F64, at_work: Bool, state: _State) -> Clea
     ends[slot], bulge[slot], kinds[slot] = state.ends, state.bulge, state.kind
     shown = np.arange(total)
     shown[slot] = source
-    order = np.lexsort((state.begin, state.row))
+    order: I64 | slice = slice(None)
+    if not _is_ascending(state.row):
+        order = np.lexsort((state.begin, state.row))
     row, edge, overlapping = state.row[order], state.edge[order], state.overlapping[order]
     low, high = state.begin[order], state.end[order]
     target = np.append(slot, -1)[edge]
@@ -416,8 +426,9 @@ def _main_row(row: I64, size: F64, target: I64, overlapping: Bool, count: int) -
         Number n of drawn edges.
     """
     target_row = np.full(count, -1, np.int32)
-    live = np.flatnonzero(target >= 0)
-    order = live[np.lexsort((size[live], ~overlapping[live], row[live]))]
+    order = np.flatnonzero(target >= 0)
+    if not _is_ascending(row[order]):
+        order = order[np.lexsort((size[order], ~overlapping[order], row[order]))]
     # The last assignment to each row counts.
     target_row[row[order]] = target[order]
     return target_row

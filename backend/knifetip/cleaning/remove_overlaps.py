@@ -76,12 +76,15 @@ def remove_overlaps(ends: F64, bulge: F64, kind: U8) -> Pieces:
     """
     count = len(bulge)
     twin = _duplicates(ends, bulge, kind)
-    alone = np.flatnonzero(twin == np.arange(count))
-    first, second = find_overlapping(ends[alone], bulge[alone])
+    every = np.arange(count, dtype=np.int32)
+    alone = np.flatnonzero(twin == every)
+    if len(alone) == count:
+        first, second = find_overlapping(ends, bulge)
+    else:
+        first, second = find_overlapping(ends[alone], bulge[alone])
     if len(first) == 0:
         number = np.full(count, -1, np.int32)
         number[alone] = np.arange(len(alone))
-        every = np.arange(count, dtype=np.int32)
         return Pieces(
             ends[alone],
             bulge[alone],

@@ -76,17 +76,19 @@ def _knife_starts(operation: Operation, closed: Bool) -> ContourStarts:
     allowed = corner | (smooth[owner] & _long_segments(paths, shortest, smooth))
     allowed[paths.first[:-1]] |= ~closed
     rows = _limited(allowed, paths)
-    ahead, _ = arc.tangents(paths.start[rows], paths.end[rows], paths.bulge[rows])
+    entry, leave = np.empty((len(rows), 3)), np.empty((len(rows), 3))
     in_middle = smooth[owner[rows]]
-    entry = _middles(paths, rows)
-    leave = entry.copy()
+    middles = np.flatnonzero(in_middle)
+    entry[middles] = leave[middles] = _middles(paths, rows[middles])
     at_start = np.flatnonzero(~in_middle)
-    entry[at_start] = np.column_stack([paths.start[rows], azimuth(ahead)])[at_start]
+    first = rows[at_start]
+    ahead, _ = arc.tangents(paths.start[first], paths.end[first], paths.bulge[first])
+    entry[at_start, :2], entry[at_start, 2] = paths.start[first], azimuth(ahead)
     # A closed path ends with the segment before its first one.
-    finish = paths.first[1:][owner[rows]] - 1
-    last = np.where(closed[owner[rows]], _segments_before(paths)[rows], finish)
+    finish = paths.first[1:][owner[first]] - 1
+    last = np.where(closed[owner[first]], _segments_before(paths)[first], finish)
     _, arriving = arc.tangents(paths.start[last], paths.end[last], paths.bulge[last])
-    leave[at_start] = np.column_stack([paths.end[last], azimuth(arriving)])[at_start]
+    leave[at_start, :2], leave[at_start, 2] = paths.end[last], azimuth(arriving)
     return _starts(paths, rows, entry, leave)
 
 

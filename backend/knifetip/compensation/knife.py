@@ -120,6 +120,8 @@ def _head(tip: F64, c: F64, blade: Knife) -> F64:
     position of the tip.  ``tip`` are the positions of the tip, (n, 2) mm; ``c`` are the headings of
     the blade, (n,) degrees.
     """
+    if blade.trail == 0.0:
+        return tip
     ahead = np.column_stack([np.cos(np.radians(c)), np.sin(np.radians(c))])
     head: F64 = tip + blade.trail * ahead
     return head

@@ -207,6 +207,12 @@ def _chord_boxes(start: F64_2A, end: F64_2A) -> Any:
     return boxes
 
 
+def point_boxes(points: F64) -> F64:
+    """Return the bounding box of each of n points, (n, 4) mm, from ``points`` (n, 2) mm."""
+    boxes: F64 = _chord_boxes(points, points)
+    return boxes
+
+
 def bounding_boxes(start: F64, end: F64, bulge: F64) -> F64:
     """Return the bounding box of each of n lines and arcs, (n, 4) mm: x min, y min, x max, y max.
 

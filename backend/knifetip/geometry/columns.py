@@ -37,7 +37,9 @@ def freeze(values: ArrayLike, dtype: DTypeLike, *shape: int) -> NDArray[Any]:
     ):
         raise ValueError(f"shape {array.shape} instead of {shape}")
     if array.flags.writeable:
-        array = array.copy()
+        # A conversion of another array has made a new one.
+        if not isinstance(values, np.ndarray) or np.may_share_memory(array, values):
+            array = array.copy()
         array.flags.writeable = False
     return array
 

@@ -240,7 +240,7 @@ def find_contacts(points: F64, outline: BoardOutline) -> Contacts:
     A point and a cut are in contact if their distance is at most ``GAP`` mm.
     """
     boxes = arc.bounding_boxes(outline.start, outline.end, outline.bulge)
-    end, cut = box_pairs(np.hstack([points, points]), boxes, GAP)
+    end, cut = box_pairs(arc.point_boxes(points), boxes, GAP)
     start, finish, bulge = outline.start[cut], outline.end[cut], outline.bulge[cut]
     point = points[end]
     along = arc.nearest_fraction(start, finish, bulge, point)

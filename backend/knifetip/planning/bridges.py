@@ -113,7 +113,7 @@ def _positions_along(paths: Paths, selected: Bool, points: F64) -> tuple[I32, F6
     """
     rows = np.flatnonzero(selected[paths.path_of])
     start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]
-    point, row = box_pairs(np.hstack([points, points]), arc.bounding_boxes(start, end, bulge), GAP)
+    point, row = box_pairs(arc.point_boxes(points), arc.bounding_boxes(start, end, bulge), GAP)
     segments = start[row], end[row], bulge[row]
     fraction = arc.nearest_fraction(*segments, points[point])
     touches = np.hypot(*(arc.point_at(*segments, fraction) - points[point]).T) <= GAP

@@ -155,7 +155,7 @@ def _near_points(paths: Paths, points: F64) -> Bool:
     ``points`` are k points, (k, 2) mm.
     """
     stops = np.concatenate([paths.start[paths.first[:-1]], paths.end[paths.first[1:] - 1]])
-    stop, point = box_pairs(np.hstack([stops, stops]), np.hstack([points, points]), 2.0 * GAP)
+    stop, point = box_pairs(arc.point_boxes(stops), arc.point_boxes(points), 2.0 * GAP)
     near = np.hypot(*(stops[stop] - points[point]).T) <= GAP + POINT
     result = np.zeros(len(stops), np.bool_)
     result[stop[near]] = True
@@ -214,7 +214,7 @@ def _crossings_at_cut_ends(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F6
     """
     points = ends.reshape(-1, 2)
     boxes = arc.bounding_boxes(paths.start, paths.end, paths.bulge)
-    end, row = box_pairs(np.hstack([points, points]), boxes, GAP + POINT)
+    end, row = box_pairs(arc.point_boxes(points), boxes, GAP + POINT)
     if len(end) == 0:
         return np.zeros(0, np.int64), np.zeros(0)
     segments = paths.start[row], paths.end[row], paths.bulge[row]

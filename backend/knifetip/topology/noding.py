@@ -75,7 +75,7 @@ def _end_contacts(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
     """
     points = ends.reshape(-1, 2)
     end, row = box_pairs(
-        np.hstack([points, points]), arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge), JOIN
+        arc.point_boxes(points), arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge), JOIN
     )
     # Most ends only meet the ends of other edges.
     inner = _are_inside(np.ascontiguousarray(ends), end, row)
