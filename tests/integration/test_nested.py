@@ -271,3 +271,20 @@ def test_a_beam_that_crosses_a_cut_at_a_small_angle_does_not_make_that_cut() -> 
     operations = [one for part in parts for one in plan(part, LASER, BOARD)]
     toolpath = sequence([compensate(one) for one in operations], LASER)
     assert order_codes(verdict_of(line, toolpath, LASER)) == set()
+
+
+@pytest.mark.parametrize("mirrored", [False, True])
+def test_a_laser_may_cut_slits_that_continue_an_outline_one_after_the_other(mirrored: bool) -> None:
+    # The first 0.2 mm of one line and the last 0.2 mm of the other belong to the outline.  As the
+    # program is rounded, the first slit begins 0.00004 mm before the outline leaves its line.
+    x = 59.99996
+    outline = edges(
+        ((0, 30), (0, 0)), ((0, 0), (x, 0)), ((x, 0), (x, 30)), ((60.2, 30), (60.2, 80)),
+        ((60.2, 80), (-0.2, 80)), ((-0.2, 80), (-0.2, 30)),
+    )  # fmt: skip
+    slits = edges(((60.2, 30), (40, 30)), ((20, 30), (-0.2, 30)))
+    if mirrored:
+        outline, slits = ([60.0, 0.0] + [-1.0, 1.0] * ends for ends in (outline, slits))
+    line = dieline((CUT, outline + 10.0), (CUT, slits + 10.0))
+    verdict = verdict_of(line, made(line, LASER), LASER)
+    assert [finding.text for finding in verdict.findings if finding.refuses] == []

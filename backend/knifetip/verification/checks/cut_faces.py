@@ -8,7 +8,7 @@ pieces of cuts, the links, and the two faces beside each piece and each link.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
@@ -26,7 +26,7 @@ from knifetip.verification.expectation.edges import (
     pairs_within,
     without_duplicates,
 )
-from knifetip.verification.expectation.outline import face_cycles
+from knifetip.verification.expectation.outline import face_cycles, lowest_connected
 
 #: An end of a cut within this of another cut closes a contour; an uncut rest up to this length does
 #: not hold a part (mm).  A little less than the value for planning.
@@ -204,6 +204,18 @@ def _neighbour_mask(one: I64_1, other: I64_1, points: F64_2, first: I64_1) -> An
     return kept
 
 
+def split_at_junctions(edges: Edges) -> tuple[Edges, I64, F64]:
+    """Return the p pieces of n edges between the ends of other edges that lie on them, the index of
+    the edge of each piece (p,), and the position on this edge at which the piece begins (p,) mm.
+    """
+    curve, owner, begin = split_edges(edges, at_crossings=False)
+    if len(curve) == len(edges):
+        return edges, owner, begin
+    pieces = edges_from_curves(curve)
+    own = {name: getattr(edges, name)[owner] for name in ("row", "line_type", "chord")}
+    return replace(pieces, **own), owner, begin
+
+
 def split_edges(edges: Edges, *, at_crossings: bool = True) -> tuple[F64, I64, F64]:
     """Split n edges where the ends of other edges touch them, and where two edges cross.
 
@@ -344,9 +356,30 @@ def _first_piece_left(points: F64, own: I64, pieces: Edges, owner: I64) -> tuple
     Index of the piece, (m,), -1 for none; and the mask of the points whose piece runs upwards at
     the height of the point, (m,).
     """
-    grid = pieces.compute_once("cells of rays", lambda: list_edges(pieces.curve, 0.0, _RAY_MARGIN))
+    grid = pieces.compute_once(
+        "cells of rays", lambda: list_edges(_joined_curves(pieces), 0.0, _RAY_MARGIN)
+    )
     met, rising = _search_left(points + np.array([0.0, _RAY_OFFSET]), own, owner, grid)
     return met, rising
+
+
+def _joined_curves(pieces: Edges) -> F64:
+    """Return the curves of n pieces, (n, 6), whose joined ends are exactly equal as far as lines
+    are joined.
+
+    A ray could otherwise pass between two ends that are joined although they are not at the same
+    height.  Arcs stay as they are, and lines end on them.
+    """
+    count = len(pieces)
+    node = lowest_connected(*pieces.near_ends(JOIN_DISTANCE), 2 * count)
+    position = pieces.ends.copy()
+    ends_of_arcs = np.flatnonzero(np.repeat(pieces.curve[:, 0] != 0.0, 2))
+    position[node[ends_of_arcs]] = pieces.ends[ends_of_arcs]
+    start, end = position[node[::2]], position[node[1::2]]
+    straight = (pieces.curve[:, 0] == 0.0) & (np.hypot(*(end - start).T) > 0.0)
+    curve = pieces.curve.copy()
+    curve[straight] = line_curves(start[straight], end[straight])
+    return curve
 
 
 @kernel(checks_division=True)

@@ -14,7 +14,7 @@ Source: "Tool radius compensation", equations 1-9.  The reach into corners was d
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import chain
 from typing import Final
 
@@ -26,7 +26,7 @@ from knifetip.model.verdict import Severity
 from knifetip.verification.checks import milling_geometry
 from knifetip.verification.checks.bridge_check import check_bridges, order_bridges
 from knifetip.verification.checks.check_context import DEPTH_TOLERANCE, NEAR_EDGE, CheckContext
-from knifetip.verification.checks.cut_faces import split_edges
+from knifetip.verification.checks.cut_faces import split_at_junctions
 from knifetip.verification.checks.milling_geometry import spans_near_points
 from knifetip.verification.checks.milling_shortfalls import (
     distance_from_disc,
@@ -40,7 +40,7 @@ from knifetip.verification.curves.curve import left_distance, line_curves, point
 from knifetip.verification.curves.intervals import EPSILON, uncovered_curves, uncovered_edges
 from knifetip.verification.curves.overlap import find_overlaps
 from knifetip.verification.expectation.cutter_paths import CutterPaths, cutter_paths
-from knifetip.verification.expectation.edges import Edges, edges_from_curves, pairs_within
+from knifetip.verification.expectation.edges import Edges, pairs_within
 from knifetip.verification.expectation.expected_work import knife_ends
 from knifetip.verification.expectation.outline import CutOutlines, count_enclosing, find_outlines
 from knifetip.verification.findings import MAX_FINDINGS
@@ -106,18 +106,6 @@ def check_milling(
     _MillingCheck(context, edges, centres, tool.disc, reach, slack).run(planned)
 
 
-def _split_at_junctions(edges: Edges) -> tuple[Edges, I64, F64]:
-    """Return the p pieces of n edges between the ends of other edges that lie on them, the index of
-    the edge of each piece (p,), and the position on this edge at which the piece begins (p,) mm.
-    """
-    curve, owner, begin = split_edges(edges, at_crossings=False)
-    if len(curve) == len(edges):
-        return edges, owner, begin
-    pieces = edges_from_curves(curve)
-    own = {name: getattr(edges, name)[owner] for name in ("row", "line_type", "chord")}
-    return replace(pieces, **own), owner, begin
-
-
 class _MillingCheck:
     """Check that compares the paths of one cutter's centre with all cuts that the cutter must
     make.
@@ -135,7 +123,7 @@ class _MillingCheck:
         self.context, self.centres, self.tool = context, centres, tool
         self.reach, self.slack, self.tolerance = reach, slack, context.tolerance
         # One part of an edge may be the outline, and another part a slit between two flaps.
-        self.edges, owner, self.begin = _split_at_junctions(edges)
+        self.edges, owner, self.begin = split_at_junctions(edges)
         self.size_of_edge = edges.curve[owner, 5]
         self.bounds: CutOutlines = find_outlines(self.edges)
         self.size = self.edges.curve[:, 5]

@@ -10,7 +10,7 @@ import numpy as np
 
 from knifetip.kernels import F64_1, I64_1, kernel
 from knifetip.verification.checks.check_context import DEPTH_TOLERANCE, CheckContext
-from knifetip.verification.checks.cut_faces import GAP_LENGTH, CutFaces
+from knifetip.verification.checks.cut_faces import GAP_LENGTH, CutFaces, split_at_junctions
 from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.curves.intervals import add_interval
 from knifetip.verification.curves.overlap import find_overlaps
@@ -27,6 +27,11 @@ MIN_LENGTH: Final = 0.1
 #: At an inner corner of 28° a cutter cannot reach the first part of either edge.  The length of
 #: this part is this number times the radius of the cutter.
 _CORNER_RATIO: Final = 4.0
+
+
+#: Columns about stretches of cuts: index of the cut, start and end along it, length of the part of
+#: the cut to which the stretch belongs (mm), row of the tip path, and whether it is cut through.
+_Columns = tuple[I32 | I64, F64, F64, F64, I64, Bool]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -53,16 +58,18 @@ def find_worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> Wor
     near = cuts.find_overlaps(work.curve[knife], context.tolerance)
     keep = near.best
     lowest, highest = near.place_range()
-    columns: list[tuple[I32 | I64, F64, F64, I64, Bool]] = [
-        (near.edge[keep], lowest[keep], highest[keep],
+    columns: list[_Columns] = [
+        (near.edge[keep], lowest[keep], highest[keep], size[near.edge[keep]],
          knife[near.curve[keep]], np.ones(int(keep.sum()), np.bool_)),
     ]  # fmt: skip
     mill = work.operation == OperationKind.MILL
-    bounds = find_outlines(cuts) if mill.any() else None
     widest = 0.0
+    if mill.any():
+        # A cut may be a part of an outline, and continue as a slit between two flaps.
+        parts, owner, begin = split_at_junctions(cuts)
+        bounds = find_outlines(parts)
     for index in np.unique(work.station[mill]):
         station = context.machine.stations[int(index)]
-        assert bounds is not None
         tool = expected_tool(station.tool)
         assert tool.disc is not None
         deflection = next(
@@ -84,11 +91,15 @@ def find_worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> Wor
         deep = context.board.caliper - work.z[paths]
         planned = tool.through_depth(context.board.caliper, context.machine.into_mat)
         is_through = deep >= planned - DEPTH_TOLERANCE
-        columns.append((beside.edge[pieces], low, high, paths, is_through))
-    edge, low, high, path, is_through = (np.concatenate(one) for one in zip(*columns, strict=True))
+        part = beside.edge[pieces]
+        low, high = low + begin[part], high + begin[part]
+        columns.append((owner[part], low, high, parts.curve[part, 5], paths, is_through))
+    edge, low, high, size, path, is_through = (
+        np.concatenate(one) for one in zip(*columns, strict=True)
+    )
     order = np.lexsort((path, edge))
     edge, path = edge[order].astype(np.int64), path[order].astype(np.int64)
-    low, high, is_through = low[order], high[order], is_through[order]
+    low, high, size, is_through = low[order], high[order], size[order], is_through[order]
     line = work.line[path].astype(np.int64)
     # The head may follow an arc with a trailing knife on many tip paths, each very short.
     first = _first_rows(edge, low, high, path, line)
@@ -96,7 +107,7 @@ def find_worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> Wor
         low, high = np.minimum.reduceat(low, first), np.maximum.reduceat(high, first)
         is_through = np.logical_and.reduceat(is_through, first)
     # Drop paths that only cross a cut or touch its end.
-    long = high - low >= np.minimum(MIN_LENGTH, 0.5 * size[edge[first]])
+    long = high - low >= np.minimum(MIN_LENGTH, 0.5 * size[first])
     kept, many = first[long], np.diff(first, append=len(path))
     return WorkedSpans(
         edge[kept], low[long], high[long], line[kept], is_through[long],

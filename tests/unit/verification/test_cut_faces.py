@@ -1,0 +1,21 @@
+"""The faces into which cuts divide the sheet."""
+
+import numpy as np
+
+from knifetip.verification.checks.cut_faces import find_cut_faces
+from knifetip.verification.expectation.edges import place_edges
+from tests.support.programs.handwritten import CUT, dieline
+
+
+def test_a_ray_does_not_pass_between_two_joined_ends() -> None:
+    # The right side of the first blank consists of two lines that are joined with a gap of
+    # 0.0008 mm.  The ray to the left of the second blank runs at the height of this gap.
+    drawn = dieline(
+        (CUT, 0, 0, 100, 0, 0.0), (CUT, 100, 0, 100, 40, 0.0), (CUT, 100, 40.0008, 100, 80, 0.0),
+        (CUT, 100, 80, 0, 80, 0.0), (CUT, 0, 80, 0, 0, 0.0),
+        (CUT, 110, 39.9998, 130, 20, 0.0), (CUT, 130, 20, 130, 60, 0.0),
+        (CUT, 130, 60, 110, 39.9998, 0.0),
+    )  # fmt: skip
+    faces = find_cut_faces(place_edges(drawn, (0.0, 0.0)))
+    assert faces.count == 3
+    np.testing.assert_array_equal(faces.face.min(axis=1), 0)
