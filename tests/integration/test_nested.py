@@ -284,7 +284,8 @@ def test_a_laser_may_cut_slits_that_continue_an_outline_one_after_the_other(mirr
     )  # fmt: skip
     slits = edges(((60.2, 30), (40, 30)), ((20, 30), (-0.2, 30)))
     if mirrored:
-        outline, slits = ([60.0, 0.0] + [-1.0, 1.0] * ends for ends in (outline, slits))
+        mirror = np.array([-1.0, 1.0])
+        outline, slits = ((60.0, 0.0) + mirror * ends for ends in (outline, slits))
     line = dieline((CUT, outline + 10.0), (CUT, slits + 10.0))
     verdict = verdict_of(line, made(line, LASER), LASER)
     assert [finding.text for finding in verdict.findings if finding.refuses] == []

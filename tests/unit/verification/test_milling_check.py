@@ -337,6 +337,22 @@ def test_a_lead_or_a_contour_on_the_line_of_an_open_cut_does_not_follow_this_cut
     assert [f.message.code for f in found] == ["verify.past-open-cut"]
 
 
+def test_a_contour_between_open_cuts_on_all_sides_does_not_follow_them() -> None:
+    # The open outline of a neighbour lies 3 mm beside all four sides of the part.
+    sides = ((5, -3, 95, -3), (103, 5, 103, 75), (95, 83, 5, 83), (-3, 75, -3, 5))
+    drawn = dieline(
+        *((CUT, *ends.ravel().tolist(), 0.0) for ends in PART.ends),
+        *((CUT, *side, 0.0) for side in sides),
+    )
+    cuts = [
+        line
+        for x, y, to_x, to_y in sides
+        for line in (f"G0 X{x} Y{y}", "G1 Z-0.3 F1200", f"G1 X{to_x} Y{to_y} F6000", "G1 Z4 F1200")
+    ]
+    found = faults(verdict_of(program(*HOLE, *cuts, *ROUND), drawn))
+    assert "verify.past-open-cut" not in [finding.message.code for finding in found]
+
+
 def test_a_slit_that_becomes_as_wide_as_the_cutter_is_a_shortfall_with_its_length() -> None:
     drawn = dieline((CUT, 10, 10, 60, 10, 0.0), (CUT, 10, 40, 40, 40, 0.0))
     cuts = ("G0 Z4", "G1 Z-0.3 F1200", "G1 X60 F6000", "G1 Z4 F1200", "G0 X10 Y40",

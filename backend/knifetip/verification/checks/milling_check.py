@@ -566,11 +566,11 @@ class _MillingCheck:
         # An open cut that other cuts meet is divided there, so a path may follow several pieces.
         on_cut, touches = self._lengths_along(np.arange(len(size)), own)
         result = touches & (size - on_cut <= 0.5 * size + EPSILON)
-        # Tracks that lie mainly beside contours, and only with some of their paths on open cuts.
+        # Tracks that lie mainly beside contours, and less of their length on open cuts.
         total, cut = np.bincount(track, size), np.bincount(track, on_cut)
         mixed = np.zeros(len(total), np.bool_)
         mixed[track[result]] = True
-        mixed &= cut < 0.5 * total
+        mixed &= cut < total - self.slack
         rows = np.flatnonzero(mixed[track])
         if len(rows):
             pieces = cutter_paths(self.bounds, self.reach)
@@ -578,7 +578,8 @@ class _MillingCheck:
             along = np.bincount(
                 track[rows], self._lengths_along(rows, beside)[0], minlength=len(total)
             )
-            result[rows[(along > 0.5 * total)[track[rows]]]] = False
+            contour = (along > 0.5 * total) & (along > cut + self.slack)
+            result[rows[contour[track[rows]]]] = False
         return result
 
     def _lengths_along(self, rows: I64, lines: F64) -> tuple[F64, Bool]:
