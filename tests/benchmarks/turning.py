@@ -62,7 +62,7 @@ def order_shortest() -> tuple[str, int, Callable[[], object], dict[str, Callable
     """Order reversible tracks: a greedy order, then its improvement."""
     entry, leave = strokes(1000, Reversal.EITHER)
     return (
-        "reversible tracks, 2-opt + Or-opt + swaps",
+        "reversible tracks, 3-opt + double bridges",
         1000,
         lambda: short_order(entry, leave, HOME, PACE, 180.0, Reversal.EITHER),
         {"greedy": lambda: greedy_order(entry, leave, HOME, Reversal.EITHER)},

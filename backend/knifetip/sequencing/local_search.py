@@ -1,8 +1,8 @@
 """local_search: shorten a tour by changes near single tracks, until no such change shortens it.
 
-The changes are 2-opt (reverse a section of the tour) and Or-opt (move a section of one to three
-tracks).  They are tried near the tracks of a queue: at first all tracks, later only tracks beside
-which the tour changed.
+The changes are 2-opt (reverse a section of the tour), Or-opt (move a section of one to three
+tracks), and to run one track in its other direction.  They are tried near the tracks of a queue: at
+first all tracks, later only tracks beside which the tour changed.
 
 Source: Croes 1958 (2-opt), Or 1976, Bentley 1992 (neighbour lists and a queue).
 """
@@ -25,8 +25,6 @@ from knifetip.sequencing.sections import (
 )
 from knifetip.sequencing.tour import Tour, Tracks, current_link, link_time
 
-#: Greatest rounding error of the times of links that are compared (s).
-_ROUNDING: Final = 1e-12
 #: A change that saves less than this is not made (s).
 LEAST_GAIN: Final = 1e-9
 #: Sections that are moved: those of one to three tracks that start or end at a track.
@@ -48,44 +46,21 @@ def queue_tracks(track: OutI32_1) -> Queue:
 
 
 @inline_kernel
-def _try_reversal(
-    first: int, last: int, at_start: bool, least: float, tour: Tour, tracks: Tracks
-) -> float:
+def _try_reversal(first: int, last: int, tour: Tour, tracks: Tracks) -> float:
     """Reverse a section of the tour if that shortens the tour; return the change of its time (s).
 
-    The result is 0 if nothing changed.
-
-    Parameters
-    ----------
-    first, last
-        First and last position of the section.
-    at_start
-        Whether the bound ``least`` is for the new link at the start of the section, or for the new
-        link at its end.
-    least
-        Lower bound of the time of that link (s).
+    The tracks of the section keep their directions.  The result is 0 if nothing changed.
+    ``first`` and ``last`` are the first and last position of the section.
     """
-    room = current_link(first, tour, tracks) + current_link(last + 1, tour, tracks) - least
-    if room <= 0.0:
-        return 0.0
-    symmetric = 1 if tracks.reversal == 1 else 0
-    if at_start:
-        other = link_time(first, symmetric, last + 1, 0, tour, tracks)
-    else:
-        other = link_time(first - 1, 0, last, symmetric, tour, tracks)
-    if other >= room:
-        return 0.0
-    change: float = reversal_change(first, last, symmetric, tour, tracks)
+    change: float = reversal_change(first, last, tour, tracks)
     if change >= -LEAST_GAIN:
         return 0.0
-    reverse(first, last, symmetric, tour)
+    reverse(first, last, 0, tour)
     return change
 
 
 @inline_kernel
-def _try_moves(
-    here: int, there: int, least: float, tour: Tour, tracks: Tracks, freed: OutF64_1
-) -> Any:
+def _try_moves(here: int, there: int, tour: Tour, tracks: Tracks, freed: OutF64_1) -> Any:
     """Move a section at one position of the tour beside another position if that shortens the tour.
 
     Returns the first and last position that changed, and the change of the tour's time (s); (0, -1,
@@ -95,8 +70,6 @@ def _try_moves(
     ----------
     here, there
         Position at which the sections start or end, and position beside which they are put.
-    least
-        Lower bound of the time of the air move between the tracks at the two positions (s).
     freed : (6,)
         Time saved if each section is removed (s), infinite if not yet computed; updated in place.
     """
@@ -111,40 +84,30 @@ def _try_moves(
             freed[slot] = removal_gain(s, e, tour, tracks)
         if freed[slot] <= LEAST_GAIN:
             continue
-        # After or before the neighbour, reversed if needed to put the two side by side.
+        # After or before the neighbour, reversed if needed to put the two side by side.  A single
+        # track is tried in both directions instead.
         for before in range(2):
             k = there - before
-            back = before if ahead else 1 - before
-            if size == 1:
-                back = 0
             if k < 0 or s - 1 <= k <= e:
                 continue
             removed = current_link(k + 1, tour, tracks) + freed[slot]
-            room = removed - least
-            if room <= 0.0:
-                continue
-            for _ in range(2 if size == 1 and tracks.reversal != 0 else 1):
-                flip = back if (tracks.reversal == 1 or size == 1) else 0
+            back = 0 if size == 1 else (before if ahead else 1 - before)
+            for _ in range(2 if size == 1 else 1):
+                flip = back if size == 1 else 0
                 head, tail = (e, s) if back else (s, e)
-                # The new link that is not between the two tracks.
-                if before:
-                    farther = link_time(k, 0, head, flip, tour, tracks)
-                else:
-                    farther = link_time(tail, flip, k + 1, 0, tour, tracks)
-                if farther < room:
-                    change = link_time(k, 0, head, flip, tour, tracks) - removed
-                    if change < -LEAST_GAIN and k < end:
-                        change += link_time(tail, flip, k + 1, 0, tour, tracks)
-                    if change < -LEAST_GAIN and back and not flip:
-                        change += inner_change(s, e, 0, tour, tracks)
-                    if change < -LEAST_GAIN:
-                        if back:
-                            reverse(s, e, flip, tour)
-                        if k > e:
-                            swap(s, e + 1, k, tour)
-                            return s, k, change
-                        swap(k + 1, s, e, tour)
-                        return k + 1, e, change
+                change = link_time(k, 0, head, flip, tour, tracks) - removed
+                if change < -LEAST_GAIN and k < end:
+                    change += link_time(tail, flip, k + 1, 0, tour, tracks)
+                if change < -LEAST_GAIN and back and not flip:
+                    change += inner_change(s, e, tour, tracks)
+                if change < -LEAST_GAIN:
+                    if back:
+                        reverse(s, e, flip, tour)
+                    if k > e:
+                        swap(s, e + 1, k, tour)
+                        return s, k, change
+                    swap(k + 1, s, e, tour)
+                    return k + 1, e, change
                 back = 1
     return 0, -1, 0.0
 
@@ -164,12 +127,11 @@ def _improve_track(track: int, tour: Tour, tracks: Tracks, freed: OutF64_1) -> A
         Scratch.
     """
     here = tour.position[track]
-    if tracks.reversal == 2:
-        change = turn_change(here, tour, tracks)
-        if change < -LEAST_GAIN:
-            reverse(here, here, 1, tour)
-            return here, here, change
-    # Every improvement replaces, at one of its tracks, a longer link by a shorter one.
+    change = turn_change(here, tour, tracks)
+    if change < -LEAST_GAIN:
+        reverse(here, here, 1, tour)
+        return here, here, change
+    # Most improvements replace, at one of their tracks, a longer link by a shorter one.
     longest = current_link(here, tour, tracks)
     longest = max(longest, current_link(here + 1, tour, tracks))
     for slot in range(_SECTIONS):
@@ -177,18 +139,15 @@ def _improve_track(track: int, tour: Tour, tracks: Tracks, freed: OutF64_1) -> A
     for rank in range(tracks.near.shape[1]):
         if tracks.least_time[track, rank] >= longest:
             break
-        # Each change makes a link between the two tracks, which takes at least this time.  No bound
-        # holds if the tracks have other poses in their other direction.
-        least = -math.inf if tracks.reversal == 2 else tracks.least_time[track, rank] - _ROUNDING
         there = tour.position[tracks.near[track, rank]]
         low, high = min(here, there), max(here, there)
-        change = _try_reversal(low + 1, high, True, least, tour, tracks)
+        change = _try_reversal(low + 1, high, tour, tracks)
         if change < 0.0:
             return low + 1, high, change
-        change = _try_reversal(low, high - 1, False, least, tour, tracks)
+        change = _try_reversal(low, high - 1, tour, tracks)
         if change < 0.0:
             return low, high - 1, change
-        first, last, change = _try_moves(here, there, least, tour, tracks, freed)
+        first, last, change = _try_moves(here, there, tour, tracks, freed)
         if last >= first:
             return first, last, change
     return 0, -1, 0.0

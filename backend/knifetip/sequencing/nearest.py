@@ -149,58 +149,73 @@ def _search_rings(
 
 
 @kernel(checks_division=True)
-def find_neighbours(start: F64_2, end: F64_2, number: int) -> Any:
-    """Return the ``number`` nearest other tracks of each of t tracks, and their distances (mm).
+def find_neighbours(point: F64_2, shared: bool, opposite: bool, number: int) -> Any:
+    """Return the nearest ends of other tracks of each end of t tracks, or the nearest other tracks.
 
-    Both arrays are (t, number), nearest first.  The distance of two tracks is the shortest distance
-    between a start or end of one track and a start or end of the other.  ``start`` and ``end`` are
-    the positions of the head at the start and the end of each track, (t, 2) mm.
+    Parameters
+    ----------
+    point : (2t, 2) mm
+        Positions of the head at the ends of the tracks.  Track i has the ends 2 i and 2 i + 1.
+    shared
+        Whether to return the nearest tracks of each track, instead of the nearest ends of each end.
+        The distance of two tracks is then the shortest distance between their ends.
+    opposite
+        Whether only ends of the other kind are neighbours: odd ends of even ends, and vice versa.
+    number
+        Number of neighbours of each end or track.
+
+    Returns
+    -------
+    near, far : (2t, number) or (t, number)
+        The neighbours, nearest first, and their distances (mm).  The distance of two ends is the
+        greater of their distances along X and along Y.
     """
-    count = len(start)
-    point = np.concatenate((start, end))
+    count = len(point)
     low_x, low_y = point[:, 0].min(), point[:, 1].min()
-    side = max(1, int(math.sqrt(count)))
+    side = max(1, int(math.sqrt(count // 2)))
     wide = max((point[:, 0].max() - low_x) / side, 1e-3)
     high = max((point[:, 1].max() - low_y) / side, 1e-3)
-    column, row = np.empty(2 * count, np.int64), np.empty(2 * count, np.int64)
-    cell = np.empty(2 * count, np.int32)
-    for k in range(2 * count):
+    column, row = np.empty(count, np.int64), np.empty(count, np.int64)
+    cell = np.empty(count, np.int32)
+    for k in range(count):
         column[k] = cell_of(point[k, 0], low_x, wide, side)
         row[k] = cell_of(point[k, 1], low_y, high, side)
         cell[k] = column[k] * side + row[k]
-    first, listed = group_by_cell(cell, side * side, np.arange(2 * count).astype(np.int32))
-    near = np.empty((count, number), np.int32)
-    far = np.empty((count, number))
-    grid = _EndGrid(point, column, row, first, listed, side, min(wide, high))
+    first, listed = group_by_cell(cell, side * side, np.arange(count).astype(np.int32))
+    rows = count // 2 if shared else count
+    near = np.empty((rows, number), np.int32)
+    far = np.empty((rows, number))
+    grid = _EndGrid(point, column, row, first, listed, side, min(wide, high), opposite)
     _search_neighbours(grid, near, far)
     return near, far
 
 
 class _EndGrid(NamedTuple):
-    """The 2t ends of t tracks in a grid of cells: point i is the start of track i, and point i + t
-    its end.
-    """
+    """The 2t ends of t tracks in a grid of cells."""
 
     point: F64_2  #: (2t, 2) mm
     column: I64_1  #: (2t,)
     row: I64_1  #: (2t,)
-    first: I32_1  #: index in ``listed`` of the first point of each cell, and their number
-    listed: I32_1  #: points sorted by cell
+    first: I32_1  #: index in ``listed`` of the first end of each cell, and their number
+    listed: I32_1  #: ends sorted by cell
     side: int  #: number of columns, equal to the number of rows
     width: float  #: smaller of the width and the height of a cell, mm
+    opposite: bool  #: whether only ends of the other kind are neighbours
 
 
 @kernel(allocates=False)
 def _search_neighbours(grid: _EndGrid, near: OutI32_2, far: OutF64_2) -> None:
-    """Write the nearest other tracks of each of t tracks, and their distances (mm), to ``near`` and
-    ``far``, (t, number).
+    """Write the nearest ends or tracks, and their distances (mm), to ``near`` and ``far``.
+
+    These are arrays as returned by ``find_neighbours``: with a row for each end, or for each track.
     """
-    count, number = near.shape
+    number = near.shape[1]
     side, point = grid.side, grid.point
-    for track in range(count):
-        best, names = far[track], near[track]
+    shift = 0 if len(near) == len(point) else 1
+    for item in range(len(near)):
+        best, names = far[item], near[item]
         length = 0
-        for own in (track, track + count):
+        for own in range(item << shift, (item + 1) << shift):
             x, y = point[own, 0], point[own, 1]
             column, row = grid.column[own], grid.row[own]
             ring = 0
@@ -215,13 +230,12 @@ def _search_neighbours(grid: _EndGrid, near: OutI32_2, far: OutF64_2) -> None:
                             cell = i * side + j
                             for entry in range(grid.first[cell], grid.first[cell + 1]):
                                 end = grid.listed[entry]
-                                other = end if end < count else end - count
-                                dx, dy = abs(point[end, 0] - x), abs(point[end, 1] - y)
-                                if other == track or (
-                                    length == number and max(dx, dy) >= best[number - 1]
-                                ):
+                                distance = max(abs(point[end, 0] - x), abs(point[end, 1] - y))
+                                if length == number and distance >= best[number - 1]:
                                     continue
-                                distance = math.hypot(dx, dy)
+                                if end >> 1 == own >> 1 or (grid.opposite and (end ^ own) & 1 == 0):
+                                    continue
+                                other = end >> shift
                                 length = _insert_nearest(names, best, length, other, distance)
                         j += 1 if edge or ring == 0 else 2 * ring
                 ring += 1
@@ -231,21 +245,21 @@ def _search_neighbours(grid: _EndGrid, near: OutI32_2, far: OutF64_2) -> None:
 def _insert_nearest(
     near: OutI32_1, best: OutF64_1, length: int, other: int, distance: float
 ) -> int:
-    """Insert a track into the list of the nearest tracks found so far; return the list's new
+    """Insert a neighbour into the list of the nearest ones found so far; return the list's new
     length.
 
-    The list is sorted by distance.  If the track is already in the list, the smaller of its two
-    distances is kept.  If the list is full and all tracks in it are nearer, the track is not
+    The list is sorted by distance.  If the neighbour is already in the list, the smaller of its two
+    distances is kept.  If the list is full and all others in it are nearer, the neighbour is not
     inserted.
 
     Parameters
     ----------
     near, best
-        Tracks in the list and their distances (mm); both are changed in place.
+        Ends or tracks in the list and their distances (mm); both are changed in place.
     length
-        Number of tracks in the list before the call; later entries of the arrays are unused.
+        Number of neighbours in the list before the call; later entries of the arrays are unused.
     other, distance
-        Track to be inserted, and its distance (mm).
+        End or track to be inserted, and its distance (mm).
     """
     slot = length
     for entry in range(length):

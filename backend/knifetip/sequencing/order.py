@@ -1,29 +1,44 @@
 """order: choose the order of the tracks, and the end at which each track starts.
 
 A track is a path that a tool follows without lifting.  A nearest-neighbour tour is shortened by
-local search.  The number of trials depends only on the number of tracks, so that the same tracks
-always get the same order.  The cost of the air move between two tracks is the time of the slowest
-of the axes X, Y and C.  Lifts are left out, since they take the same time in every air move.
+local search with random changes.  Their number is bounded by the number of tracks, not by time, so
+that the same tracks always get the same order.  The cost of the air move between two tracks is the
+time of the slowest of the axes X, Y and C.  Lifts are left out, since they take the same time in
+every air move.
 """
 
 from __future__ import annotations
 
-import math
 from typing import Any, Final
 
 import numpy as np
 
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.model.tool import Reversal
-from knifetip.sequencing.improve import improve_tour
+from knifetip.sequencing.improve import Limits, improve_ring, improve_tour
 from knifetip.sequencing.nearest import find_neighbours, nearest_neighbour, nearest_walk
+from knifetip.sequencing.ring import make_ends
 from knifetip.sequencing.tour import Tracks
 
-#: Number of neighbours beside which a better position of a track is tried.
-_NEIGHBOURS: Final = 6
-#: Greatest number of random swaps per track, and of all of them.
-_TRIALS: Final = 5
-_MOST_TRIALS: Final = 3_000
+#: Number of ends of other tracks to which each end of a track may be linked.
+_NEAR_ENDS: Final = 12
+#: Greatest number of random exchanges per track, and of all of them.
+_TRIALS: Final = 50
+_MOST_TRIALS: Final = 25_000
+#: Number of tracks times the number of exchanges that are tried in any case, and bounds of the
+#: latter.
+_FIRST: Final = 50_000
+_LEAST_FIRST: Final = 250
+_MOST_FIRST: Final = 1_000
+#: Number of tracks times the greatest number of exchanges after the last saving, and bounds of the
+#: latter.  Tracks that must be run as given are mostly outlines of like parts, in great numbers.
+_PATIENCE: Final = {Reversal.EITHER: 4_000_000, Reversal.ONE: 300_000}
+_LEAST_PATIENCE: Final = 300
+_MOST_PATIENCE: Final = 4_000
+#: The same for tracks with two sides, and the number of tracks beside which each one may be put.
+_NEAR_TRACKS: Final = 6
+_TRIALS_OF_SIDES: Final = 5
+_MOST_OF_SIDES: Final = 3_000
 
 
 def greedy_order(entry: F64, leave: F64, origin: F64, reversal: Reversal) -> tuple[I32, Bool]:
@@ -83,23 +98,74 @@ def short_order(
         return order, flip
     # The origin is one more track, fixed in the first position.
     origin_pose = np.broadcast_to(origin, (2, 1, 3))
-    ends = np.empty((count + 1, 2, 2, 3))
-    ends[:, :, 0] = np.concatenate([entry, origin_pose], axis=1).swapaxes(0, 1)
-    ends[:, :, 1] = np.concatenate([leave, origin_pose], axis=1).swapaxes(0, 1)
-    ends[..., 2] %= period
-    tour = np.concatenate([[count], order]).astype(np.int32)
-    side = np.concatenate([[0], flip]).astype(np.uint8)
-    near, far = find_neighbours(
-        np.ascontiguousarray(entry[0, :, :2]),
-        np.ascontiguousarray(leave[0, :, :2]),
-        min(_NEIGHBOURS, count - 1),
+    entry = np.concatenate([entry, origin_pose], axis=1)
+    leave = np.concatenate([leave, origin_pose], axis=1)
+    if reversal == Reversal.SIDES:
+        return _order_with_sides(entry, leave, pace, period, (order, flip))
+    one_way = reversal == Reversal.ONE
+    if one_way:
+        # The end of a track has the pose at which the head leaves it.
+        entry[1], leave[1] = leave[0], entry[0]
+    entered = np.concatenate([[2 * count], 2 * order + flip]).astype(np.int32)
+    pose = np.empty((2 * count + 2, 4))
+    pose[:, :3] = entry.swapaxes(0, 1).reshape(-1, 3)
+    pose[:, 3] = leave[::-1, :, 2].T.ravel()
+    pose[:, 2:] %= period
+    near, _ = find_neighbours(
+        pose[:, :2].copy(), False, one_way, min(_NEAR_ENDS, count if one_way else 2 * count)
     )
-    # Lower bound of a link: one of the axes X and Y travels at least 1/√2 of the distance.
-    fastest = np.array([pace[0, :2].max(), pace[1, :2].max()])
-    least_time = _travel_times(far / math.sqrt(2.0), fastest[0], fastest[1])
-    trials = min(_TRIALS * count, _MOST_TRIALS)
-    tracks = Tracks(ends, axis_rates(pace, period), int(reversal), near, least_time)
-    improve_tour(tour, side, tracks, trials)
+    ends = make_ends(pose, axis_rates(pace, period), near)
+    limits = Limits(
+        min(_TRIALS * count, _MOST_TRIALS),
+        min(max(_FIRST // count, _LEAST_FIRST), _MOST_FIRST),
+        min(max(_PATIENCE[reversal] // count, _LEAST_PATIENCE), _MOST_PATIENCE),
+    )
+    improve_ring(entered, ends, limits)
+    return _tour_from_origin(entered)
+
+
+def _tour_from_origin(entered: I32) -> tuple[I32, Bool]:
+    """Return the order of t tracks in a ring, and which of them start at their far end.
+
+    ``entered`` is the array of ``Ring``, (t + 1,).
+    """
+    origin = len(entered) - 1
+    start = int(np.flatnonzero(entered >> 1 == origin)[0])
+    tour = np.concatenate([entered[start + 1 :], entered[:start]])
+    if entered[start] != 2 * origin:
+        # The ring leads to the origin: it is run in the other direction.
+        tour = tour[::-1] ^ 1
+    return (tour >> 1).astype(np.int32), (tour & 1).astype(np.bool_)
+
+
+def _order_with_sides(
+    entry: F64, leave: F64, pace: F64, period: float, first: tuple[I32, Bool]
+) -> tuple[I32, Bool]:
+    """Return t tracks, each of which may begin with one of two sides, in a short order.
+
+    The result, ``pace`` and ``period`` are those of ``short_order``.
+
+    Parameters
+    ----------
+    entry, leave : (2, t + 1, 3)
+        As for ``short_order``; the last track is the origin.
+    first
+        The order that is shortened, in the form of the result.
+    """
+    count = len(first[0])
+    ends = np.stack([entry, leave], axis=2).swapaxes(0, 1).copy()
+    ends[..., 2] %= period
+    point = ends[:-1, 0, :, :2].reshape(-1, 2)
+    near, far = find_neighbours(
+        np.ascontiguousarray(point), True, False, min(_NEAR_TRACKS, count - 1)
+    )
+    # Lower bound of a link: X or Y travels the distance.
+    least_time = _travel_times(far, pace[0, :2].max(), pace[1, :2].max())
+    tour = np.concatenate([[count], first[0]]).astype(np.int32)
+    side = np.concatenate([[0], first[1]]).astype(np.uint8)
+    tracks = Tracks(ends, axis_rates(pace, period), near, least_time)
+    trials = min(_TRIALS_OF_SIDES * count, _MOST_OF_SIDES)
+    improve_tour(tour, side, tracks, Limits(trials, _LEAST_FIRST, _MOST_PATIENCE))
     return tour[1:], side[1:].astype(np.bool_)
 
 

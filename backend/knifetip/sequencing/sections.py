@@ -17,26 +17,17 @@ from knifetip.sequencing.tour import (
     opposite_link,
 )
 
-#: Longest section that is reversed if the times of all links in it change.
+#: Longest section that is reversed; the times of all links in it change.
 _LONGEST_SECTION: Final = 50
 
 
 @kernel(allocates=False)
-def inner_change(first: int, last: int, flip: int, tour: Tour, tracks: Tracks) -> float:
+def inner_change(first: int, last: int, tour: Tour, tracks: Tracks) -> float:
     """Return the increase of the time inside a section of the tour if the section is reversed (s).
 
-    The time is the sum of the air moves between the tracks of the section.  If ``flip`` is 1, the
-    same moves are made in the opposite direction, in the same time, and the result is 0.
-
-    Parameters
-    ----------
-    first, last
-        First and last position of the section in the tour.
-    flip
-        1 if each track of the section is also run in its other direction, else 0.
+    The time is the sum of the air moves between the tracks of the section, which keep their
+    directions.  ``first`` and ``last`` are the first and last position of the section in the tour.
     """
-    if flip:
-        return 0.0
     change = 0.0
     for slot in range(first, last):
         change += opposite_link(slot + 1, tour, tracks)
@@ -58,33 +49,29 @@ def turn_change(here: int, tour: Tour, tracks: Tracks) -> float:
 
 
 @kernel(allocates=False)
-def reversal_change(first: int, last: int, flip: int, tour: Tour, tracks: Tracks) -> float:
+def reversal_change(first: int, last: int, tour: Tour, tracks: Tracks) -> float:
     """Return the increase of the time of the tour if a section of it is reversed (s).
 
-    If the section must not be reversed, the result is 0.  That is the case if the section contains
-    the origin (position 0), or if it is longer than ``_LONGEST_SECTION`` and ``flip`` is 0.
+    The tracks of the section keep their directions.  If the section must not be reversed, the
+    result is 0.  That is the case if the section contains the origin (position 0), or if it is
+    longer than ``_LONGEST_SECTION``.
 
     If the two air moves at the ends of the section do not become shorter in total, the result is
     only their change.  The air moves inside the section hardly ever save more than that.
 
-    Parameters
-    ----------
-    first, last
-        First and last position of the section in the tour.
-    flip
-        1 if each track of the section is also run in its other direction, else 0.
+    ``first`` and ``last`` are the first and last position of the section in the tour.
     """
-    if first < 1 or (not flip and last - first > _LONGEST_SECTION):
+    if first < 1 or last - first > _LONGEST_SECTION:
         return 0.0
-    change = link_time(first - 1, 0, last, flip, tour, tracks)
+    change = link_time(first - 1, 0, last, 0, tour, tracks)
     change -= current_link(first, tour, tracks)
     if last + 1 < len(tour.track):
-        change += link_time(first, flip, last + 1, 0, tour, tracks)
+        change += link_time(first, 0, last + 1, 0, tour, tracks)
         change -= current_link(last + 1, tour, tracks)
     # A loss at the two ends is hardly ever regained inside, and computing that is costly.
     if change >= 0.0:
         return change
-    return change + inner_change(first, last, flip, tour, tracks)
+    return change + inner_change(first, last, tour, tracks)
 
 
 @kernel(allocates=False)
@@ -99,22 +86,6 @@ def removal_gain(first: int, last: int, tour: Tour, tracks: Tracks) -> float:
     saved = current_link(first, tour, tracks)
     saved += current_link(last + 1, tour, tracks)
     return saved - link_time(first - 1, 0, last + 1, 0, tour, tracks)
-
-
-@inline_kernel
-def swap_change(first: int, middle: int, last: int, tour: Tour, tracks: Tracks) -> float:
-    """Return how much longer a tour takes if two neighbouring sections are swapped (s).
-
-    The first section contains the positions from ``first`` to ``middle - 1``, the second those from
-    ``middle`` to ``last``.
-    """
-    change: float = link_time(first - 1, 0, middle, 0, tour, tracks)
-    change += link_time(last, 0, first, 0, tour, tracks)
-    change -= current_link(first, tour, tracks) + current_link(middle, tour, tracks)
-    if last + 1 < len(tour.track):
-        change += link_time(middle - 1, 0, last + 1, 0, tour, tracks)
-        change -= current_link(last + 1, tour, tracks)
-    return change
 
 
 @kernel(allocates=False)
@@ -149,3 +120,31 @@ def swap(first: int, middle: int, last: int, tour: Tour) -> None:
     reverse(first, middle - 1, 0, tour)
     reverse(middle, last, 0, tour)
     reverse(first, last, 0, tour)
+
+
+@inline_kernel
+def exchange_sections(
+    first: int, second: int, third: int, last: int, tour: Tour, tracks: Tracks
+) -> float:
+    """Put three neighbouring sections of the tour into the opposite order, in place.
+
+    The tracks inside each section keep their order.  Returns the change of the tour's time (s).
+
+    Parameters
+    ----------
+    first, second, third
+        First position of each section.
+    last
+        Last position of the third section.
+    """
+    change = 0.0
+    for slot in (first, second, third, last + 1):
+        change -= current_link(slot, tour, tracks)
+    middle, end = first + last + 1 - third, first + last + 1 - second
+    reverse(first, last, 0, tour)
+    reverse(first, middle - 1, 0, tour)
+    reverse(middle, end - 1, 0, tour)
+    reverse(end, last, 0, tour)
+    for slot in (first, middle, end, last + 1):
+        change += current_link(slot, tour, tracks)
+    return change

@@ -37,7 +37,6 @@ class Tracks(NamedTuple):
     #: 4 / a, 1 / v and v / a.  Of row 3 only the first entry is used: the period of C (degrees),
     #: which is the rotation after which the tool is the same.
     rates: F64_2
-    reversal: int  #: ``Reversal``: the ends of a track at which the tool may start
     near: I32_2  #: (t, k) k neighbours of each track, nearest first
     least_time: F64_2  #: (t, k) lower bounds of the times of the air moves to the neighbours (s)
 

@@ -15,6 +15,8 @@ from knifetip.sequencing.nearest import nearest_neighbour
 from knifetip.sequencing.order import greedy_order, link_times, short_order
 
 PACE = np.array([[1500.0, 1500.0, 3600.0], [8000.0, 8000.0, 36000.0]])
+#: Limits of axes with which the time of an air move is the greater of its X and Y distances.
+DISTANCE = np.array([[1.0, 1.0, 1e9], [1e12, 1e12, 1e12]])
 HOME = np.zeros(3)
 
 
@@ -34,9 +36,9 @@ def tracks(seed: int, count: int, way: Reversal) -> tuple[F64, F64]:
     return np.stack([begin, finish + half]), np.stack([begin + half, finish])
 
 
-def total(entry: F64, leave: F64, order: I32, flip: Bool, period: float = 360.0) -> float:
+def total(entry: F64, leave: F64, order: I32, flip: Bool, pace: F64 = PACE) -> float:
     side = flip.astype(int)
-    return float(link_times(entry[side, order], leave[side, order], HOME, PACE, period).sum())
+    return float(link_times(entry[side, order], leave[side, order], HOME, pace, 360.0).sum())
 
 
 @settings(deadline=None)
@@ -76,7 +78,7 @@ def test_the_best_order_of_five_tracks_is_found(way: Reversal, seed: int) -> Non
         for tour in itertools.permutations(range(5))
         for side in itertools.product(*sides)
     )
-    assert total(entry, leave, order, flip) <= 1.03 * best
+    assert total(entry, leave, order, flip) == pytest.approx(best)
 
 
 @pytest.mark.parametrize("way", Reversal)
@@ -97,7 +99,7 @@ def test_every_track_comes_once_and_the_order_is_no_longer_than_greedy(
     np.testing.assert_array_equal(flip, again[1])
 
 
-@pytest.mark.parametrize(("way", "share"), list(zip(Reversal, (0.93, 0.92, 0.92), strict=True)))
+@pytest.mark.parametrize(("way", "share"), list(zip(Reversal, (0.88, 0.90, 0.90), strict=True)))
 def test_links_of_two_hundred_tracks_are_faster_than_greedy(way: Reversal, share: float) -> None:
     entry, leave = tracks(1, 200, way)
     order, flip = short_order(entry, leave, HOME, PACE, 360.0, way)
@@ -106,11 +108,29 @@ def test_links_of_two_hundred_tracks_are_faster_than_greedy(way: Reversal, share
     assert best < share * first
 
 
-@pytest.mark.parametrize(("way", "seconds"), list(zip(Reversal, (102, 90, 92.5), strict=True)))
+@pytest.mark.parametrize(("way", "seconds"), list(zip(Reversal, (99, 88.5, 92), strict=True)))
 def test_links_of_a_thousand_tracks_keep_their_time(way: Reversal, seconds: float) -> None:
     # The greedy order takes 117.6, 108.7 and 115.1 s.
     entry, leave = tracks(1, 1000, way)
     assert total(entry, leave, *short_order(entry, leave, HOME, PACE, 360.0, way)) < seconds
+
+
+@pytest.mark.parametrize(
+    ("seed", "count", "pace", "lkh"),
+    [
+        (2, 300, PACE, 33.6327),
+        (2, 300, DISTANCE, 6405.07),
+        (3, 1000, PACE, 87.3351),
+        (3, 1000, DISTANCE, 10637.9),
+    ],
+)
+def test_orders_are_within_one_percent_of_the_solver_lkh(
+    seed: int, count: int, pace: F64, lkh: float
+) -> None:
+    # LKH 2.0.9 solved these as symmetric tours over both ends of all tracks.
+    entry, leave = tracks(seed, count, Reversal.EITHER)
+    order, flip = short_order(entry, leave, HOME, pace, 360.0, Reversal.EITHER)
+    assert total(entry, leave, order, flip, pace) < 1.01 * lkh
 
 
 @pytest.mark.parametrize("way", Reversal)
