@@ -62,3 +62,20 @@ def test_cuts_that_touch_a_round_crease_do_not_split_it(machine: str, turn: floa
         bulge={6: 1.0, 7: 1.0},
     )
     assert refusals(compiled(line, machine, "fbb-0.4")) == []
+
+
+@pytest.mark.parametrize("other", [((10, 30), (110, 30)), ((58, 30), (62, 30))])
+def test_a_short_crease_may_be_pressed_where_another_one_crosses_it(
+    other: tuple[tuple[float, float], tuple[float, float]],
+) -> None:
+    panel = closed((0, 0), (120, 0), (120, 60), (0, 60))
+    line = dieline((CUT, panel), (CREASE, edges(((60, 28), (60, 32)), other)))
+    made = compiled(line, "demo-table", "fbb-0.4")
+    assert refusals(made) == []
+    # Pressed along the other crease only, the short one is not made.
+    wrong = made.program.text.replace(b"C90.0000", b"C0.0000", 1)
+    assert wrong != made.program.text
+    verdict = pipeline.verify(
+        wrong, line, made.placement, load.machine("demo-table"), load.board("fbb-0.4")
+    )
+    assert not verdict.accepted

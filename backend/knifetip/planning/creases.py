@@ -21,6 +21,7 @@ from knifetip.geometry.path import Paths, select_paths
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import ANGLE, BULGE, GAP, JOIN, POINT
 from knifetip.kernels import F64_3, I64_1, kernel
+from knifetip.planning.path_ends import end_directions, end_points
 
 #: A cut at a smaller angle runs along a crease and does not cross it (sine of 1°).
 _ACROSS = sin(radians(ANGLE))
@@ -80,8 +81,7 @@ def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool
     )
     owner = owner[starts]
     again = np.append(False, owner[1:] == owner[:-1])[: len(owner)]
-    points = arc.point_at(paths.start[segment], paths.end[segment], paths.bulge[segment], fraction)
-    crossed = _near_points(result, points)
+    crossed = _end_at_crossings(result, paths, segment, fraction)
     crossed |= np.stack([again, np.append(again[1:], False)[: len(again)]], axis=1)
     return result, row.astype(np.int32), crossed
 
@@ -148,18 +148,30 @@ def _locate_among_clusters(
     return passed, (passed > 0) & (path[before] == owner) & (place < last[before])
 
 
-def _near_points(paths: Paths, points: F64) -> Bool:
-    """Return whether the start, and the end, of each of q paths is within ``GAP`` of a point,
-    (q, 2).
+def _end_at_crossings(result: Paths, paths: Paths, segment: I64, fraction: F64) -> Bool:
+    """Return whether a crease is crossed at the start, and at the end, of each of q paths, (q, 2).
 
-    ``points`` are k points, (k, 2) mm.
+    The crossing is within ``GAP`` of the path's end, and the crease that is crossed there has the
+    direction of the path.  Creases that only end at the same point are not crossed.
+
+    Parameters
+    ----------
+    result
+        The q paths.
+    paths, segment, fraction
+        The creases before they were split, and the crossings as ``find_cut_crossings`` returns
+        them.
     """
-    stops = np.concatenate([paths.start[paths.first[:-1]], paths.end[paths.first[1:] - 1]])
+    curves = paths.start[segment], paths.end[segment], paths.bulge[segment]
+    points, ahead = arc.point_at(*curves, fraction), arc.tangent_at(*curves, fraction)
+    stops, _ = end_points(result)
     stop, point = box_pairs(arc.point_boxes(stops), arc.point_boxes(points), 2.0 * GAP)
     near = np.hypot(*(stops[stop] - points[point]).T) <= GAP + POINT
-    result = np.zeros(len(stops), np.bool_)
-    result[stop[near]] = True
-    return result.reshape(2, -1).T
+    side = left_normal(unit_vectors(ahead[point])) * end_directions(result)[stop]
+    near &= np.abs(side.sum(axis=1)) <= _ACROSS + 1e-12
+    crossed = np.zeros(len(stops), np.bool_)
+    crossed[stop[near]] = True
+    return crossed.reshape(2, -1).T
 
 
 def find_cut_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:

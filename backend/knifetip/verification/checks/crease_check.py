@@ -6,6 +6,8 @@ and the cuts that cross the crease.
 
 from __future__ import annotations
 
+from typing import Final
+
 import numpy as np
 
 from knifetip.messages import Message
@@ -16,6 +18,8 @@ from knifetip.verification.checks.check_base import StationCheck
 from knifetip.verification.checks.check_context import CURVED_DEPTH_TOLERANCE
 from knifetip.verification.checks.stray_work import check_stray_work
 from knifetip.verification.columns import F64, I32, Bool
+from knifetip.verification.curves.curve import azimuth_at
+from knifetip.verification.curves.intervals import Overlaps, mark_nearest
 from knifetip.verification.expectation.crease_depth import depth_range
 from knifetip.verification.expectation.crease_lines import (
     concatenate_edges,
@@ -34,6 +38,9 @@ from knifetip.verification.expectation.edges import (
 from knifetip.verification.expectation.expected_work import WORKED_TYPES, expected_creases
 from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.tools import OperationKind
+
+#: Paths that are shorter are points at which the wheel presses (mm).
+_POINT: Final = 1e-6
 
 
 class CreaseCheck(StationCheck):
@@ -76,7 +83,7 @@ class CreaseCheck(StationCheck):
         self.depth_tolerance[self.edges.curve[:, 0] != 0.0] = CURVED_DEPTH_TOLERANCE
         self._report_short_creases(expected.refused, wheel)
         self._note_stops(parts)
-        overlaps = self.match_edges()
+        overlaps = self._without_crossed(self.match_edges(), expected.pressed)
         self.check_position(overlaps)
         check_stray_work(self, overlaps, self.curve[:, 5])
         planned = np.maximum(self.high - self.low, 0.0)
@@ -85,6 +92,35 @@ class CreaseCheck(StationCheck):
         depth = np.maximum(self.context.board.caliper - self.z, 0.0)
         contact = np.sqrt(np.maximum(depth * (2.0 * wheel.radius - depth), 0.0))
         self.check_heading(overlaps, contact, 180.0)
+
+    def _without_crossed(self, overlaps: Overlaps, pressed: Bool) -> Overlaps:
+        """Return the overlaps without those of a press with a crease that it does not make.
+
+        The wheel presses a short crease at one point.  If other creases pass this point, the press
+        makes the short crease in the direction of the wheel.
+
+        Parameters
+        ----------
+        overlaps
+            Overlaps of the tip paths with the n creases.
+        pressed : (n,)
+            Mask of the creases that are pressed at one point.
+        """
+        rows = np.flatnonzero(self.curve[overlaps.curve, 5] < _POINT)
+        rows = rows[pressed[overlaps.edge[rows]]]
+        if len(rows) == 0:
+            return overlaps
+        work, edge = overlaps.curve[rows], overlaps.edge[rows]
+        turn = np.full(len(overlaps.curve), np.inf)
+        turn[rows] = angle_between(
+            self.heading[work, 0],
+            azimuth_at(self.edges.curve[edge], overlaps.place[rows, 0]),
+            180.0,
+        )
+        least = np.full(len(self.curve), np.inf)
+        np.minimum.at(least, work, turn[rows])
+        keep = np.isinf(least[overlaps.curve]) | (turn <= least[overlaps.curve] + STRAIGHT_ANGLE)
+        return mark_nearest(overlaps.select(keep), self.curve, self.curve[:, 5].copy())
 
     def _report_short_creases(self, refused: Bool, wheel: CreaseWheel) -> None:
         """Report the creases that are too short for the wheel, ``refused`` (n,), as shortfalls."""

@@ -42,6 +42,17 @@ class Overlaps:
         first, last = self.place.T
         return np.minimum(first, last), np.maximum(first, last)
 
+    def select(self, keep: Bool) -> Overlaps:
+        """Return the overlaps for which the mask ``keep``, (k,), is True."""
+        return Overlaps(
+            self.curve[keep],
+            self.edge[keep],
+            self.along[keep],
+            self.place[keep],
+            self.distance[keep],
+            self.best[keep],
+        )
+
     @classmethod
     def none(cls) -> Overlaps:
         """Return an empty record, for curves that overlap no edge."""
@@ -108,15 +119,7 @@ def within_limits(overlaps: Overlaps, limit: F64, curves: F64) -> Overlaps:
     curves : (n, 6)
         All curves: lines and arcs as rows of six numbers (see ``curves.curve``).
     """
-    keep = overlaps.distance <= limit[overlaps.edge]
-    near_overlaps = Overlaps(
-        overlaps.curve[keep],
-        overlaps.edge[keep],
-        overlaps.along[keep],
-        overlaps.place[keep],
-        overlaps.distance[keep],
-        overlaps.best[keep],
-    )
+    near_overlaps = overlaps.select(overlaps.distance <= limit[overlaps.edge])
     return mark_nearest(near_overlaps, curves, curves[:, 5].copy())
 
 
