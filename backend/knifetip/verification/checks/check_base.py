@@ -27,11 +27,11 @@ from knifetip.verification.checks.check_context import (
     PRINT_TURN,
     CheckContext,
 )
-from knifetip.verification.checks.stretch_figures import sample_stretches
+from knifetip.verification.checks.stretch_figures import heading_errors, sample_stretches
 from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.curves.curve import azimuth_at, point_at
 from knifetip.verification.curves.group_order import order_in_groups
-from knifetip.verification.curves.intervals import SHORT, Overlaps, uncovered_curves
+from knifetip.verification.curves.intervals import Overlaps, uncovered_curves
 from knifetip.verification.expectation.edges import Edges, angle_between
 from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.kinematics import TipPaths
@@ -273,26 +273,12 @@ class StationCheck(ABC):
         """
         best = np.flatnonzero(overlaps.best)
         work, edge = overlaps.curve[best], overlaps.edge[best]
-        length = self.curve[work, 5]
-        point = length < 1e-6
-        along, place = overlaps.along[best], overlaps.place[best]
-        span = place[:, 1] - place[:, 0]
-        # A short path has no exact direction: its ends are rounded to the last digit.
-        size = along[:, 1] - along[:, 0]
-        follows = (size > SHORT) & (np.abs(span) > 0.5 * size)
-        pressed = point & (self.operation == OperationKind.CREASE)
-        back = np.where(span < 0.0, 180.0, 0.0)
-        worst = np.zeros(len(best))
-        for side in range(2):
-            fraction = along[:, side] / np.where(point, 1.0, length)
-            first, last = self.heading[work, 0], self.heading[work, 1]
-            heading = first + (last - first) * fraction
-            drawn = azimuth_at(self.edges.curve[edge], place[:, side]) + back
-            if chorded is not None:
-                own = azimuth_at(self.curve[work], along[:, side])
-                drawn = np.where(chorded[edge], own, drawn)
-            error = angle_between(heading, drawn, turn)
-            worst = np.maximum(worst, np.where(follows | pressed, error, 0.0))
+        worst = heading_errors(
+            np.ascontiguousarray(self.curve), np.ascontiguousarray(self.heading), self.edges.curve,
+            work, edge, overlaps.along[best], overlaps.place[best],
+            np.zeros(len(self.edges), np.bool_) if chorded is None else chorded,
+            self.operation == OperationKind.CREASE, turn,
+        )  # fmt: skip
         self.check_swing(worst, reach[work], np.zeros(len(best)), work, edge)
 
         # A path past an edge has no edge to compare with, only its own direction.

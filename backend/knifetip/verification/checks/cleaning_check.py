@@ -64,6 +64,8 @@ def check_cleaning(drawn: Dieline, cleaned: Cleaned) -> list[Finding]:
     the dieline after cleaning, with the cleaned edge that each drawn stretch became.
     """
     findings: list[Finding] = []
+    if _is_unchanged(drawn, cleaned):
+        return findings
     after, parts = cleaned.dieline, cleaned.stretches
     length = _edge_lengths(drawn.ends, drawn.bulge)
     has_work = ~np.isin(drawn.line_type, _NO_WORK)
@@ -107,6 +109,25 @@ def check_cleaning(drawn: Dieline, cleaned: Cleaned) -> list[Finding]:
     own = ~parts.by_other_edge[there]
     _check_added_work(after, target[own], along[own], report)
     return findings
+
+
+def _is_unchanged(drawn: Dieline, cleaned: Cleaned) -> bool:
+    """Return whether the cleaned edges are the drawn edges, and the whole of each drawn edge that
+    is cut or creased became the same edge.
+    """
+    after, parts = cleaned.dieline, cleaned.stretches
+    worked = np.flatnonzero(~np.isin(drawn.line_type, _NO_WORK))
+    return (
+        np.array_equal(after.ends, drawn.ends)
+        and np.array_equal(after.bulge, drawn.bulge)
+        and np.array_equal(after.line_type, drawn.line_type)
+        and np.array_equal(after.source, np.arange(len(drawn)))
+        and np.array_equal(parts.row, worked)
+        and np.array_equal(parts.cleaned, worked)
+        and not parts.by_other_edge.any()
+        and not parts.begin.any()
+        and bool((parts.end == 1.0).all())
+    )
 
 
 def _edge_lengths(ends: F64, bulge: F64) -> F64:

@@ -110,7 +110,7 @@ def _drawn_direction(edges: Edges, point: F64, outward: F64) -> F64:
     outward : (k,) degrees
         Directions out of the tip paths at these ends.
     """
-    row, end = pairs_within(point, edges.ends, TOUCH_DISTANCE)
+    row, end = edges.ends_touched_by(point)
     error = angle_between(edges.outward[end], outward[row])
     order = np.lexsort((error, row))
     order = order[error[order] <= ALONG_EDGE]

@@ -177,6 +177,17 @@ def within_limits(
     good = np.ones(len(start), np.bool_)
     reached = np.empty((2, end.shape[1]))
     for row in range(len(start)):
+        if sweep[row] == 0.0:
+            for axis in range(end.shape[1]):
+                low, high = limits[axis, 0], limits[axis, 1]
+                if (
+                    low - end[row, axis] > tolerance
+                    or end[row, axis] - high > tolerance
+                    or start[row, axis] < low - tolerance
+                    or start[row, axis] > high + tolerance
+                ):
+                    good[row] = False
+            continue
         _reached(start, end, centre, sweep, row, reached)
         for axis in range(end.shape[1]):
             low, high = limits[axis, 0], limits[axis, 1]

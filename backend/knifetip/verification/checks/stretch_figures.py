@@ -1,4 +1,4 @@
-"""Kernels that measure how far the stretches of tip paths lie from the edges that they follow."""
+"""Kernels that compare the stretches of tip paths with the edges that they follow."""
 
 from __future__ import annotations
 
@@ -7,7 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from knifetip.kernels import F64_1, F64_2, I32_1, OutF64_1, kernel
+from knifetip.kernels import F64_1, F64_2, I32_1, Bool_1, OutF64_1, kernel
+from knifetip.verification.curves.curve import heading_on
+from knifetip.verification.curves.intervals import SHORT
+from knifetip.verification.expectation.edges import angle_of_two
 
 
 @kernel
@@ -44,6 +47,50 @@ def sample_stretches(
                 distance[sample, k] = edges[own, 0] * (edges[own, 3] - math.hypot(x, y))
             position[sample, k] = place[k, 0] * (1.0 - share) + place[k, 1] * share
     return position, distance
+
+
+@kernel
+def heading_errors(
+    curve: F64_2, heading: F64_2, edges: F64_2, work: I32_1, edge: I32_1, along: F64_2,
+    place: F64_2, chorded: Bool_1, presses: bool, turn: float,
+) -> Any:  # fmt: skip
+    """Return the greatest difference between the heading of the tool and the direction of the edge
+    at the ends of k stretches, (k,) degrees; 0 for a stretch that does not follow its edge.
+
+    Parameters
+    ----------
+    heading : (n, 2) degrees
+        Headings of the tool at the start and the end of each tip path.
+    chorded : (m,)
+        Mask of the edges that the tool follows in chords; the heading is compared with the chord.
+    presses
+        Whether a tip path of length 0 follows its edge.
+    turn : degrees
+        Rotation after which the tool has the same shape again.
+    curve, edges, work, edge, along, place
+        See ``sample_stretches``.
+    """
+    worst = np.zeros(len(work))
+    for k in range(len(work)):
+        path, own = work[k], edge[k]
+        length = curve[path, 5]
+        is_point = length < 1e-6
+        span, size = place[k, 1] - place[k, 0], along[k, 1] - along[k, 0]
+        # A short path has no exact direction: its ends are rounded to the last digit.
+        follows = size > SHORT and abs(span) > 0.5 * size
+        if not (follows or (presses and is_point)):
+            continue
+        for side in range(2):
+            fraction = along[k, side] / (1.0 if is_point else length)
+            first, last = heading[path, 0], heading[path, 1]
+            if chorded[own]:
+                drawn = math.degrees(heading_on(curve, path, along[k, side]))
+            else:
+                drawn = math.degrees(heading_on(edges, own, place[k, side]))
+                drawn += 180.0 if span < 0.0 else 0.0
+            error = angle_of_two(first + (last - first) * fraction, drawn, turn)
+            worst[k] = max(worst[k], error)
+    return worst
 
 
 @kernel(allocates=False)

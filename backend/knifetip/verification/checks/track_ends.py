@@ -95,7 +95,7 @@ def check_track_ends(
     stop = point_at(check.curve[last], check.curve[last, 5])
     ahead = azimuth_at(check.curve[last], check.curve[last, 5])
     outset = azimuth_at(check.curve[first], np.zeros(count))
-    begun, begun_at = pairs_within(start, solid_edges.ends, TOUCH_DISTANCE)
+    begun, begun_at = solid_edges.ends_touched_by(start)
     tracks = TrackEnds(
         start, stop, outset, ahead, *closing_vertices(check, solid_edges, count, begun, begun_at)
     )

@@ -61,12 +61,18 @@ def _headings(curve: F64_2, along: F64_1) -> Any:
     """
     heading = np.empty(len(curve))
     for row in range(len(curve)):
-        if curve[row, 0] == 0.0:
-            heading[row] = math.atan2(curve[row, 4], curve[row, 3])
-        else:
-            quarter = math.pi / 2.0
-            heading[row] = curve[row, 4] + curve[row, 0] * (along[row] / curve[row, 3] + quarter)
+        heading[row] = heading_on(curve, row, along[row])
     return heading
+
+
+@inline_kernel
+def heading_on(curve: F64_2, row: int, along: float) -> float:
+    """Return the direction of travel at one point on a curve, in radians; see ``azimuth_at``."""
+    if curve[row, 0] == 0.0:
+        return math.atan2(curve[row, 4], curve[row, 3])
+    quarter = math.pi / 2.0
+    direction: float = curve[row, 4] + curve[row, 0] * (along / curve[row, 3] + quarter)
+    return direction
 
 
 def left_distance(curve: F64, along: F64, edge: F64) -> F64:

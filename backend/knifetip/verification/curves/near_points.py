@@ -14,11 +14,10 @@ from knifetip.kernels import F64_2, I32_1, I64_1, OutI64_1, OutU8_1, inline_kern
 _WIDEST = 16.0
 
 
-class _PointGrid(NamedTuple):
-    """Points in a hash table of square cells, and the points that are compared with them."""
+class PointGrid(NamedTuple):
+    """Points in a hash table of square cells."""
 
-    points: F64_2  #: (n, 2) mm
-    others: F64_2  #: (m, 2) mm, the points in the table
+    points: F64_2  #: (m, 2) mm
     first: I32_1  #: first point of each bucket, -1 for none; their number is a power of two
     following: I32_1  #: (m,) next point of the same bucket, -1 for none
     low_x: float  #: mm, lower left corner of the cells
@@ -51,55 +50,60 @@ def pair_distances(points: F64_2, one: I64_1, others: F64_2, other: I64_1) -> An
 
 
 @kernel
-def near_points(points: F64_2, others: F64_2, distance: float, most: int) -> Any:
-    """Return the pairs of a point of ``points`` and a point of ``others`` near each other.
+def list_points(points: F64_2, distance: float) -> Any:
+    """Return a ``PointGrid`` of m points, (m, 2) mm, for pairs at most ``distance`` mm apart.
+
+    There is at least one point.
+    """
+    low_x, low_y = math.inf, math.inf
+    high_x, high_y = -math.inf, -math.inf
+    for j in range(len(points)):
+        low_x, low_y = min(low_x, points[j, 0]), min(low_y, points[j, 1])
+        high_x, high_y = max(high_x, points[j, 0]), max(high_y, points[j, 1])
+    spacing = 0.5 * math.sqrt((high_x - low_x) * (high_y - low_y) / len(points))
+    width = max(distance, min(_WIDEST * distance, spacing))
+    low_x -= distance
+    low_y -= distance
+    buckets = 64
+    while buckets < len(points):
+        buckets *= 2
+    first = np.full(buckets, -1, np.int32)
+    following = np.empty(len(points), np.int32)
+    # The last point first, so that each bucket lists its points in ascending order.
+    for j in range(len(points) - 1, -1, -1):
+        column = math.floor((points[j, 0] - low_x) / width)
+        row = math.floor((points[j, 1] - low_y) / width)
+        bucket = _bucket(column, row, buckets - 1)
+        following[j] = first[bucket]
+        first[bucket] = j
+    return PointGrid(points, first, following, low_x, low_y, distance, width)
+
+
+@kernel
+def near_points(points: F64_2, grid: PointGrid, most: int) -> Any:
+    """Return the pairs of a point of ``points`` and a point of a grid near each other.
 
     Parameters
     ----------
-    points, others : (n, 2) and (m, 2) mm
-        The points of which pairs are formed; n and m are greater than 0.
-    distance : mm
-        Greatest distance between the two points of a pair.
+    points : (n, 2) mm
+        The first points of the pairs.
+    grid
+        The second points, and the greatest distance between the two points of a pair.
     most
         Number of comparisons of two points after which the search is given up.
 
     Returns
     -------
-    The indices into ``points`` and into ``others``, (k,) each, and whether the search was complete.
-    The pairs are sorted by the column in which the second point lies, relative to the column of the
-    first one, then by first point, row and second point.  Columns and rows are those of a grid of
-    square cells as wide as ``distance``.
+    The indices into ``points`` and into the points of the grid, (k,) each, and whether the search
+    was complete.  The pairs are sorted by the column in which the second point lies, relative to
+    the column of the first one, then by first point, row and second point.  Columns and rows are
+    those of a grid of square cells as wide as the greatest distance.
     """
-    low_x, low_y = math.inf, math.inf
-    high_x, high_y = -math.inf, -math.inf
-    for j in range(len(others)):
-        low_x, low_y = min(low_x, others[j, 0]), min(low_y, others[j, 1])
-        high_x, high_y = max(high_x, others[j, 0]), max(high_y, others[j, 1])
-    spacing = 0.5 * math.sqrt((high_x - low_x) * (high_y - low_y) / len(others))
-    width = max(distance, min(_WIDEST * distance, spacing))
-    for i in range(len(points)):
-        low_x, low_y = min(low_x, points[i, 0]), min(low_y, points[i, 1])
-    low_x -= distance
-    low_y -= distance
-    buckets = 64
-    while buckets < len(others):
-        buckets *= 2
-    first = np.full(buckets, -1, np.int32)
-    following = np.empty(len(others), np.int32)
-    # The last point first, so that each bucket lists its points in ascending order.
-    for j in range(len(others) - 1, -1, -1):
-        column = math.floor((others[j, 0] - low_x) / width)
-        row = math.floor((others[j, 1] - low_y) / width)
-        bucket = _bucket(column, row, buckets - 1)
-        following[j] = first[bucket]
-        first[bucket] = j
-
-    grid = _PointGrid(points, others, first, following, low_x, low_y, distance, width)
-    room = len(points) + len(others)
+    room = len(points) + len(grid.points)
     while True:
         one, other = np.empty(room, np.int64), np.empty(room, np.int64)
         rank = np.empty(room, np.uint8)
-        used, complete = _search(grid, most, one, other, rank)
+        used, complete = _search(points, grid, most, one, other, rank)
         if used <= room:
             break
         room = used
@@ -122,7 +126,9 @@ def near_points(points: F64_2, others: F64_2, distance: float, most: int) -> Any
 
 
 @kernel(allocates=False)
-def _search(grid: _PointGrid, most: int, one: OutI64_1, other: OutI64_1, rank: OutU8_1) -> Any:
+def _search(
+    points: F64_2, grid: PointGrid, most: int, one: OutI64_1, other: OutI64_1, rank: OutU8_1
+) -> Any:
     """Write the near pairs to ``one`` and ``other``, and the cell of the second point of each,
     relative to the first one, to ``rank``.
 
@@ -130,7 +136,7 @@ def _search(grid: _PointGrid, most: int, one: OutI64_1, other: OutI64_1, rank: O
     the number of pairs, and whether at most ``most`` points were compared.  If there are more pairs
     than the arrays have entries, the others are counted only.
     """
-    points, distance, width = grid.points, grid.distance, grid.width
+    distance, width = grid.distance, grid.width
     low_x, low_y, mask = grid.low_x, grid.low_y, len(grid.first) - 1
     used, compared = 0, 0
     for i in range(len(points)):
@@ -168,7 +174,7 @@ def _search(grid: _PointGrid, most: int, one: OutI64_1, other: OutI64_1, rank: O
 
 @inline_kernel
 def _cell_beside(
-    grid: _PointGrid, x: float, y: float, column: int, row: int, at_home: bool, j: int
+    grid: PointGrid, x: float, y: float, column: int, row: int, at_home: bool, j: int
 ) -> int:
     """Return the number of the cell of point j relative to that of the point (x, y), 0 … 8.
 
@@ -176,7 +182,7 @@ def _cell_beside(
     the points are farther apart than the greatest distance of a pair, or if point j is not in the
     wide cell, because another cell may share the bucket.
     """
-    other_x, other_y = grid.others[j, 0], grid.others[j, 1]
+    other_x, other_y = grid.points[j, 0], grid.points[j, 1]
     dx, dy = x - other_x, y - other_y
     if abs(dx) > grid.distance or abs(dy) > grid.distance:
         return -1

@@ -384,13 +384,17 @@ def _search_from(
     """
     boxes, met, listed = parts.boxes, found.met, grid.listed
     for curve in range(begin, len(curves)):
-        many = cells_near_curve(
-            curves, curve, limit, grid.corner, grid.size, grid.wide, grid.tall, found.cells
-        )
+        is_line = curves[curve, 0] == 0.0
+        is_point = is_line and curves[curve, 5] == 0.0
+        if is_point:
+            many = _cells_near_point(curves[curve, 1], curves[curve, 2], limit, grid, found.cells)
+        else:
+            many = cells_near_curve(
+                curves, curve, limit, grid.corner, grid.size, grid.wide, grid.tall, found.cells
+            )
         if many > len(found.cells):
             return curve, used, many
         box = _curve_box(curves, curve, 0.0, curves[curve, 5])
-        is_point = curves[curve, 0] == 0.0 and curves[curve, 5] == 0.0
         done = used
         for k in range(many):
             cell = found.cells[k]
@@ -408,6 +412,11 @@ def _search_from(
                 if is_point and grid.edges[edge, 0] == 0.0:
                     hit_count = _overlap_point(
                         box[0], box[1], grid.edges, edge, parts.low[edge], parts.high[edge],
+                        limit, found.hits,
+                    )  # fmt: skip
+                elif is_line and grid.edges[edge, 0] == 0.0:
+                    hit_count = _overlap_lines(
+                        curves, curve, grid.edges, edge, parts.low[edge], parts.high[edge],
                         limit, found.hits,
                     )  # fmt: skip
                 else:
@@ -429,6 +438,73 @@ def _search_from(
                         found.spans[used, column] = found.hits[hit, column]
                     used += 1
     return len(curves), used, 0
+
+
+@inline_kernel
+def _cells_near_point(x: float, y: float, margin: float, grid: EdgeGrid, out: OutI32_1) -> int:
+    """Write the indices of the grid cells within ``margin`` mm of the point (x, y) to ``out``.
+
+    This is the short form of ``cells_near_curve``, which describes the result.
+    """
+    column_0 = max(math.floor((x - margin - grid.corner[0]) / grid.size), 0)
+    column_1 = min(math.floor((x + margin - grid.corner[0]) / grid.size), grid.wide - 1)
+    row_0 = max(math.floor((y - margin - grid.corner[1]) / grid.size), 0)
+    row_1 = min(math.floor((y + margin - grid.corner[1]) / grid.size), grid.tall - 1)
+    count = 0
+    for column in range(column_0, column_1 + 1):
+        for row in range(row_0, row_1 + 1):
+            if count < len(out):
+                out[count] = column * grid.tall + row
+            count += 1
+    return count
+
+
+@inline_kernel
+def _overlap_lines(
+    curves: F64_2, curve: int, edges: F64_2, edge: int, low: float, high: float, limit: float,
+    hits: OutF64_2,
+) -> int:  # fmt: skip
+    """Write the overlap of a line with a straight edge to the first row of ``hits``.
+
+    Returns the number of overlaps, 0 or 1.  This is the short form of ``_overlap_pair``, which
+    describes the arguments, for two lines.
+    """
+    x, y, length = curves[curve, 1], curves[curve, 2], curves[curve, 5]
+    ahead_x, ahead_y = curves[curve, 3], curves[curve, 4]
+    edge_x, edge_y = edges[edge, 3], edges[edge, 4]
+    dx, dy = x - edges[edge, 1], y - edges[edge, 2]
+    offset = edge_x * dy - edge_y * dx
+    slope = edge_x * ahead_y - edge_y * ahead_x
+    begin, end = 0.0, length
+    if abs(slope) * max(length, 1.0) < 1e-12:
+        if abs(offset) > limit:
+            return 0
+    else:
+        a, b = (-limit - offset) / slope, (limit - offset) / slope
+        begin, end = max(min(a, b), 0.0), min(max(a, b), length)
+        if begin > end:
+            return 0
+    begin_x, begin_y = x + ahead_x * begin - edges[edge, 1], y + ahead_y * begin - edges[edge, 2]
+    end_x, end_y = x + ahead_x * end - edges[edge, 1], y + ahead_y * end - edges[edge, 2]
+    first, last = begin_x * edge_x + begin_y * edge_y, end_x * edge_x + end_y * edge_y
+    past = max(low - max(first, last), min(first, last) - high, 0.0)
+    if past > (limit if end - begin < 1e-9 else 1e-9):
+        return 0
+    if past > 1e-9 and math.hypot(past, edge_x * begin_y - edge_y * begin_x) > limit:
+        return 0
+    from_place, to_place = min(max(first, low), high), min(max(last, low), high)
+    if abs(last - first) > 1e-9:
+        rate = (end - begin) / (last - first)
+        end = begin + (to_place - first) * rate
+        begin = begin + (from_place - first) * rate
+    farthest = 0.0
+    for sample in range(2):
+        at = begin + (end - begin) * sample
+        dx, dy = x + ahead_x * at - edges[edge, 1], y + ahead_y * at - edges[edge, 2]
+        farthest = max(farthest, abs(edge_x * dy - edge_y * dx))
+    hits[0, 0], hits[0, 1], hits[0, 2], hits[0, 3] = begin, end, from_place, to_place
+    hits[0, 4] = farthest
+    return 1
 
 
 @inline_kernel

@@ -9,12 +9,17 @@ from typing import Any, Final, TypeVar, cast
 import numpy as np
 
 from knifetip.errors import GeometryError
-from knifetip.kernels import F64_1, kernel
+from knifetip.kernels import F64_1, inline_kernel, kernel
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.verification.columns import F64, I32, I64
 from knifetip.verification.curves.curve import arc_curves, azimuth_at, line_curves, point_at
 from knifetip.verification.curves.intervals import Overlaps
-from knifetip.verification.curves.near_points import near_points, pair_distances
+from knifetip.verification.curves.near_points import (
+    PointGrid,
+    list_points,
+    near_points,
+    pair_distances,
+)
 from knifetip.verification.curves.overlap import find_overlaps, list_edges, search_overlaps
 
 Result = TypeVar("Result")
@@ -80,9 +85,24 @@ class Edges:
         """
         if distance < TOUCH_DISTANCE:
             return self.compute_once(f"ends within {distance}", lambda: self._nearer_ends(distance))
+        if distance == TOUCH_DISTANCE:
+            return self.compute_once("touching ends", lambda: self.ends_touched_by(self.ends))
         return self.compute_once(
             f"ends within {distance}", lambda: pairs_within(self.ends, self.ends, distance)
         )
+
+    def ends_touched_by(self, points: F64) -> tuple[I64, I64]:
+        """Return the k pairs of a point and an end at most ``TOUCH_DISTANCE`` apart, (k,) each.
+
+        ``points`` are n points, (n, 2) mm.  End 2i is the start of edge i, and end 2i + 1 is its
+        end.
+        """
+        if len(self) == 0 or len(points) == 0:
+            return np.zeros(0, np.int64), np.zeros(0, np.int64)
+        grid = self.compute_once(
+            "grid of ends", lambda: list_points(np.ascontiguousarray(self.ends), TOUCH_DISTANCE)
+        )
+        return _search_points(points, grid)
 
     def _nearer_ends(self, distance: float) -> tuple[I64, I64]:
         """Return those pairs of ends within ``TOUCH_DISTANCE`` that are at most ``distance`` mm
@@ -281,11 +301,16 @@ def pairs_within(points: F64, others: F64, distance: float) -> tuple[I64, I64]:
     """
     if len(points) == 0 or len(others) == 0:
         return np.zeros(0, np.int64), np.zeros(0, np.int64)
-    a, b, complete = near_points(
-        np.ascontiguousarray(points), np.ascontiguousarray(others), distance, MAX_PAIRS
-    )
+    return _search_points(points, list_points(np.ascontiguousarray(others), distance))
+
+
+def _search_points(points: F64, grid: PointGrid) -> tuple[I64, I64]:
+    """Return the k pairs of one of at least one points, (n, 2) mm, and a point of a grid near it,
+    (k,) each; see ``pairs_within``.
+    """
+    a, b, complete = near_points(np.ascontiguousarray(points), PointGrid(*grid), MAX_PAIRS)
     if not complete:
-        raise GeometryError("edge.too-crowded", limit=MAX_PAIRS, distance=distance)
+        raise GeometryError("edge.too-crowded", limit=MAX_PAIRS, distance=grid.distance)
     return a, b
 
 
@@ -302,10 +327,17 @@ def angle_between(one: F64, other: F64, turn: float = 360.0) -> F64:
 @kernel
 def _angles_between(one: F64_1, other: F64_1, turn: float) -> Any:
     """Return the result of ``angle_between``."""
-    angle, half = np.empty(len(one)), turn / 2.0
+    angle = np.empty(len(one))
     for row in range(len(one)):
-        beyond = one[row] - other[row] + half
-        if not 0.0 <= beyond < turn:
-            beyond = beyond % turn
-        angle[row] = abs(beyond - half)
+        angle[row] = angle_of_two(one[row], other[row], turn)
     return angle
+
+
+@inline_kernel
+def angle_of_two(one: float, other: float, turn: float) -> float:
+    """Return the smaller angle between two directions (degrees); see ``angle_between``."""
+    half = turn / 2.0
+    beyond = one - other + half
+    if not 0.0 <= beyond < turn:
+        beyond = beyond % turn
+    return abs(beyond - half)

@@ -24,6 +24,7 @@ from knifetip.model.dieline import LineType
 from knifetip.model.tool import CreaseWheel
 from knifetip.verification.columns import F64, Bool
 from knifetip.verification.curves.curve import azimuth_at, point_at
+from knifetip.verification.curves.near_points import pair_distances
 from knifetip.verification.expectation.crease_depth import depth_towards
 from knifetip.verification.expectation.edge_paths import EdgePaths, edge_paths, link_ends
 from knifetip.verification.expectation.edges import (
@@ -196,12 +197,11 @@ def knife_ends(
     end, cut = overlaps.curve[other], overlaps.edge[other].astype(np.int64)
     # A cut that ends here from the same side is a duplicate.
     twin = 2 * cut + (overlaps.place[other, 0] >= 0.5 * cuts.curve[cut, 5])
-    here = np.hypot(*(cuts.ends[twin] - edges.ends[end]).T) <= JOIN_DISTANCE
+    here = pair_distances(cuts.ends, twin, edges.ends, end.astype(np.int64)) <= JOIN_DISTANCE
     same = angle_between(cuts.outward[twin], edges.outward[end]) <= STRAIGHT_ANGLE
     meets = np.zeros(2 * count, np.bool_)
     meets[end[~(here & same)]] = True
     free = ~meets & (link < 0)
-    ahead = np.radians(edges.outward)
     runs_over = np.zeros(2 * count, np.bool_)
     if overrun > 0.0 and meets.any():
         # A panel ahead of an end must not be cut.
@@ -214,7 +214,9 @@ def knife_ends(
             cuts,
         )
     past = np.where(runs_over, overrun, 0.0)
-    stop = edges.ends + past[:, None] * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
+    stop, over = edges.ends.copy(), np.flatnonzero(runs_over)
+    ahead = np.radians(edges.outward[over])
+    stop[over] += overrun * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
     stop[~meets & ~free] = np.nan
     arrival = edges.outward.copy()
     # Go back by the lead from a free end along its path, over several edges if necessary.
