@@ -29,21 +29,14 @@ def accept_in_block(
 ) -> VerdictColumns:
     """Return a stored verdict in which the chosen shortfalls are accepted.
 
+    For ``chosen``, ``acceptance`` and the errors see ``model.acceptance.accept_shortfalls``.
+
     Parameters
     ----------
     block
         The packed verdict, see ``presentation.verdict``.
     summary
-        Its summary.
-    chosen
-        Edge and code of each shortfall to accept.
-    acceptance
-        Who accepts the shortfalls, when and why.
-
-    Raises
-    ------
-    RequestError
-        There is no such finding, or it is a fault or a note.
+        The summary of the verdict.
     """
     columns, meta = unpack_columns(block)
     rows = meta.pop("findings")

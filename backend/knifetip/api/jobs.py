@@ -45,9 +45,9 @@ from knifetip.model.choices import Choices
 from knifetip.model.corners import Corners
 from knifetip.model.interpretation import Interpretation
 from knifetip.model.sheet import Sheet
-from knifetip.model.verdict import Acceptance
+from knifetip.model.verdict import EDGE_COLUMNS, Acceptance
 from knifetip.presentation.columns import unpack_columns
-from knifetip.presentation.verdict import EDGE_COLUMNS, areas_json, unpack_areas
+from knifetip.presentation.verdict import areas_json, unpack_areas
 
 router = APIRouter(prefix="/jobs", tags=["jobs"])
 

@@ -84,17 +84,7 @@ def profile_toml(name: str, database: str | None = None) -> str:
 def find_profile(name: str, database: str | None = None) -> LineRules:
     """Return the rules of a classification profile.
 
-    Parameters
-    ----------
-    name
-        Name of a profile of the library or of the database, or path of a TOML file.
-    database
-        URL of the database; None for the default of ``database_of``.
-
-    Raises
-    ------
-    KnifetipError
-        There is no such profile, or it cannot be read.
+    For the parameters and errors see ``profile_toml``.
     """
     if name in load.names("profiles") or name.endswith(".toml"):
         return load.profile(name)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import StrEnum
+from typing import Final
 
 import numpy as np
 
@@ -21,6 +22,29 @@ class Severity(StrEnum):
     SHORTFALL = "shortfall"
     #: The program leaves out or changes something as planned.  It is not refused.
     NOTE = "note"
+
+
+#: Columns of a verdict with one row per edge.
+EDGE_COLUMNS: Final = (
+    "deviation",
+    "path_deviation",
+    "blending",
+    "fit_error",
+    "overcut",
+    "uncut",
+    "setback",
+    "width",
+    "web",
+    "flank",
+    "unreached",
+    "bottom_uncut",
+    "top_overcut",
+    "unreached_distance",
+    "slit_length",
+    "tidied",
+)
+#: Those of these columns that the verifier always measures; the others are 0 if they are empty.
+_REQUIRED: Final = ("deviation", "overcut", "uncut", "setback")
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,22 +186,8 @@ class Verdict:
         put = object.__setattr__
         put(self, "deviation", freeze(self.deviation, np.float64, -1))
         rows = len(self.deviation)
-        for name in ("overcut", "uncut", "setback"):
-            put(self, name, freeze(getattr(self, name), np.float64, rows))
-        optional = (
-            "width",
-            "web",
-            "flank",
-            "unreached",
-            "bottom_uncut",
-            "top_overcut",
-            "unreached_distance",
-            "slit_length",
-            "path_deviation",
-            "blending",
-            "fit_error",
-            "tidied",
-        )
-        for name in optional:
-            column = getattr(self, name) if len(getattr(self, name)) else np.zeros(rows)
+        for name in EDGE_COLUMNS:
+            column = getattr(self, name)
+            if name not in _REQUIRED and len(column) == 0:
+                column = np.zeros(rows)
             put(self, name, freeze(column, np.float64, rows))

@@ -14,30 +14,11 @@ from numpy.typing import NDArray
 
 from knifetip.geometry.columns import F64
 from knifetip.messages import Message, finite, from_json, with_text
-from knifetip.model.verdict import Acceptance, Finding, Severity, Unreached, Verdict
+from knifetip.model.verdict import EDGE_COLUMNS, Acceptance, Finding, Severity, Unreached, Verdict
 from knifetip.presentation.columns import pack_columns
 
 #: Greatest number of findings in the message about a refused program.
 _MAX_FINDINGS: Final = 3
-#: Columns of a verdict with one row per edge.
-EDGE_COLUMNS = (
-    "deviation",
-    "path_deviation",
-    "blending",
-    "fit_error",
-    "overcut",
-    "uncut",
-    "setback",
-    "width",
-    "web",
-    "flank",
-    "unreached",
-    "bottom_uncut",
-    "top_overcut",
-    "unreached_distance",
-    "slit_length",
-    "tidied",
-)
 
 
 def finite_column(measures: F64) -> F64:

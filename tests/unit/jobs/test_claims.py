@@ -1,0 +1,278 @@
+"""Claims of jobs by gateways: states, one job on each table, epochs and leases."""
+
+from __future__ import annotations
+
+import threading
+
+import pytest
+import sqlalchemy as sa
+
+from knifetip.errors import (
+    MachineBusy,
+    NoSuchJob,
+    StaleEpoch,
+    WrongState,
+)
+from knifetip.jobs.gateway_store import GatewayReport
+from knifetip.jobs.store import Store
+from knifetip.jobs.tables import Job
+from knifetip.jobs.transitions import LEASE
+from tests.support.job_states import (
+    LINES,
+    REFUSED,
+    RESULT,
+    compiling,
+    course,
+    execute,
+    fed,
+    ordered,
+    queued,
+    running,
+)
+from tests.support.messages import stored
+from tests.support.stored import Clock
+
+# States of a job
+
+
+def test_a_job_goes_from_received_to_done_and_every_step_is_an_event(store: Store) -> None:
+    job = running(store)
+    assert (job.state, job.lines, job.program_sha256) == ("running", LINES, "ab" * 32)
+    store.gateways.finish(job.id, job.epoch, "done")
+    assert course(store, job.id) == [
+        "received",
+        "compiling",
+        "ready",
+        "queued",
+        "running",
+        "done",
+    ]
+    done = store.jobs.get(job.id)
+    assert (done.line, done.copies_done, done.seconds_left) == (LINES, 1, 0.0)
+
+
+def test_a_job_that_was_not_ordered_to_be_queued_waits_to_be_released(store: Store) -> None:
+    job = compiling(store)
+    store.compiles.save_result(job.id, job.epoch, RESULT)
+    assert store.jobs.get(job.id).state == "ready"
+    assert store.gateways.claim("table", "gateway", manual=False) is None
+    assert store.operators.release(job.id).state == "queued"
+
+
+def test_a_verdict_outside_tolerance_refuses_the_job_with_its_edges(store: Store) -> None:
+    job = compiling(store, release=True)
+    store.compiles.save_result(job.id, job.epoch, REFUSED)
+    job = store.jobs.get(job.id)
+    assert (job.state, str(job.message), job.source) == (
+        "refused",
+        "Edge 3 is 0.4 mm off.",
+        ["2F4"],
+    )
+
+
+def test_the_event_is_written_with_the_move_or_not_at_all(store: Store) -> None:
+    job = queued(store)
+    with pytest.raises(WrongState):
+        store.operators.release(job.id)
+    assert course(store, job.id)[-1] == "queued"
+    assert len(course(store, job.id)) == 4
+
+
+@pytest.mark.parametrize("move", ["release", "requeue", "scrap", "hold", "resume"])
+def test_a_received_job_can_only_be_cancelled(store: Store, move: str) -> None:
+    job = ordered(store)
+    with pytest.raises(WrongState, match="is received"):
+        getattr(store.operators, move)(job.id)
+    assert store.operators.cancel(job.id).state == "cancelled"
+
+
+@pytest.mark.parametrize("move", ["release", "requeue", "scrap", "hold", "resume", "cancel"])
+def test_a_job_that_is_done_stays_done(store: Store, move: str) -> None:
+    job = running(store)
+    store.gateways.finish(job.id, job.epoch, "done")
+    with pytest.raises(WrongState, match="is done"):
+        getattr(store.operators, move)(job.id)
+
+
+def test_a_job_that_does_not_exist_is_named(store: Store) -> None:
+    with pytest.raises(NoSuchJob, match="Job 'nothing' does not exist"):
+        store.operators.cancel("nothing")
+    with pytest.raises(NoSuchJob, match="does not exist"):
+        store.drawings.get("nothing")
+
+
+# One job per table
+
+
+def test_two_claims_on_one_machine_give_one_job(store: Store) -> None:
+    first, second = queued(store), queued(store)
+    claimed = store.gateways.claim("table", "one", manual=False)
+    assert claimed is not None
+    assert claimed.id == first.id
+    with pytest.raises(MachineBusy, match=first.id):
+        store.gateways.claim("table", "two", manual=False)
+    assert store.jobs.get(second.id).state == "queued"
+
+
+@pytest.mark.parametrize("state", ["running", "held", "interrupted"])
+def test_the_database_itself_refuses_a_second_job_on_a_table(store: Store, state: str) -> None:
+    running(store)
+    second = queued(store)
+    with pytest.raises(sa.exc.IntegrityError, match=r"UNIQUE|one_job_on_a_table"):
+        execute(store, "UPDATE job SET state = :state WHERE id = :id", state=state, id=second.id)
+
+
+def test_ten_gateways_that_claim_at_once_get_one_job(store: Store) -> None:
+    for _ in range(3):
+        queued(store)
+    got: list[Job | None] = []
+    refused: list[Exception] = []
+    start = threading.Barrier(10)
+
+    def claim(name: str) -> None:
+        start.wait()
+        try:
+            got.append(store.gateways.claim("table", name, manual=False))
+        except MachineBusy as reason:
+            refused.append(reason)
+
+    threads = [threading.Thread(target=claim, args=(f"g{n}",)) for n in range(10)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    # PostgreSQL skips rows that another transaction claims, so None is returned instead of busy.
+    assert len([job for job in got if job is not None]) == 1
+    assert len(got) + len(refused) == 10
+
+
+def test_machines_do_not_wait_for_each_other(store: Store) -> None:
+    running(store)
+    other = queued(store, machine="other")
+    claimed = store.gateways.claim("other", "gateway", manual=False)
+    assert claimed is not None
+    assert claimed.id == other.id
+
+
+def test_a_claim_takes_the_highest_priority_and_then_the_oldest(store: Store, clock: Clock) -> None:
+    late = queued(store, priority=0)
+    clock.now += 1.0
+    urgent = queued(store, priority=5)
+    clock.now += 1.0
+    queued(store, priority=5)
+    order = []
+    for _ in range(3):
+        job = store.gateways.claim("table", "gateway", manual=False)
+        assert job is not None
+        order.append(job.id)
+        store.gateways.finish(job.id, job.epoch, "done")
+    assert order[0] == urgent.id
+    assert order[2] == late.id
+
+
+# Epochs and leases
+
+
+def test_each_claim_has_a_new_epoch_and_an_earlier_owner_is_refused(
+    store: Store, clock: Clock
+) -> None:
+    job = running(store)
+    clock.now += LEASE + 0.1
+    store.leases.run()
+    store.operators.requeue(job.id)
+    again = store.gateways.claim("table", "other gateway", manual=False)
+    assert again is not None
+    assert again.epoch > job.epoch
+    with pytest.raises(StaleEpoch, match=f"epoch {job.epoch}"):
+        store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5))
+    with pytest.raises(StaleEpoch):
+        store.gateways.finish(job.id, job.epoch, "done")
+    assert store.jobs.get(job.id).state == "running"
+
+
+def test_a_silent_gateway_interrupts_its_job_and_never_queues_it(
+    store: Store, clock: Clock
+) -> None:
+    job = running(store)
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=199))
+    clock.now += LEASE - 0.1
+    assert store.leases.run()
+    assert store.jobs.get(job.id).state == "running"
+    clock.now += 0.2
+    assert store.leases.run()
+    job = store.jobs.get(job.id)
+    assert job.state == "interrupted"
+    assert not store.leases.run()
+    assert str(job.message) == (
+        "The job was interrupted at program line 199 of 231. The gateway "
+        "gateway stopped responding. The machine may have "
+        "executed more program lines than the gateway reported."
+    )
+    assert store.machines.jobs_on_tables() == {"table": job.id}
+
+
+def test_a_heartbeat_renews_the_lease(store: Store, clock: Clock) -> None:
+    job = running(store)
+    for line in range(20):
+        clock.now += LEASE / 2
+        assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=line)) == "continue"
+        store.leases.run()
+    assert store.jobs.get(job.id).state == "running"
+
+
+def test_a_repeated_finish_does_no_harm(store: Store) -> None:
+    job = running(store)
+    store.gateways.finish(job.id, job.epoch, "interrupted", stored("A belt tore."))
+    again = store.gateways.finish(job.id, job.epoch, "interrupted", stored("A belt tore."))
+    assert str(again.message) == "The job was interrupted at program line 0 of 231. A belt tore."
+    assert course(store, job.id).count("interrupted") == 1
+
+
+def test_an_interrupted_job_is_queued_again_from_its_first_line_or_scrapped(store: Store) -> None:
+    job = running(store)
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=100))
+    store.gateways.finish(job.id, job.epoch, "interrupted", stored("A belt tore."))
+    again = store.operators.requeue(job.id)
+    assert (again.state, again.line, again.message) == ("queued", 0, None)
+    second = store.gateways.claim("table", "gateway", manual=False)
+    assert second is not None
+    store.gateways.finish(second.id, second.epoch, "interrupted")
+    assert store.operators.scrap(second.id).state == "scrapped"
+    assert store.machines.jobs_on_tables() == {}
+
+
+def test_copies_that_were_cut_before_an_interruption_count(store: Store) -> None:
+    job = fed(store, copies=3)
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=LINES, copies_done=1, held=True))
+    assert (
+        str(store.events.of_job(job.id)[-1].message)
+        == "Copy 1 of 3 of the job is finished. The next copy needs a new sheet of board."
+    )
+    store.gateways.finish(job.id, job.epoch, "interrupted")
+    store.operators.requeue(job.id)
+    again = store.gateways.claim("table", "gateway", manual=False)
+    assert again is not None
+    store.gateways.heartbeat(
+        again.id, again.epoch, GatewayReport(line=LINES, copies_done=1, held=True)
+    )
+    assert store.jobs.get(job.id).copies_done == 2
+
+
+def test_a_resume_starts_one_copy_and_not_the_one_after(store: Store) -> None:
+    job = fed(store, copies=3)
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=LINES, copies_done=1, held=True))
+    store.operators.resume(job.id)
+    assert (
+        store.gateways.heartbeat(
+            job.id, job.epoch, GatewayReport(line=LINES, copies_done=1, held=True)
+        )
+        == "resume"
+    )
+    # The second copy was so short that no heartbeat was sent during it.
+    answer = store.gateways.heartbeat(
+        job.id, job.epoch, GatewayReport(line=LINES, copies_done=2, held=True)
+    )
+    assert answer == "continue"
+    assert str(store.events.of_job(job.id)[-1].message).startswith(
+        "Copy 2 of 3 of the job is finished"
+    )

@@ -1,0 +1,332 @@
+"""Actions of operators on jobs: confirmation, hold, resume and cancel."""
+
+from __future__ import annotations
+
+import pytest
+import sqlalchemy as sa
+
+from knifetip.errors import (
+    MachineBusy,
+    StaleEpoch,
+    WrongState,
+)
+from knifetip.jobs.gateway_store import GatewayReport
+from knifetip.jobs.store import Store
+from knifetip.jobs.transitions import LEASE
+from tests.support.job_states import (
+    LINES,
+    WAITING,
+    course,
+    execute,
+    fed,
+    hint_of,
+    queued,
+    running,
+    waiting,
+)
+from tests.support.messages import stored
+from tests.support.stored import Clock
+
+# Start by the operator
+
+
+def test_a_claim_by_hand_waits_and_runs_when_it_is_confirmed(store: Store) -> None:
+    job = waiting(store)
+    assert (job.state, job.owner, job.confirmation) == ("queued", "gateway", "awaited")
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
+    assert store.machines.jobs_on_tables() == {}
+    confirmed = store.operators.confirm(job.id, board="e-flute", by="Kim")
+    assert (confirmed.state, confirmed.confirmation) == ("queued", "given")
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
+    assert store.jobs.get(job.id).state == "running"
+    # The response that starts the job may be lost: it is repeated, and recorded once.
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=1)) == "continue"
+    assert course(store, job.id)[3:] == ["queued", "queued", "queued", "running"]
+    who = [(event.who, str(event.message)) for event in store.events.of_job(job.id)][-2:]
+    assert who == [
+        (
+            "operator Kim",
+            "The operator confirmed that the table is clear and that the board on it is e-flute.",
+        ),
+        ("gateway gateway", "The job was started."),
+    ]
+
+
+def test_a_confirmation_that_is_repeated_changes_nothing(store: Store) -> None:
+    job = waiting(store)
+    store.operators.confirm(job.id)
+    events = len(course(store, job.id))
+    assert store.operators.confirm(job.id).confirmation == "given"
+    assert len(course(store, job.id)) == events
+    store.gateways.heartbeat(job.id, job.epoch, WAITING)
+    assert store.operators.confirm(job.id).state == "running"
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5)) == "continue"
+
+
+def test_a_job_that_does_not_wait_cannot_be_confirmed(store: Store) -> None:
+    job = queued(store)
+    with pytest.raises(WrongState, match="has not claimed it yet"):
+        store.operators.confirm(job.id)
+    job = fed(store)
+    store.operators.hold(job.id)
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5, held=True))
+    with pytest.raises(WrongState, match="does not wait for a new sheet") as caught:
+        store.operators.confirm(job.id)
+    assert caught.value.hint == "Resume the job."
+    store.operators.cancel(job.id)
+    with pytest.raises(WrongState, match="being cancelled"):
+        store.operators.confirm(job.id)
+    store.gateways.finish(job.id, job.epoch, "cancelled")
+    with pytest.raises(WrongState, match="is cancelled"):
+        store.operators.confirm(job.id)
+
+
+def test_a_job_on_a_machine_that_feeds_itself_has_nothing_to_confirm(store: Store) -> None:
+    job = running(store)
+    with pytest.raises(WrongState, match="is running"):
+        store.operators.confirm(job.id)
+
+
+def test_another_board_on_the_table_is_refused(store: Store) -> None:
+    job = waiting(store)
+    with pytest.raises(
+        WrongState,
+        match=r"needs the board e-flute, but the confirmation names the board 'greyboard-2\.0'",
+    ):
+        store.operators.confirm(job.id, board="greyboard-2.0")
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
+
+
+def test_a_machine_whose_job_waits_gives_no_other_job_to_another_gateway(store: Store) -> None:
+    first = waiting(store)
+    second = queued(store, priority=50)
+    with pytest.raises(MachineBusy, match="table"):
+        store.gateways.claim("table", "other", manual=True)
+    with pytest.raises(MachineBusy):
+        store.gateways.claim("table", "other", manual=False)
+    again = store.gateways.claim("table", "gateway", manual=True)
+    assert again is not None
+    assert (again.id, again.epoch) == (first.id, first.epoch + 1)
+    with pytest.raises(StaleEpoch):
+        store.gateways.heartbeat(first.id, first.epoch, WAITING)
+    assert store.jobs.get(second.id).state == "queued"
+
+
+def test_the_database_itself_refuses_a_second_claim_that_waits(store: Store) -> None:
+    waiting(store)
+    second = queued(store)
+    with pytest.raises(sa.exc.IntegrityError, match=r"UNIQUE|one_job_on_a_table"):
+        execute(store, "UPDATE job SET confirmation = 'awaited' WHERE id = :id", id=second.id)
+
+
+def test_a_confirmation_counts_for_its_claim_only(store: Store) -> None:
+    job = waiting(store)
+    store.operators.confirm(job.id)
+    again = store.gateways.claim("table", "gateway", manual=True)
+    assert again is not None
+    assert store.gateways.heartbeat(again.id, again.epoch, WAITING) == "wait"
+
+
+def test_a_waiting_claim_whose_gateway_falls_silent_is_given_back(
+    store: Store, clock: Clock
+) -> None:
+    job = waiting(store)
+    store.operators.confirm(job.id)
+    clock.now += LEASE + 0.1
+    store.leases.run()
+    with pytest.raises(StaleEpoch):
+        store.gateways.heartbeat(job.id, job.epoch, WAITING)
+    row = store.jobs.get(job.id)
+    assert (row.state, row.confirmation, row.owner) == ("queued", "", "")
+    assert str(store.events.of_job(job.id)[-1].message) == (
+        "The gateway put the job back into the queue. The gateway gateway stopped responding."
+    )
+    again = store.gateways.claim("table", "other", manual=True)
+    assert again is not None
+    assert (again.id, again.confirmation) == (job.id, "awaited")
+
+
+def test_a_waiting_claim_that_has_run_out_is_not_confirmed_and_goes_to_another_gateway(
+    store: Store, clock: Clock
+) -> None:
+    job = waiting(store)
+    clock.now += LEASE + 0.1
+    with pytest.raises(WrongState, match="does not respond"):
+        store.operators.confirm(job.id)
+    again = store.gateways.claim("table", "other", manual=True)
+    assert again is not None
+    assert (again.id, again.owner) == (job.id, "other")
+    assert again.epoch > job.epoch
+
+
+def test_a_heartbeat_keeps_a_waiting_claim_alive_and_its_machine_connected(
+    store: Store, clock: Clock
+) -> None:
+    job = waiting(store)
+    for _ in range(5):
+        clock.now += LEASE / 2
+        assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
+        store.leases.run()
+        assert store.machines.connected_machines(1.0) == {"table"}
+    assert store.jobs.get(job.id).owner == "gateway"
+
+
+def test_a_waiting_job_is_cancelled_at_once_and_its_gateway_drops_it(store: Store) -> None:
+    job = waiting(store)
+    assert store.operators.cancel(job.id).state == "cancelled"
+    with pytest.raises(StaleEpoch):
+        store.gateways.heartbeat(job.id, job.epoch, WAITING)
+    other = queued(store)
+    claimed = store.gateways.claim("table", "gateway", manual=True)
+    assert claimed is not None
+    assert claimed.id == other.id
+
+
+def test_a_claim_that_its_gateway_returns_is_queued_and_never_interrupted(store: Store) -> None:
+    job = waiting(store)
+    row = store.gateways.finish(
+        job.id, job.epoch, "returned", stored("The controller is not idle.")
+    )
+    assert (row.state, row.confirmation, row.epoch) == ("queued", "", job.epoch + 1)
+    with pytest.raises(StaleEpoch):
+        store.gateways.finish(job.id, job.epoch, "returned")
+
+
+def test_a_started_job_that_its_gateway_returns_waits_for_the_operator(store: Store) -> None:
+    job = fed(store)
+    row = store.gateways.finish(job.id, job.epoch, "returned", stored("Nothing was sent."))
+    assert (row.state, str(row.message)) == (
+        "interrupted",
+        "The job was interrupted at program line 0 of 231. Nothing was sent.",
+    )
+
+
+def test_a_gateway_that_runs_without_a_confirmation_is_held_until_an_operator_confirms(
+    store: Store,
+) -> None:
+    job = waiting(store)
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=1)) == "hold"
+    assert store.jobs.get(job.id).state == "running"
+    assert (
+        str(store.events.of_job(job.id)[-1].message)
+        == "The job was started without the confirmation of the operator."
+    )
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, held=True)) == "hold"
+    with pytest.raises(WrongState, match="has not confirmed"):
+        store.operators.resume(job.id)
+    store.operators.confirm(job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, held=True)) == "resume"
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=3)) == "continue"
+
+
+def test_a_hold_between_confirmation_and_start_keeps_the_machine_waiting(store: Store) -> None:
+    job = fed(store)
+    store.operators.hold(job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
+    assert store.jobs.get(job.id).state == "held"
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
+    store.operators.resume(job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
+    assert store.jobs.get(job.id).state == "running"
+    store.operators.cancel(job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "cancel"
+
+
+@pytest.mark.parametrize("command", ["confirm", "resume"])
+def test_a_new_sheet_is_confirmed_by_either_command(store: Store, command: str) -> None:
+    job = fed(store, copies=2)
+    between = GatewayReport(line=LINES, copies_done=1, held=True)
+    assert store.gateways.heartbeat(job.id, job.epoch, between) == "continue"
+    assert (store.jobs.get(job.id).state, store.jobs.get(job.id).confirmation) == ("held", "sheet")
+    getattr(store.operators, command)(job.id)
+    assert store.operators.confirm(job.id).requested_action == "resume"
+    assert store.gateways.heartbeat(job.id, job.epoch, between) == "resume"
+    assert (
+        store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=1, copies_done=1))
+        == "continue"
+    )
+
+
+def test_a_copy_that_begins_without_its_sheet_confirmed_is_held(store: Store) -> None:
+    job = fed(store, copies=2)
+    assert (
+        store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=1, copies_done=1)) == "hold"
+    )
+    assert (
+        store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, copies_done=1)) == "hold"
+    )
+    store.operators.confirm(job.id)
+    assert (
+        store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, copies_done=1))
+        == "continue"
+    )
+
+
+def test_a_machine_that_feeds_itself_goes_on_to_the_next_copy_unless_it_is_held(
+    store: Store,
+) -> None:
+    job = running(store, copies=3)
+    between = GatewayReport(line=LINES, copies_done=1, held=True)
+    assert store.gateways.heartbeat(job.id, job.epoch, between) == "resume"
+    assert (
+        store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5, copies_done=1))
+        == "continue"
+    )
+    store.operators.hold(job.id)
+    between = GatewayReport(line=LINES, copies_done=2, held=True)
+    assert store.gateways.heartbeat(job.id, job.epoch, between) == "continue"
+    assert store.jobs.get(job.id).state == "held"
+
+
+def test_an_interrupted_job_that_is_queued_again_keeps_its_place(
+    store: Store, clock: Clock
+) -> None:
+    job = running(store)
+    clock.now += 1.0
+    queued(store)
+    store.gateways.finish(job.id, job.epoch, "interrupted")
+    store.operators.requeue(job.id)
+    again = store.gateways.claim("table", "gateway", manual=True)
+    assert again is not None
+    assert again.id == job.id
+
+
+# Requested actions of the operator
+
+
+def test_hold_and_resume_go_through_the_gateway(store: Store) -> None:
+    job = running(store)
+    assert store.operators.hold(job.id).state == "running"
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5)) == "hold"
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=6)) == "hold"
+    assert (
+        store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=6, held=True)) == "continue"
+    )
+    assert store.jobs.get(job.id).state == "held"
+    assert store.operators.resume(job.id).requested_action == "resume"
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=6, held=True)) == "resume"
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=7)) == "continue"
+    assert store.jobs.get(job.id).state == "running"
+
+
+def test_a_running_job_is_cancelled_by_its_gateway(store: Store) -> None:
+    job = running(store)
+    assert store.operators.cancel(job.id).state == "running"
+    with pytest.raises(WrongState, match="being cancelled"):
+        store.operators.resume(job.id)
+    assert store.operators.cancel(job.id).requested_action == "cancel"
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5)) == "cancel"
+    assert store.gateways.finish(job.id, job.epoch, "cancelled").state == "cancelled"
+
+
+def test_an_interrupted_job_cannot_be_cancelled_away_from_its_table(store: Store) -> None:
+    job = running(store)
+    store.gateways.finish(job.id, job.epoch, "interrupted")
+    with pytest.raises(WrongState) as caught:
+        store.operators.cancel(job.id)
+    assert caught.value.hint == hint_of(store.jobs.get(job.id))
+    assert caught.value.hint.startswith(
+        "Look for the cause in the log of the gateway. Check the "
+        "table. Then either queue the job again"
+    )
