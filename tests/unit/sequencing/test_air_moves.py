@@ -99,6 +99,13 @@ def test_the_board_ends_at_its_arcs() -> None:
     np.testing.assert_allclose(interference(pose, circle, FACE, BOARD), [0.75, 0.75, 0.0, 0.0])
 
 
+def test_a_tool_beside_the_head_is_over_the_board_where_its_circle_is() -> None:
+    # The head is 3 mm below the board; the middle of the circle is 6 mm to the left of the head.
+    circle = TipCircle(1.5, 6.0, 0.0)
+    pose = np.array([(50.0, -3.0, 1.0, 0.0), (50.0, -3.0, 1.0, 180.0), (-3.0, 30.0, 1.0, -90.0)])
+    np.testing.assert_allclose(interference(pose, circle, FACE, BOARD), [1.0, 0.0, 1.0])
+
+
 def test_a_point_on_the_chord_of_an_arc_is_on_the_board() -> None:
     # The chords of the four half circles around the square are its sides, in all directions.
     bulged = outline(closed((0, 0), (100, 0), (100, 100), (0, 100)), np.ones(4))

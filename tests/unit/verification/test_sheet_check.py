@@ -16,6 +16,7 @@ from knifetip.planning.sheet_outline import sheet_outline
 from knifetip.post.emit import process
 from knifetip.sequencing.duration import duration
 from knifetip.sequencing.sequence import sequence
+from knifetip.verification.checks.sheet_check import _footprints
 from knifetip.verification.expectation.edges import place_edges
 from knifetip.verification.expectation.sheet_area import place_sheet
 from knifetip.verification.verify import verify
@@ -97,6 +98,21 @@ def test_a_low_turn_in_the_mat_is_refused() -> None:
     text = emitted(SHEET)[0].replace(b"Z1.0000", b"Z-0.1000")
     codes = {finding.message.code for finding in judged(text, SHEET).findings}
     assert "verify.rapid-near-sheet" in codes
+
+
+def test_a_footprint_turns_with_the_head() -> None:
+    # Corners 2 mm ahead of the axis, 3 mm to its right, and 1 mm behind it.
+    corners = np.array([(2.0, 0.0), (0.0, 3.0), (-1.0, 0.0)])
+    poses = np.array([(10.0, 20.0, 0.0, 0.0), (10.0, 20.0, 0.0, 90.0), (10.0, 20.0, 0.0, -90.0)])
+    assert _footprints(poses, corners) == pytest.approx(
+        np.array(
+            [
+                [(12.0, 20.0), (10.0, 17.0), (9.0, 20.0)],
+                [(10.0, 22.0), (13.0, 20.0), (10.0, 19.0)],
+                [(10.0, 18.0), (7.0, 20.0), (10.0, 21.0)],
+            ]
+        )
+    )
 
 
 def test_the_area_of_a_round_sheet_is_bounded_by_its_arcs() -> None:
