@@ -12,6 +12,7 @@ from knifetip.geometry.columns import F64
 from knifetip.geometry.tolerance import CONTOUR_GAP
 from knifetip.planning.cut_sides import cut_sides
 from knifetip.planning.layers import cut_layers
+from knifetip.planning.necks import _face_widths
 from knifetip.topology import noding
 from knifetip.topology.contour_gaps import closing_links, find_dangling_ends
 from tests.support.shapes import closed, edges, rotation
@@ -103,6 +104,17 @@ def test_slits_near_each_other_are_one_layer() -> None:
         *(((20 + 40 * (j % 2), 20 + 2.5 * j), (60, 20 + 2.5 * j)) for j in range(0, 20, 2))
     )
     assert layers(box(0, 0, 110, 110), slits) == [[0], [1]]
+
+
+def test_the_mean_width_of_a_face_counts_its_arcs() -> None:
+    disc = edges(((0, 0), (10, 0)), ((10, 0), (0, 0)))
+    inside = np.array([[1, 0]])
+    width = _face_widths(disc, np.ones(2), inside.repeat(2, axis=0), 2)
+    assert width == pytest.approx([np.inf, 5.0])
+    # A square of 10 mm whose lower side is half a circle that bulges inwards.
+    bulge = np.array([-1.0, 0.0, 0.0, 0.0])
+    width = _face_widths(box(7, 9, 10, 10), bulge, inside.repeat(4, axis=0), 2)
+    assert width[1] == pytest.approx(2.0 * (100.0 - 12.5 * np.pi) / (30.0 + 5.0 * np.pi))
 
 
 def test_a_wide_gap_in_an_outline_is_a_neck() -> None:
