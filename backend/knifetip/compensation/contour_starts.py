@@ -143,12 +143,17 @@ def _long_segments(paths: Paths, shortest: F64, mask: Bool) -> Bool:
 def _limited(allowed: Bool, paths: Paths) -> I32:
     """Return the allowed segments, evenly reduced to ``_MOST_STARTS`` per path, (k,).
 
-    ``allowed`` is the mask of the n segments, with at least one for each path.
+    ``allowed`` is the mask of the n segments, with at least one for each path.  The segments are
+    counted from the leftmost and lowest one of each path, so that the first segment of a closed
+    path in the drawing does not matter.
     """
     rows = np.flatnonzero(allowed)
     owner = paths.path_of[rows]
     count = np.bincount(owner, minlength=len(paths))
-    place = np.arange(len(rows)) - (np.cumsum(count) - count)[owner]
+    before = np.cumsum(count) - count
+    x, y = paths.start[rows].T
+    leftmost = np.lexsort((y, x, owner))[before]
+    place = (np.arange(len(rows)) - leftmost[owner]) % count[owner]
     size = np.maximum(count, _MOST_STARTS)[owner]
     kept = place * _MOST_STARTS // size > (place - 1) * _MOST_STARTS // size
     result: I32 = rows[kept].astype(np.int32)

@@ -91,7 +91,7 @@ def sequence(
     if not work:
         raise PlanError("job.no-work")
     tool = int(work[0].tool[0])
-    home = _parking_pose(machine.station(tool), machine)
+    home = parking_pose(machine.station(tool), machine)
     current, parts, count = home, [], 0
     turned = dict.fromkeys(range(1, 1 + len(machine.carriages)), 0.0)
     for toolpath in work:
@@ -116,7 +116,7 @@ def sequence(
         tool, current = station.number, moves.pose[-1]
         count = int(moves.track.max()) + 1
     parts.append(_air_move(_at_height(current, machine.travel_z), tool))
-    parts.append(_air_move(_parking_pose(machine.station(tool), machine), tool))
+    parts.append(_air_move(parking_pose(machine.station(tool), machine), tool))
     columns = {
         field.name: np.concatenate([getattr(part, field.name) for part in parts])
         for field in fields(_Moves)
@@ -136,7 +136,7 @@ def _at_height(pose: F64, height: float) -> F64:
     return raised
 
 
-def _parking_pose(station: Station, machine: Machine) -> F64:
+def parking_pose(station: Station, machine: Machine) -> F64:
     """Return the parking pose of a station, (4,), at travel height with C at 0.
 
     It is the position nearest to X 0, Y 0 that the station can reach.  If the machine has several

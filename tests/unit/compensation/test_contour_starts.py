@@ -45,6 +45,20 @@ def test_a_knife_starts_at_corners_at_which_it_is_lifted() -> None:
     assert turn in (pytest.approx(90.0), pytest.approx(270.0))
 
 
+def test_the_starts_of_a_contour_with_many_corners_do_not_depend_on_its_first_edge() -> None:
+    # The corners of a star with 15 points, each of which lifts the knife.
+    turn = np.arange(30) * np.pi / 15
+    radius = np.where(np.arange(30) % 2, 60.0, 100.0)
+    corner = 100.0 + np.column_stack([radius * np.cos(turn), radius * np.sin(turn)])
+    chosen = set()
+    for first in (0, 1, 7, 20):
+        operation = planned(closed(*map(tuple, np.roll(corner, -first, axis=0).tolist())))
+        starts = starts_of(operation)
+        assert len(starts.segment) == 12
+        chosen.add(tuple(sorted(map(tuple, starts.entry[:, :2].round(6).tolist()))))
+    assert len(chosen) == 1
+
+
 def test_a_smooth_contour_starts_in_the_middle_of_long_lines() -> None:
     # A rounded rectangle with lines of 80, 30, 80 and 1 mm; 1 mm is shorter than the overrun.
     bend = np.tan(np.pi / 8)

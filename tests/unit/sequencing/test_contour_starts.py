@@ -16,6 +16,7 @@ from knifetip.sequencing import contour_starts
 from knifetip.sequencing.contour_starts import choose_starts
 from knifetip.sequencing.nearest import nearest_neighbour
 from knifetip.sequencing.order import link_times
+from knifetip.sequencing.sequence import parking_pose
 from tests.support.cartons.known_size import drawing_of
 from tests.support.shapes import closed, dieline
 
@@ -36,13 +37,19 @@ def test_no_other_starts_are_better_in_the_same_order(
     )
     starts = ContourStarts(first, 10 * np.arange(12, dtype=np.int32), entry, leave)
     chosen = choose_starts(starts, STATION, MACHINE) // 10
-    order = nearest_neighbour(entry[first[:-1], :2], leave[first[:-1], :2], np.zeros(2))
+    head = parking_pose(STATION, MACHINE)[[0, 1, 3]]
     axes = [MACHINE.x, MACHINE.y, MACHINE.c]
     pace = np.array([[axis.velocity for axis in axes], [axis.acceleration for axis in axes]])
+    near = [
+        low
+        + link_times(entry[low:high], np.tile(head, (high - low, 1)), head, pace, 360.0).argmin()
+        for low, high in itertools.pairwise(first.tolist())
+    ]
+    order = nearest_neighbour(entry[near, :2], leave[near, :2], head[:2])
 
     def time(rows: tuple[int, ...]) -> float:
         some = np.array(rows)[order]
-        return float(link_times(entry[some], leave[some], entry[some[0]], pace, 360.0).sum())
+        return float(link_times(entry[some], leave[some], head, pace, 360.0).sum())
 
     best = min(time(rows) for rows in itertools.product(*map(range, first[:-1], first[1:])))
     assert time(tuple(chosen.tolist())) == pytest.approx(best, abs=1e-12)
@@ -51,6 +58,15 @@ def test_no_other_starts_are_better_in_the_same_order(
 def test_a_single_start_is_returned() -> None:
     starts = ContourStarts(np.array([0, 1]), np.array([7]), np.zeros((1, 3)), np.zeros((1, 3)))
     assert choose_starts(starts, STATION, MACHINE).tolist() == [7]
+
+
+def test_one_path_starts_nearest_to_the_parking_position_whatever_its_first_edge_is() -> None:
+    corner = np.array([[400.0, 300.0], [100.0, 300.0], [100.0, 80.0], [400.0, 80.0]])
+    for turned in range(4):
+        pose = np.column_stack([np.roll(corner, turned, axis=0), np.zeros(4)])
+        starts = ContourStarts(np.array([0, 4]), np.arange(4, dtype=np.int32), pose, pose)
+        begin = int(choose_starts(starts, STATION, MACHINE)[0])
+        assert pose[begin, :2].tolist() == [100.0, 80.0]
 
 
 def cartons(count: int) -> Dieline:
