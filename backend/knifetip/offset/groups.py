@@ -1,8 +1,8 @@
 """groups: offset groups of paths one after the other, and append the offsets to common columns.
 
 A group of one closed path is offset by trimming neighbouring segments.  If trimming is not enough,
-and for all other groups, ``region`` computes the offset.  For a tool without radius, the paths are
-copied.
+and for all other groups, ``region`` computes the offset, which keeps the tool out of all contours
+of the group.  For a tool without radius, the paths are copied.
 """
 
 from __future__ import annotations
