@@ -69,8 +69,37 @@ def attempt_job(job: Job) -> Outcome:
     return outcome
 
 
+def attempt_drawing(data: bytes, machine: Machine, board: Board) -> Outcome:
+    """Compile a file whose questions are all answered with the likeliest choice, following hints.
+
+    The fate of a file that cannot be read is "stuck".
+    """
+    outcome = Outcome()
+    try:
+        drawing = pipeline.read(data)
+        asked = pipeline.questions(drawing, pipeline.interpret(drawing, Interpretation()))
+        if asked and asked[0].kind == "unit":
+            drawing = pipeline.read(data, asked[0].choices[0])
+        dieline = pipeline.interpret(drawing, Interpretation())
+        line_type = dieline.line_type.copy()
+        for question in pipeline.questions(drawing, dieline):
+            line_type[list(question.edges)] = LineType.from_word(question.choices[0])
+        attempt = Attempt(drawing, line_type, machine, board, machine.dialect, Choices())
+        _follow_hints(attempt, outcome)
+    except KnifetipError as error:
+        outcome.fate, outcome.text = "stuck", str(error)
+        outcome.refusals[error.message.code] += 1
+    except Exception:
+        outcome.fate, outcome.text = "error", traceback.format_exc()
+    return outcome
+
+
 def _attempt(job: Job, outcome: Outcome) -> None:
-    attempt = _opened(job, outcome)
+    _follow_hints(_opened(job, outcome), outcome)
+
+
+def _follow_hints(attempt: Attempt, outcome: Outcome) -> None:
+    """Compile an attempt, following hints; write what became of it into ``outcome``."""
     for _ in range(_MOST_HINTS):
         outcome.attempt = attempt
         refusal = _compile(attempt, outcome)

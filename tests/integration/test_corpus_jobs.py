@@ -6,6 +6,9 @@ The drawings below were refused wrongly when a walk through the corpus first con
 from __future__ import annotations
 
 import math
+from collections import Counter
+from pathlib import Path
+from typing import Final
 
 import pytest
 
@@ -13,10 +16,12 @@ from knifetip import pipeline
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.pipeline import Compiled
+from tests.cartons.trial import attempt_drawing
 from tests.support.drawings import drawing
 from tests.support.shapes import closed, dieline, edges
 
 CUT, CREASE = LineType.CUT, LineType.CREASE
+SUFFIXES: Final = (".dxf", ".svg", ".cf2")
 
 
 def compiled(line: Dieline, machine: str, board: str) -> Compiled:
@@ -79,3 +84,36 @@ def test_a_short_crease_may_be_pressed_where_another_one_crosses_it(
         wrong, line, made.placement, load.machine("demo-table"), load.board("fbb-0.4")
     )
     assert not verdict.accepted
+
+
+#: Number of files of the corpus, and of those without a line to make.
+FILES, EMPTY = 103, 20
+
+
+@pytest.mark.corpus
+@pytest.mark.parametrize(
+    ("machine", "least"),
+    [
+        ("demo-table", 70),
+        ("router-table", 67),
+        ("laser-table", 67),
+        ("flat-cutter-hpgl", 68),
+    ],
+)
+def test_most_drawings_of_the_corpus_become_accepted_programs(
+    corpus: Path, machine: str, least: int
+) -> None:
+    files = [path for path in sorted(corpus.rglob("*")) if path.suffix.lower() in SUFFIXES]
+    assert len(files) == FILES
+    fates: Counter[str] = Counter()
+    reasons: Counter[str] = Counter()
+    for path in files:
+        outcome = attempt_drawing(path.read_bytes(), load.machine(machine), load.board("fbb-0.4"))
+        fates[outcome.fate] += 1
+        if outcome.fate == "stuck":
+            reasons.update(list(outcome.refusals))
+    assert fates["error"] == 0
+    assert (
+        reasons["drawing.no-lines"] + reasons["drawing.empty"] + reasons["dxf.cut-short"] == EMPTY
+    )
+    assert fates["accepted"] + fates["excepted"] + fates["by hint"] >= least, reasons
