@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import ast
+import importlib
+import pkgutil
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
 import knifetip
 from knifetip import errors
+from knifetip.messages import catalogue
 from knifetip.messages.codes import CODES
 
 ROOT = Path(knifetip.__file__).parent
@@ -60,6 +64,16 @@ def test_every_call_has_a_code_of_the_catalogue_and_its_arguments() -> None:
         if code not in CODES or (given is not None and given != CODES[code].keys())
     ]
     assert wrong == []
+
+
+def test_each_code_is_in_one_module_of_the_catalogue() -> None:
+    areas = [
+        importlib.import_module(f"{catalogue.__name__}.{found.name}")
+        for found in pkgutil.iter_modules(catalogue.__path__)
+    ]
+    codes = Counter(code for area in areas for code in area.MESSAGES)
+    assert [code for code, count in codes.items() if count > 1] == []
+    assert codes.keys() == CODES.keys()
 
 
 def test_every_code_of_the_catalogue_is_used() -> None:
