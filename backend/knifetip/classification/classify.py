@@ -16,6 +16,7 @@ import numpy as np
 from knifetip.classification.decision.classifier import Classifier, Decision
 from knifetip.classification.decision.connectivity import find_separating_cuts
 from knifetip.classification.decision.conventions import FOLD_TYPES, find_fitting_conventions
+from knifetip.classification.decision.open_corners import find_open_corner_folds
 from knifetip.classification.decision.profile_rules import (
     LAYER,
     RuleMatches,
@@ -79,6 +80,7 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
     edges = _decide_edges(classifier, totals.decision_keys(styles.row, features))
     _restore_folds_on_cuts(edges, classifier, features)
     _withdraw_contradicted(edges, drawing.ends, features, lengths)
+    _withdraw_open_corner_folds(edges, classifier, features)
     return Dieline(
         drawing.ends,
         drawing.bulge,
@@ -225,6 +227,37 @@ def _withdraw_contradicted(
         message = Message("classification.contradicted", rule=rule, reason=why)
         edges.line_type[row], edges.confidence[row] = LineType.UNCLASSIFIED, 0.5
         edges.reason[row] = edges.reasons.row_of(message, (kind, other))
+
+
+def _withdraw_open_corner_folds(
+    edges: _EdgeDecisions, classifier: Classifier, features: ShapeFeatures
+) -> None:
+    """Make creases of boxes without glue tabs unclassified if only shape and colour speak for them.
+
+    Such boxes are creased, or made of grooved board.  Creases by a profile rule or by the name of a
+    layer remain, and so do dashed creases.  If at least half of the creases of a style belong to
+    such boxes, all creases of the style become unclassified.
+
+    Writes line types, confidences and reasons to ``edges``.  ``classifier`` has the evidence about
+    all styles, and ``features`` are the shape features of the edges.
+    """
+    creased = edges.line_type == LineType.CREASE
+    uncut = edges.line_type != LineType.CUT
+    group = classifier.style_groups[classifier.styles.row]
+    open_to_doubt = creased & classifier.only_shape_and_colour()[classifier.styles.row]
+    for number in np.unique(group[open_to_doubt]).tolist():
+        own = open_to_doubt & (group == number)
+        without_tabs = find_open_corner_folds(features, own, uncut)
+        if 2 * np.count_nonzero(without_tabs) < np.count_nonzero(own):
+            continue
+        # The other folds of the style have the same line type.
+        for row in np.flatnonzero(own).tolist():
+            before = edges.reasons.messages[int(edges.reason[row])]
+            why = Message("classification.without-tabs")
+            message = Message("classification.contradicted", rule=before, reason=why)
+            alternatives = (LineType.CREASE, LineType.V_GROOVE)
+            edges.line_type[row], edges.confidence[row] = LineType.UNCLASSIFIED, 0.6
+            edges.reason[row] = edges.reasons.row_of(message, alternatives)
 
 
 def _relevant_features(drawing: Drawing, styles: StyleTable, matches: RuleMatches) -> ShapeFeatures:

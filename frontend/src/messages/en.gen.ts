@@ -307,6 +307,10 @@ export const TEXTS = {
     "text": "{reason}, and a text lies beside the edge",
     "hint": ""
   },
+  "classification.without-tabs": {
+    "text": "the walls of the box have no glue tabs, as in rigid boxes, which are folded at V-grooves",
+    "hint": ""
+  },
   "cleaning.as-drawn": {
     "text": "cleaning did not change the edge",
     "hint": ""

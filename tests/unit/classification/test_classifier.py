@@ -115,6 +115,49 @@ def test_an_ignored_colour_that_closes_the_outline_is_asked_and_an_ignored_layer
     assert words(named) == ["ignored"] * 4 + ["cut"] * 4 + ["crease"] * 2
 
 
+#: A bottom of 100 mm × 60 mm with four walls of 20 mm, in edges without corners in common.
+WALLS = [(0, -20, 100, -20), (100, -20, 100, 0), (100, 0, 120, 0), (120, 0, 120, 60),
+         (120, 60, 100, 60), (100, 60, 100, 80), (100, 80, 0, 80), (0, 80, 0, 60),
+         (0, 60, -20, 60), (-20, 60, -20, 0), (-20, 0, 0, 0), (0, 0, 0, -20)]  # fmt: skip
+BOTTOM = [(0, 0, 100, 0), (100, 0, 100, 60), (100, 60, 0, 60), (0, 60, 0, 0)]
+SHEET = [(-20, -20, 120, -20), (120, -20, 120, 80), (120, 80, -20, 80), (-20, 80, -20, -20)]
+ACROSS = [(0, -20, 0, 80), (100, -20, 100, 80), (-20, 0, 120, 0), (-20, 60, 120, 60)]
+
+
+@pytest.mark.parametrize(("outline", "folds"), [(WALLS, BOTTOM), (SHEET, ACROSS)], ids=str)
+def test_the_folds_of_a_box_without_glue_tabs_are_asked_if_only_a_colour_names_them(
+    outline: list[tuple[int, ...]], folds: list[tuple[int, ...]]
+) -> None:
+    sheet = drawing_of((outline, style(colour=1)), (folds, style(colour=3)))
+    dieline = classified(sheet)
+    assert words(dieline) == ["cut"] * len(outline) + ["unclassified"] * 4
+    (question,) = list_questions(sheet, dieline)
+    assert question.choices[:2] == ("crease", "v-groove")
+    assert "no glue tabs" in question.text
+    named = drawing_of((outline, style("CUT")), (folds, style("FOLD")))
+    assert words(classified(named))[-4:] == ["crease"] * 4
+
+
+def test_a_contour_like_a_bleed_in_the_style_of_the_cuts_is_asked() -> None:
+    house = [(0, 0, 300, 0), (300, 0, 300, 200), (300, 200, 150, 230), (150, 230, 0, 200),
+             (0, 200, 0, 0)]  # fmt: skip
+    bleed = [(-3, -3, 303, -3), (303, -3, 303, 202.459), (303, 202.459, 150, 233.059),
+             (150, 233.059, -3, 202.459), (-3, 202.459, -3, -3)]  # fmt: skip
+    folds = [(100, 0, 100, 220), (200, 0, 200, 220)], style(colour=5)
+    like = classified(drawing_of((bleed + house, style(colour=1)), folds))
+    assert words(like)[:5] == ["unclassified"] * 5
+    other = drawing_of((bleed, style(colour=6)), (house, style(colour=1)), folds)
+    assert words(classified(other))[:5] == ["ignored"] * 5
+
+
+def test_the_main_folds_are_asked_if_another_style_has_folds_too() -> None:
+    perforated = [(75, 0, 75, 200)]
+    both = drawing_of(
+        (BLANK, style(colour=30)), (FOLDS, style(colour=40)), (perforated, style(colour=50))
+    )
+    assert words(classified(both))[4:] == ["unclassified"] * 3
+
+
 def test_rules_without_contradiction_keep_their_words_and_confidence() -> None:
     dieline = classified(drawing_of((BLANK + SLIT, style("CUT")), (FOLDS, style("CREASE"))))
     said = {str(rule) for rule in dieline.rules}

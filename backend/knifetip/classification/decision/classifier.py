@@ -39,6 +39,8 @@ _OVERRIDING_ROLES: Final = (Role.ARROW, Role.LEGEND)
 _MAIN_FOLD_FRACTION: Final = 0.6
 #: … and if more than this fraction of the length of its own dividers must be folds.
 _MUST_FOLD_FRACTION: Final = 0.5
+#: Folds in other styles count if they are longer than this fraction of the main folds.
+_OTHER_FOLDS: Final = 0.05
 #: Line types that a closed line inside a panel may have, besides cut.
 _CLOSED_IN_PANEL: Final = (LineType.PERFORATION, LineType.COMBI, LineType.HALF_CUT)
 #: Confidence that edges in these roles are ignored.
@@ -122,6 +124,7 @@ class Classifier:
     profile: LineRules
     matches: RuleMatches
     conventions: Sequence[FittingConvention]
+    style_groups: I64  #: (c,) group of styles with equal layer, colour and dash pattern
     length: F64  #: (c, roles) of all edges that share layer, colour and linetype with the style
     total: F64  #: (roles,) length of all edges
     other_folds: F64  #: (c,) length of dividers in other styles that have nearly only dividers
@@ -175,6 +178,7 @@ class Classifier:
             profile,
             matches,
             conventions,
+            group,
             grouped[group],
             length.sum(axis=0),
             (folds.sum() - folds)[group],
@@ -185,6 +189,18 @@ class Classifier:
             bool(length[:, Role.OUTLINE].any()),
             _swap_reason(matches, length, conventions),
         )
+
+    def only_shape_and_colour(self) -> Bool:
+        """Return the mask of the styles for which only shape and colour are evidence, (c,).
+
+        They have no profile rule, no name that suggests a line type, and no dashes.
+        """
+        solid = [
+            self._meaning(style)[0].kind is None
+            and not is_dashed_linetype(self.styles.linetype[style].casefold())
+            for style in range(len(self.styles))
+        ]
+        return (self.matches.rule < 0) & np.array(solid, np.bool_) & (self.dashed <= 0.5)
 
     def decide(self, style: int, role: Role, *, must_fold: bool = False) -> Decision:
         """Return the decision for the edges of a style that have a role.
@@ -405,6 +421,9 @@ class Classifier:
             return LineType.CUT, 0.6 if outlines else 0.4, ()
         if role in NOT_CARTON:
             nothing_else = sum(own[part] for part in NOT_CARTON) >= 0.95 * own.sum()
+            if role == Role.BLEED and own[[Role.OUTLINE, *HOLES]].any():
+                # A window round another part is drawn like the cuts, and a bleed line seldom is.
+                return LineType.IGNORED, 0.6, ()
             if role == Role.TABLE:
                 return LineType.IGNORED, 0.85 if nothing_else else 0.6, ()
             confidence = _IGNORED_CONFIDENCE.get(role, 0.65 if nothing_else else 0.5)
@@ -420,11 +439,14 @@ class Classifier:
         ``must_fold`` is whether a panel is attached by them alone.  ``outlines`` is whether edges
         of this style make up at least 30 % of the length of all outlines.
         """
+        own = self.length[style, Role.DIVIDER]
         if self.only_divides[style]:
             reasons = [Message("classification.as-its-style")]
             if self.main_folds[style]:
                 reasons.append(Message("classification.panels-hang"))
-                return LineType.CREASE, 0.9, reasons
+                # With folds in two styles, either style may be perforated.
+                two_styles = self.other_folds[style] > _OTHER_FOLDS * own
+                return LineType.CREASE, 0.75 if two_styles else 0.9, reasons
             linetype = self.styles.linetype[style].casefold()
             dashed = is_dashed_linetype(linetype) or self.dashed[style] > 0.5
             if dashed:

@@ -41,7 +41,7 @@ def find_separating_cuts(features: ShapeFeatures, line_type: U8) -> Bool:
         return np.zeros(len(line_type), np.bool_)
     faces = len(features.face_area)
     uncut_sides = features.faces[divider & ~cut]
-    piece = _label_connected_faces(faces, uncut_sides)
+    piece = label_connected_faces(faces, uncut_sides)
     rim = np.zeros(faces, np.bool_)
     rim[features.faces[features.role == Role.OUTLINE].ravel()] = True
     rim &= features.face_area > 0.0
@@ -62,7 +62,7 @@ def find_separating_cuts(features: ShapeFeatures, line_type: U8) -> Bool:
 
 
 @kernel
-def _label_connected_faces(faces: int, sides: I32_2) -> Any:
+def label_connected_faces(faces: int, sides: I32_2) -> Any:
     """Return a label of each face, (faces,), which is equal for faces that are connected.
 
     ``sides`` (k, 2) are k pairs of neighbouring faces.  Two faces are connected if a series of such

@@ -169,6 +169,9 @@ MESSAGES: Final[Entries] = {
         "the geometry of the drawing does not show which line type the edge has",
     ),
     "classification.votes": entry("{votes:; }", votes="messages"),
+    "classification.without-tabs": entry(
+        "the walls of the box have no glue tabs, as in rigid boxes, which are folded at V-grooves",
+    ),
     "classification.with-text": entry(
         "{reason}, and a text lies beside the edge",
         reason="message",
