@@ -13,6 +13,8 @@ from knifetip.model.dieline import Dieline, LineType
 from tests.support.cartons.random_drawings import random_drawing
 from tests.support.classification import classified, drawing_of, style, words
 
+Line = tuple[float, float, float, float]
+
 BLANK = [(0, 0, 300, 0), (300, 0, 300, 200), (300, 200, 0, 200), (0, 200, 0, 0)]
 FOLDS = [(100, 0, 100, 200), (200, 0, 200, 200)]
 SLIT = [(20, 50, 60, 50)]
@@ -126,7 +128,7 @@ ACROSS = [(0, -20, 0, 80), (100, -20, 100, 80), (-20, 0, 120, 0), (-20, 60, 120,
 
 @pytest.mark.parametrize(("outline", "folds"), [(WALLS, BOTTOM), (SHEET, ACROSS)], ids=str)
 def test_the_folds_of_a_box_without_glue_tabs_are_asked_if_only_a_colour_names_them(
-    outline: list[tuple[int, ...]], folds: list[tuple[int, ...]]
+    outline: list[Line], folds: list[Line]
 ) -> None:
     sheet = drawing_of((outline, style(colour=1)), (folds, style(colour=3)))
     dieline = classified(sheet)
@@ -139,9 +141,9 @@ def test_the_folds_of_a_box_without_glue_tabs_are_asked_if_only_a_colour_names_t
 
 
 def test_a_contour_like_a_bleed_in_the_style_of_the_cuts_is_asked() -> None:
-    house = [(0, 0, 300, 0), (300, 0, 300, 200), (300, 200, 150, 230), (150, 230, 0, 200),
+    house: list[Line] = [(0, 0, 300, 0), (300, 0, 300, 200), (300, 200, 150, 230), (150, 230, 0, 200),
              (0, 200, 0, 0)]  # fmt: skip
-    bleed = [(-3, -3, 303, -3), (303, -3, 303, 202.459), (303, 202.459, 150, 233.059),
+    bleed: list[Line] = [(-3, -3, 303, -3), (303, -3, 303, 202.459), (303, 202.459, 150, 233.059),
              (150, 233.059, -3, 202.459), (-3, 202.459, -3, -3)]  # fmt: skip
     folds = [(100, 0, 100, 220), (200, 0, 200, 220)], style(colour=5)
     like = classified(drawing_of((bleed + house, style(colour=1)), folds))
