@@ -141,8 +141,8 @@ def test_the_folds_of_a_box_without_glue_tabs_are_asked_if_only_a_colour_names_t
 
 
 def test_a_contour_like_a_bleed_in_the_style_of_the_cuts_is_asked() -> None:
-    house: list[Line] = [(0, 0, 300, 0), (300, 0, 300, 200), (300, 200, 150, 230), (150, 230, 0, 200),
-             (0, 200, 0, 0)]  # fmt: skip
+    house: list[Line] = [(0, 0, 300, 0), (300, 0, 300, 200), (300, 200, 150, 230),
+             (150, 230, 0, 200), (0, 200, 0, 0)]  # fmt: skip
     bleed: list[Line] = [(-3, -3, 303, -3), (303, -3, 303, 202.459), (303, 202.459, 150, 233.059),
              (150, 233.059, -3, 202.459), (-3, 202.459, -3, -3)]  # fmt: skip
     folds = [(100, 0, 100, 220), (200, 0, 200, 220)], style(colour=5)
