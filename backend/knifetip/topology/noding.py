@@ -14,7 +14,7 @@ import numpy as np
 from knifetip.errors import PlanError
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64
-from knifetip.geometry.intersect import MAX_POINTS, TOUCH, intersect_rows
+from knifetip.geometry.intersect import MAX_POINTS, intersect_rows
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import JOIN
 from knifetip.kernels import F64_2, F64_3, I64_1, kernel
@@ -96,7 +96,7 @@ def _crossings(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
         Index of the edge, parameter of the point on it (0 … 1), and the position of the point.
     """
     boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)
-    one, other = box_pairs(boxes, boxes, 0.0)
+    one, other = box_pairs(boxes, boxes, JOIN)
     if len(one) > 2 * _MOST_PAIRS:
         raise PlanError("cut.too-many-crossings", limit=_MOST_PAIRS)
     edges = np.column_stack([ends.reshape(-1, 4), bulge])
@@ -147,7 +147,7 @@ def _inner_crossings(edges: F64_2, one: I64_1, other: I64_1) -> Any:
     for k in range(len(one)):
         if one[k] >= other[k]:
             continue
-        for at in range(intersect_rows(edges, one[k], edges, other[k], TOUCH, common)):
+        for at in range(intersect_rows(edges, one[k], edges, other[k], JOIN, common)):
             x, y = common[at, 0], common[at, 1]
             inner = True
             for row in (one[k], other[k]):
