@@ -19,3 +19,15 @@ def test_a_ray_does_not_pass_between_two_joined_ends() -> None:
     faces = find_cut_faces(place_edges(drawn, (0.0, 0.0)))
     assert faces.count == 3
     np.testing.assert_array_equal(faces.face.min(axis=1), 0)
+
+
+def test_a_cut_that_passes_another_one_by_a_little_more_than_a_joint_crosses_it() -> None:
+    # The slanted cuts of the triangle end 0.0021 mm beyond the rectangle's left side.  Measured
+    # along the cuts, they leave the band of 0.002 mm beside it only 0.0001 mm before their ends.
+    drawn = dieline(
+        (CUT, 50, 0, 90, 0, 0.0), (CUT, 90, 0, 90, 40, 0.0),
+        (CUT, 90, 40, 50, 40, 0.0), (CUT, 50, 40, 50, 0, 0.0),
+        (CUT, 30, 20, 50.0021, 10, 0.0), (CUT, 30, 20, 50.0021, 30, 0.0),
+    )  # fmt: skip
+    faces = find_cut_faces(place_edges(drawn, (0.0, 0.0)))
+    assert faces.count == 3  # outside, rectangle and triangle

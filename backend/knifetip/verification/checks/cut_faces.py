@@ -46,6 +46,10 @@ _MIN_AREA: Final = 1e-6
 _RAY_OFFSET: Final = 0.317 * JOIN_DISTANCE
 
 
+#: An overlap that comes this near to an end of an edge reaches it (mm).
+_ROUNDING: Final = 1e-6
+
+
 #: Pieces this near to a cell are listed in it for the rays (mm).
 _RAY_MARGIN: Final = 1e-6
 
@@ -262,12 +266,13 @@ def _crossings(edges: Edges) -> tuple[I32, F64]:
     """
     size = edges.curve[:, 5]
     cross = edges.find_overlaps(edges.curve, JOIN_DISTANCE)
-    # If an end of one lies on the other, they touch and do not cross.
+    # If an end of one lies within ``JOIN_DISTANCE`` of the other, the overlap reaches this end, and
+    # the edges touch and do not cross.
     low, high = cross.place_range()
-    crosses = (cross.along[:, 0] > JOIN_DISTANCE) & (
-        cross.along[:, 1] < size[cross.curve] - JOIN_DISTANCE
+    crosses = (cross.along[:, 0] > _ROUNDING) & (
+        cross.along[:, 1] < size[cross.curve] - _ROUNDING
     )
-    crosses &= (low > JOIN_DISTANCE) & (high < size[cross.edge] - JOIN_DISTANCE)
+    crosses &= (low > _ROUNDING) & (high < size[cross.edge] - _ROUNDING)
     return cross.edge[crosses], (0.5 * (low + high))[crosses]
 
 
