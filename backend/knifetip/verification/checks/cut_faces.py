@@ -269,9 +269,7 @@ def _crossings(edges: Edges) -> tuple[I32, F64]:
     # If an end of one lies within ``JOIN_DISTANCE`` of the other, the overlap reaches this end, and
     # the edges touch and do not cross.
     low, high = cross.place_range()
-    crosses = (cross.along[:, 0] > _ROUNDING) & (
-        cross.along[:, 1] < size[cross.curve] - _ROUNDING
-    )
+    crosses = (cross.along[:, 0] > _ROUNDING) & (cross.along[:, 1] < size[cross.curve] - _ROUNDING)
     crosses &= (low > _ROUNDING) & (high < size[cross.edge] - _ROUNDING)
     return cross.edge[crosses], (0.5 * (low + high))[crosses]
 
