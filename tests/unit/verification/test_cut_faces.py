@@ -1,6 +1,7 @@
 """The faces into which cuts divide the sheet."""
 
 import numpy as np
+import pytest
 
 from knifetip.verification.checks.cut_faces import find_cut_faces
 from knifetip.verification.expectation.edges import place_edges
@@ -31,3 +32,16 @@ def test_a_cut_that_passes_another_one_by_a_little_more_than_a_joint_crosses_it(
     )  # fmt: skip
     faces = find_cut_faces(place_edges(drawn, (0.0, 0.0)))
     assert faces.count == 3  # outside, rectangle and triangle
+
+
+@pytest.mark.parametrize("gap", [-0.0018, 0.0018])
+def test_a_gap_between_joined_ends_does_not_turn_a_face_inside_out(gap: float) -> None:
+    # A triangle at the end of a long cut, far from the first end.  The area between the origin and
+    # the gap is several times the area of the triangle.
+    drawn = dieline(
+        (CUT, 0, 0, 300, 0, 0.0), (CUT, 300, 0, 300.3, 0, 0.0), (CUT, 300.3, 0, 300.3, 0.3, 0.0),
+        (CUT, 300.3, 0.3, 300, gap, 0.0),
+    )  # fmt: skip
+    faces = find_cut_faces(place_edges(drawn, (0.0, 0.0)))
+    assert faces.count == 2
+    np.testing.assert_array_equal(faces.face, [[0, 0], [1, 0], [1, 0], [1, 0]])

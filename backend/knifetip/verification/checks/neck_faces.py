@@ -18,7 +18,6 @@ from knifetip.verification.curves.curve import point_at
 from knifetip.verification.expectation.edges import (
     JOIN_DISTANCE,
     Edges,
-    edges_from_curves,
     pairs_within,
 )
 from knifetip.verification.expectation.outline import lowest_connected, swept_areas
@@ -155,15 +154,15 @@ def _mean_widths(faces: CutFaces) -> F64:
 
     The mean width is twice the area over the perimeter, both without the faces inside the face.
     """
-    row = faces.unique
-    curve = faces.curve[row]
-    swept = swept_areas(edges_from_curves(curve))
+    row, pieces = faces.unique, faces.pieces
+    node = lowest_connected(*pieces.near_ends(JOIN_DISTANCE), 2 * len(pieces))
+    swept = swept_areas(pieces, node)
     left, right = faces.face[row].T
     divides = left != right
     doubled, border = np.zeros(faces.count), np.zeros(faces.count)
     for side, sign in ((left, 1.0), (right, -1.0)):
         np.add.at(doubled, side[divides], sign * swept[divides])
-        np.add.at(border, side[divides], curve[divides, 5])
+        np.add.at(border, side[divides], pieces.curve[divides, 5])
     result: F64 = doubled / np.maximum(border, JOIN_DISTANCE)
     result[0] = np.inf
     return result

@@ -98,7 +98,7 @@ def face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
     bend = np.where(straight, 0.0, curve[:, 0] / np.where(straight, 1.0, curve[:, 3]))
     bend = np.where(back, -bend, bend)
     order = order_in_groups(node, leaves, bend)
-    cycle, swept = _trace_cycles(order, node[order], swept_areas(edges))
+    cycle, swept = _trace_cycles(order, node[order], swept_areas(edges, node))
     component = lowest_connected(
         np.concatenate([node, np.arange(2 * count)]),
         np.concatenate([np.arange(2 * count), np.arange(2 * count) ^ 1]),
@@ -144,15 +144,19 @@ def _lowest_names(one: I64_1, other: I64_1, count: int) -> Any:
     return name
 
 
-def swept_areas(edges: Edges) -> F64:
+def swept_areas(edges: Edges, node: I64) -> F64:
     """Return twice the signed area between each of n edges and a common origin, (n,) mm².
 
     The area is swept by the straight line from the origin to a point that moves along the edge.  It
     is positive for an anticlockwise sweep.  The origin is the start of the first edge.
+
+    ``node`` is the lowest of the ends that are joined with each end, (2n,).  Joined ends get the
+    position of this end: a gap between them, however small, would add an area that is proportional
+    to its distance from the origin.
     """
     curve = edges.curve
-    origin = edges.ends[0]
-    start, end = edges.ends[::2] - origin, edges.ends[1::2] - origin
+    ends = edges.ends[node] - edges.ends[0]
+    start, end = ends[::2], ends[1::2]
     straight = curve[:, 0] == 0.0
     radius = np.where(straight, 0.0, curve[:, 3])
     sweep = curve[:, 0] * curve[:, 5] / np.where(straight, 1.0, radius)
