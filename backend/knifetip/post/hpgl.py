@@ -235,6 +235,10 @@ def _plotter_points(toolpath: Toolpath, device: Device, pieces: I64) -> tuple[I6
     kind = (np.where(motion == Motion.RAPID, _TRAVEL, _WORK) * moved).astype(np.uint8)
     kind[motion == Motion.PLUNGE] = _DOWN
     kind[motion == Motion.LIFT] = _UP
+    # A pass shorter than a plotter unit may round to a point; the tool is not lowered for it.
+    shown = np.flatnonzero(kind != _NONE)
+    still = np.flatnonzero((kind[shown[:-1]] == _DOWN) & (kind[shown[1:]] == _UP))
+    kind[shown[still]] = kind[shown[still + 1]] = _NONE
     return point, kind, row
 
 

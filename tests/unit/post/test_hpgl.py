@@ -107,6 +107,24 @@ def test_positions_are_rounded_independently_and_moves_of_no_length_are_omitted(
     assert lines[6:10] == ["PU801,800;", "PD;", "PD1601,800;", "PU;"]
 
 
+def test_the_tool_is_not_lowered_for_a_pass_that_rounds_to_a_point() -> None:
+    program = process(
+        toolpath(
+            (1, R, 20.001, 20, 5, 0, 0),
+            (1, P, 20.001, 20, -0.3, 0, 6000),
+            (1, F, 20.008, 20, -0.3, 0, CUT),
+            (1, F, 20.008, 20.005, -0.3, 0, CUT),
+            (1, L, 20.008, 20.005, 2.4, 0, 6000),
+            *SQUARE,
+        ),
+        MACHINE,
+    )
+    assert program.text.decode("ascii").splitlines()[6:-2] == [
+        "PU800,800;", "PD;", "PD4800,800;", "PU;",
+    ]  # fmt: skip
+    assert program.source.tolist()[6:-2] == [0, 6, 7, 8]
+
+
 def test_an_arc_becomes_chords_within_half_the_tolerance() -> None:
     half = toolpath(
         (1, R, 100, 100, 5, 0, 0),
