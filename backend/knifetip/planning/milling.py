@@ -25,6 +25,7 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.operation import End, Operation
 from knifetip.model.tool import DiscTool
 from knifetip.planning.bridges import Spacing, ends_of_others, place_bridges
+from knifetip.planning.contour_crossings import check_contour_crossings
 from knifetip.planning.corners import choices_at_bends, distances_to_corners, find_bends
 from knifetip.planning.cut_sides import cut_sides
 from knifetip.planning.facing_contours import merge_facing_layers
@@ -59,7 +60,7 @@ def plan_milling(
     Raises
     ------
     PlanError
-        An edge lies between two parts.
+        An edge lies between two parts, or contours cross.
     NoRoomForBridges
         A contour has no room for the bridges that the board requires.
     """
@@ -68,6 +69,7 @@ def plan_milling(
     assert isinstance(cutter, DiscTool)
     pieces = _divide_by_sides(dieline.ends[rows], dieline.bulge[rows])
     _check_shared(rows[np.unique(pieces.row[pieces.shared])], cutter)
+    check_contour_crossings(pieces.ends, pieces.bulge, pieces.removed, rows[pieces.row])
     ends, bulge, face = pieces.ends, pieces.bulge, pieces.face
     layers = cut_layers(ends, bulge, face, contours_whole=True)
     layer = layers.number
@@ -205,6 +207,7 @@ class _Pieces:
     ends: F64  #: (q, 2, 2) mm
     bulge: F64  #: (q,)
     waste: I8  #: (q,) side of the waste: +1 left, -1 right, 0 none
+    removed: I8  #: (q,) side without board, as in ``CutSides``
     face: I64  #: (q,) number of the part or hole that the piece bounds, -1 for none
     shared: Bool  #: (q,) the piece lies between two parts
 
@@ -223,7 +226,7 @@ def _divide_by_sides(ends: F64, bulge: F64) -> _Pieces:
     sides = cut_sides(piece_ends, piece_bulge)
     new = np.ones(len(row), np.bool_)
     new[1:] = np.diff(row) > 0
-    for column in (sides.waste, sides.face, sides.shared):
+    for column in (sides.waste, sides.removed, sides.face, sides.shared):
         new[1:] |= column[1:] != column[:-1]
     first = np.flatnonzero(new)
     last = np.append(first[1:], len(row))[: len(first)] - 1
@@ -236,6 +239,7 @@ def _divide_by_sides(ends: F64, bulge: F64) -> _Pieces:
         np.where(whole[:, None, None], ends[kept], joined),
         np.where(whole, bulge[kept], np.tan(turn)),
         sides.waste[first],
+        sides.removed[first],
         sides.face[first],
         sides.shared[first],
     )

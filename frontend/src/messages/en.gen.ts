@@ -2395,6 +2395,10 @@ export const TEXTS = {
     "text": "{machine} has no cutter with the name {cutter!r}.",
     "hint": "Choose one of the cutters {known:, }."
   },
+  "milling.contours-cross": {
+    "text": "Edge {edge} belongs to a contour that crosses another contour or itself at X{x:.3f} Y{y:.3f}, so it is not clear on which side the cutter must run.",
+    "hint": "Trim the contours at their crossings, so that each part has one outline, or set the line type of the contour that is not to be cut to ignored."
+  },
   "milling.shared-edge": {
     "text": "Two parts share edge {edge}, so a cutter of {diameter:g} mm diameter would remove a strip of one of the parts.",
     "hint": "Move the parts at least {diameter:g} mm apart, or choose a machine with a knife."

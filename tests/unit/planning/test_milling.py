@@ -139,6 +139,41 @@ def test_an_edge_that_two_blanks_share_is_refused_and_one_gap_between_them_is_en
     assert (len(operation.paths), operation.side) == (2, 1)
 
 
+@pytest.mark.parametrize(
+    "other",
+    [
+        closed((150, 20), (250, 20), (250, 60), (150, 60)),
+        closed((20, 20), (70, 70), (70, 20), (20, 45)),
+    ],
+    ids=["another contour", "itself"],
+)
+def test_contours_that_cross_between_their_vertices_are_refused(other: F64) -> None:
+    line = dieline((LineType.CUT, BLANK), (LineType.CUT, other))
+    with pytest.raises(PlanError, match=r"crosses another contour or itself at X") as refused:
+        plan(line, ROUTED, BOARD)
+    x, y = (refused.value.message.arguments[axis] for axis in "xy")
+    crossings = [(200.0, 20.0), (200.0, 60.0), (110.0 / 3.0, 110.0 / 3.0)]
+    assert any((x, y) == pytest.approx(crossing) for crossing in crossings)
+
+
+def test_contours_that_touch_and_slits_that_cross_are_milled() -> None:
+    # Two arcs touch at their apexes, with an overlap by rounding.
+    left = dieline((LineType.CUT, closed((0, 0), (100, 0), (100, 100), (0, 100))))
+    right = dieline((LineType.CUT, closed((300, 0), (200, 0), (200, 100), (300, 100))))
+    ends = np.concatenate([left.ends, right.ends])
+    bulge = np.zeros(8)
+    for edge, way in ((1, 1.0), (5, -1.0)):
+        bulge[edge] = way
+    for overlap in (0.0, 0.0005):
+        moved = ends.copy()
+        moved[4:, :, 0] -= overlap
+        line = replace(dieline((LineType.CUT, moved)), bulge=bulge)
+        assert sum(len(one.paths) for one in plan(line, ROUTED, BOARD)) == 2
+    slits = edges(((50, 50), (150, 50)), ((100, 20), (100, 80)), ((190, 40), (210, 60)))
+    crossed = dieline((LineType.CUT, BLANK), (LineType.CUT, slits))
+    assert {one.side for one in plan(crossed, ROUTED, BOARD)} == {0, 1}
+
+
 def test_a_slit_from_the_outline_is_no_shared_edge() -> None:
     line = dieline((LineType.CUT, BLANK), (LineType.CUT, edges(((200, 50), (150, 50)))))
     # First the outline has no vertex at the start of the slit, then it has one.

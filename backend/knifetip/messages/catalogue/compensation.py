@@ -175,6 +175,15 @@ MESSAGES: Final[Entries] = {
         length="number",
         blade="number",
     ),
+    "milling.contours-cross": entry(
+        "Edge {edge} belongs to a contour that crosses another contour or itself at X{x:.3f} "
+        "Y{y:.3f}, so it is not clear on which side the cutter must run.",
+        "Trim the contours at their crossings, so that each part has one outline, or set the line "
+        "type of the contour that is not to be cut to ignored.",
+        edge="count",
+        x="number",
+        y="number",
+    ),
     "milling.shared-edge": entry(
         "Two parts share edge {edge}, so a cutter of {diameter:g} mm diameter would remove a "
         "strip of one of the parts.",
