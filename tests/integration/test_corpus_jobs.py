@@ -94,10 +94,10 @@ FILES, EMPTY = 103, 20
 @pytest.mark.parametrize(
     ("machine", "least"),
     [
-        ("demo-table", 70),
-        ("router-table", 67),
-        ("laser-table", 67),
-        ("flat-cutter-hpgl", 68),
+        ("demo-table", 71),
+        ("router-table", 69),
+        ("laser-table", 69),
+        ("flat-cutter-hpgl", 71),
     ],
 )
 def test_most_drawings_of_the_corpus_become_accepted_programs(
