@@ -45,3 +45,18 @@ def test_a_gap_between_joined_ends_does_not_turn_a_face_inside_out(gap: float) -
     faces = find_cut_faces(place_edges(drawn, (0.0, 0.0)))
     assert faces.count == 2
     np.testing.assert_array_equal(faces.face, [[0, 0], [1, 0], [1, 0], [1, 0]])
+
+
+def test_blanks_with_touching_round_sides_have_a_face_each() -> None:
+    # The four arcs meet at X40 Y0 in a horizontal direction, but for 0.00002 rad by which those of
+    # the two blanks cross each other; they cross again within 0.002 mm.
+    bulge = np.tan(0.5 * np.arctan2(15.0, 40.0)) + 1e-5
+    drawn = dieline(
+        (CUT, 0, -40, 80, -40, 0.0), (CUT, 80, -40, 80, -15, 0.0), (CUT, 0, -15, 0, -40, 0.0),
+        (CUT, 80, -15, 40, 0, bulge), (CUT, 40, 0, 0, -15, bulge),
+        (CUT, 0, 40, 80, 40, 0.0), (CUT, 80, 15, 80, 40, 0.0), (CUT, 0, 15, 0, 40, 0.0),
+        (CUT, 0, 15, 40, 0, bulge), (CUT, 40, 0, 80, 15, bulge),
+    )  # fmt: skip
+    faces = find_cut_faces(place_edges(drawn, (0.0, 0.0)))
+    assert faces.count == 3
+    assert faces.locate(np.array([[40.0, -20.0], [40.0, 20.0]])).tolist() == [1, 2]

@@ -25,6 +25,9 @@ from knifetip.verification.expectation.edges import (
 
 #: A cycle that encloses less than this has no inside (mm²).
 _MIN_AREA: Final = 1e-6
+#: Edges at a common end are sorted by the directions of their chords to the point this far along
+#: (mm), and of an edge shorter than twice that by the chord to its middle.
+_CHORD: Final = 10.0 * JOIN_DISTANCE
 #: Shifts along Y of the rays by which contours are counted (mm).  A ray may pass between two ends
 #: of cuts that are joined although they are not at the same height, so the median of three rays
 #: counts.
@@ -93,10 +96,14 @@ def face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
     node = lowest_connected(a, b, 2 * count)
     curve = np.repeat(edges.curve, 2, axis=0)
     back = np.tile([False, True], count)
-    leaves = np.round(np.radians(edges.outward + 180.0) % (2.0 * math.pi), 9)
     straight = curve[:, 0] == 0.0
     bend = np.where(straight, 0.0, curve[:, 0] / np.where(straight, 1.0, curve[:, 3]))
     bend = np.where(back, -bend, bend)
+    # The direction of a chord, because edges that touch each other leave in the same direction, or
+    # in one that differs by the distance of their ends.
+    chord = np.minimum(_CHORD, 0.5 * curve[:, 5])
+    leaves = np.radians(edges.outward + 180.0) + 0.5 * chord * bend
+    leaves = np.round(leaves % (2.0 * math.pi), 9)
     order = order_in_groups(node, leaves, bend)
     cycle, swept = _trace_cycles(order, node[order], swept_areas(edges, node))
     component = lowest_connected(
