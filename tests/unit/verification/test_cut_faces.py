@@ -5,6 +5,7 @@ import pytest
 
 from knifetip.verification.checks.cut_faces import find_cut_faces
 from knifetip.verification.expectation.edges import place_edges
+from knifetip.verification.expectation.outline import count_enclosing, find_outlines
 from tests.support.programs.handwritten import CUT, dieline
 
 
@@ -60,3 +61,16 @@ def test_blanks_with_touching_round_sides_have_a_face_each() -> None:
     faces = find_cut_faces(place_edges(drawn, (0.0, 0.0)))
     assert faces.count == 3
     assert faces.locate(np.array([[40.0, -20.0], [40.0, 20.0]])).tolist() == [1, 2]
+
+
+def test_points_beside_a_gap_between_joined_ends_are_counted_inside() -> None:
+    # The ends at X100 are joined, although one is 0.0017 mm higher.  Rays to the right from a point
+    # at the height of the lower end, and from less than 0.0017 mm above it, pass between them.
+    drawn = dieline(
+        (CUT, 0, 0, 110, 0, 0.0), (CUT, 110, 0, 110, 40, 0.0), (CUT, 110, 40, 100, 40, 0.0),
+        (CUT, 100, 40.0017, 100, 80, 0.0), (CUT, 100, 80, 0, 80, 0.0), (CUT, 0, 80, 0, 0, 0.0),
+    )  # fmt: skip
+    outlines = find_outlines(place_edges(drawn, (0.0, 0.0)))
+    heights = 40.0 + np.array([-0.003, -0.001, 0.0, 0.0008, 0.0016, 0.003])
+    points = np.column_stack([np.full(len(heights), 50.0), heights])
+    assert count_enclosing(points, outlines).tolist() == [1] * len(heights)

@@ -30,8 +30,8 @@ _MIN_AREA: Final = 1e-6
 _CHORD: Final = 10.0 * JOIN_DISTANCE
 #: Shifts along Y of the rays by which contours are counted (mm).  A ray may pass between two ends
 #: of cuts that are joined although they are not at the same height, so the median of three rays
-#: counts.
-_RAY_SHIFTS: Final = (0.0, 0.45 * JOIN_DISTANCE, -0.7 * JOIN_DISTANCE)
+#: counts.  The rays are farther apart than such ends, so no two of them pass between the same ends.
+_RAY_SHIFTS: Final = (0.0, 2.3 * JOIN_DISTANCE, -2.6 * JOIN_DISTANCE)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
