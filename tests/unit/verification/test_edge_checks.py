@@ -234,6 +234,15 @@ def test_a_contour_stops_on_its_corner_even_if_a_slit_ends_there(
     assert kinds(40.1) & {"overcut", "uncut"}
 
 
+def test_a_knife_that_returns_along_a_side_does_not_close_a_contour() -> None:
+    # After the closed square, the last side is cut again, back to the corner at which it began.
+    sides = ((0, 0, 40, 0, 0), (40, 0, 40, 40, 90), (40, 40, 0, 40, 180), (0, 40, 0, 0, 270))
+    drawn = dieline(*SQUARE)
+    once, again = cut_lines(*sides), cut_lines(*sides, (0, 0, 0, 40, 90))
+    assert verify(once, drawn, (0.0, 0.0), MACHINE, BOARD).findings == ()
+    assert verify(again, drawn, (0.0, 0.0), MACHINE, BOARD).findings != ()
+
+
 def test_a_groove_needs_both_its_passes() -> None:
     back = (
         "G0 X78.5000 Y59.3000 C180.0000\n"

@@ -92,7 +92,10 @@ def closes_at_corner(
     run, track = run[closes], track[closes]
     arrival = _drawn_direction(edges, tracks.stop[last[run]], tracks.ahead[last[run]])
     outset = _drawn_direction(edges, tracks.start[track], tracks.outset[track] + 180.0) - 180.0
-    result[run[angle_between(arrival, outset) > swivel - _ANGLE_ERROR]] = True
+    turn = angle_between(arrival, outset)
+    # A run that only returns along its own tracks closes nothing, although it ends where one began.
+    encloses = (track == first[run]) | (turn < 180.0 - _ANGLE_ERROR)
+    result[run[(turn > swivel - _ANGLE_ERROR) & encloses]] = True
     return result
 
 
