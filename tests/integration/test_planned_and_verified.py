@@ -37,7 +37,7 @@ def verdict_of(line: Dieline, machine: Machine = MACHINE, **asked: Any) -> Verdi
 
 
 def faults(verdict: Verdict) -> list[Finding]:
-    """Return the findings that nobody can accept."""
+    """Return the findings that a user cannot accept."""
     return [finding for finding in verdict.findings if finding.severity is Severity.FAULT]
 
 

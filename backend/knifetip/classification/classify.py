@@ -232,7 +232,7 @@ def _withdraw_contradicted(
 def _withdraw_open_corner_folds(
     edges: _EdgeDecisions, classifier: Classifier, features: ShapeFeatures
 ) -> None:
-    """Make creases of boxes without glue tabs unclassified if only shape and colour speak for them.
+    """Make creases of boxes without glue tabs unclassified if only shape or colour supports them.
 
     Such boxes are creased, or made of grooved board.  Creases by a profile rule or by the name of a
     layer remain, and so do dashed creases.  If at least half of the creases of a style belong to

@@ -147,7 +147,7 @@ def _continued_ends(paths: Paths) -> Bool:
     result = np.zeros(len(points), np.bool_)
     boxes = arc.bounding_boxes(paths.start, paths.end, paths.bulge)
     end, row = box_pairs(arc.point_boxes(points), boxes, GAP)
-    # A segment does not lead on beyond its own end, unless it is a closed curve.
+    # A segment does not continue itself, unless it is a closed curve.
     others = (row != segment[end]) | (paths.bulge[row] != 0.0)
     end, row = end[others], row[others]
     if len(end) == 0:

@@ -43,7 +43,7 @@ def _times(moves: MoveColumns, tools: ToolColumns, row: int) -> Any:
     length = path_length(moves.start, moves.end, moves.centre, moves.sweep, row)
     degrees = abs(moves.end[row, 3] - moves.start[row, 3])
     level = abs(moves.end[row, 2] - moves.start[row, 2]) <= LEVEL
-    # If the tip rests while C turns, the move is a swivel, even if the head moves round the tip.
+    # If the tip does not move while C turns, the move is a swivel, even if the head axis moves.
     swivel = level and degrees > 0.0 and rests_tip(moves, tools, row)
     least = 0.0 if swivel else length / own
     turning = degrees / (60.0 * tools.turn_velocity[moves.station[row]])

@@ -1,4 +1,4 @@
-"""Sort rows by group and by two further keys."""
+"""Sort rows by group, and in each group by two keys."""
 
 from __future__ import annotations
 
