@@ -10,6 +10,8 @@ import numpy as np
 import typer
 
 from knifetip import pipeline
+from knifetip.cli.line_types import Edges, Layers, overrides
+from knifetip.cli.options import expand
 from knifetip.cli.rules import find_profile
 from knifetip.cli.terminal import (
     QUESTIONS,
@@ -19,13 +21,12 @@ from knifetip.cli.terminal import (
     report_questions,
     write_bytes,
 )
-from knifetip.errors import KnifetipError, LibraryError
+from knifetip.errors import KnifetipError
 from knifetip.formats import FORMATS
 from knifetip.geometry.columns import I64, U8
 from knifetip.model.cleaned import Cleaned
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, ImportOutcome
-from knifetip.model.interpretation import NO_OVERRIDE
 from knifetip.model.machine import Machine
 from knifetip.model.question import Question
 from knifetip.presentation.drawing import classified_json, drawing_json
@@ -50,28 +51,31 @@ Unit = Annotated[
     ),
 ]
 Profile = Annotated[str, typer.Option(help="Name of a classification profile, or its TOML file.")]
-Layers = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--layer",
-        metavar="NAME=TYPE",
-        help="Give all edges on a layer a line type, such as FOLD=crease; may be repeated.",
-    ),
-]
 Json = Annotated[bool, typer.Option("--json", help="Print the result as JSON.")]
 
 
 @dataclass(frozen=True, slots=True)
 class ReadingOptions:
-    """Command-line options: unit, classification profile, and line types of layers of a drawing."""
+    """Command-line options: unit, classification profile and line types of a drawing."""
 
     profile: Profile = "default"
     layer: Layers = None
+    edge: Edges = None
     unit: Unit = None
 
     def load(self, file: Path) -> LoadedDrawing:
-        """Return the drawing in a file, read and classified with these options."""
-        return load_drawing(file, self.unit, self.profile, self.layer)
+        """Return the drawing in a file, read and classified with these options.
+
+        Raises
+        ------
+        KnifetipError
+            The file or an option cannot be used.
+        """
+        data = read_bytes(file)
+        drawing = pipeline.read(data, self.unit)
+        set_by_user = overrides(drawing, file.name, self.layer, self.edge)
+        dieline = pipeline.classify(drawing, find_profile(self.profile), set_by_user)
+        return LoadedDrawing(data, drawing, dieline, set_by_user)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -127,53 +131,6 @@ class LoadedDrawing:
             return None
 
 
-def load_drawing(
-    file: Path, unit: str | None, profile: str, layers: list[str] | None
-) -> LoadedDrawing:
-    """Return the drawing in a file, read and classified.
-
-    Parameters
-    ----------
-    file
-        Path of the file.
-    unit
-        Unit of the drawing; None for the unit in the file.
-    profile
-        Name of a classification profile, or path of its TOML file.
-    layers
-        Line types of layers, each as ``NAME=TYPE``; None for none.
-
-    Raises
-    ------
-    KnifetipError
-        The file, the profile or a layer option cannot be used.
-    """
-    data = read_bytes(file)
-    drawing = pipeline.read(data, unit)
-    overrides = np.full(len(drawing), NO_OVERRIDE, np.uint8)
-    for pair in layers or []:
-        name, equals, word = pair.rpartition("=")
-        if not equals:
-            raise LibraryError("command.bad-layer", pair=pair)
-        try:
-            kind = LineType.from_word(word)
-        except ValueError as reason:
-            raise LibraryError(
-                "command.bad-line-type", pair=pair, known=[kind.word for kind in LineType]
-            ) from reason
-        rows = [i for i, layer in enumerate(drawing.layers) if layer.casefold() == name.casefold()]
-        if not rows:
-            raise LibraryError(
-                "command.no-such-layer",
-                layer=name,
-                file=file.name,
-                layers=(repr(layer) for layer in drawing.layers),
-            )
-        overrides[np.isin(drawing.layer, rows)] = kind
-    dieline = pipeline.classify(drawing, find_profile(profile), overrides)
-    return LoadedDrawing(data, drawing, dieline, overrides)
-
-
 def report_json(name: str, drawing: Drawing) -> dict[str, Any]:
     """Return name, unit, size and import report of a drawing as JSON data.
 
@@ -224,20 +181,15 @@ def register(app: typer.Typer) -> None:
         _print_lines(_report_lines(about["import_report"]["rows"]))
 
     @app.command()
-    def classify(
-        file: DrawingFile,
-        profile: Profile = "default",
-        layer: Layers = None,
-        unit: Unit = None,
-        json: Json = False,
-    ) -> None:
+    @expand
+    def classify(file: DrawingFile, reading: ReadingOptions, json: Json = False) -> None:
         """Show the line type of each edge and the rule that decided it.
 
         Exits with 2 if the user must decide the unit of the drawing or the line types of some
-        edges. Use --unit, --layer or a profile for these decisions; no program can be made without
-        them.
+        edges. Use --unit, --layer, --edge or a profile for these decisions; no program can be made
+        without them.
         """
-        result = load_drawing(file, unit, profile, layer)
+        result = reading.load(file)
         open_questions = result.questions()
         if json:
             data = result.as_json(file.name)
@@ -255,18 +207,13 @@ def register(app: typer.Typer) -> None:
             raise typer.Exit(QUESTIONS)
 
     @app.command()
-    def clean(
-        file: DrawingFile,
-        profile: Profile = "default",
-        layer: Layers = None,
-        unit: Unit = None,
-        json: Json = False,
-    ) -> None:
+    @expand
+    def clean(file: DrawingFile, reading: ReadingOptions, json: Json = False) -> None:
         """Show which edges cleaning merges, shortens, joins or drops.
 
         Every drawing is cleaned before a program is made from it.
         """
-        result = load_drawing(file, unit, profile, layer)
+        result = reading.load(file)
         if not result.drawing.unit:
             report_questions(result.questions())
             raise typer.Exit(QUESTIONS)

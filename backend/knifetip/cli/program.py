@@ -277,6 +277,16 @@ def _print_how_to_accept(verdict: Verdict) -> None:
         print_stderr(f'  To accept: --accept {listed}:{code} --reason "..."')
 
 
+def print_how_to_leave_out(verdict: Verdict) -> None:
+    """Print the option that leaves out the edges because of whose faults no program is written."""
+    faults = (finding for finding in verdict.findings if finding.severity is Severity.FAULT)
+    rows = dict.fromkeys(str(finding.edge) for finding in faults if finding.edge >= 0)
+    if rows:
+        print_stderr(
+            f"  To leave out these edges and make them by hand: --edge {','.join(rows)}=ignored"
+        )
+
+
 def _parse_placement(text: str) -> tuple[float, float]:
     """Return x and y (mm) from the text "X,Y" of the option ``--placement``."""
     match = re.fullmatch(rf"\s*({_NUMBER})\s*,\s*({_NUMBER})\s*", text, re.ASCII)
@@ -369,6 +379,7 @@ def program(
         }
         write_bytes(report, json_bytes(data))
     print_verdict(result.verdict)
+    print_how_to_leave_out(result.verdict)
     retracted = result.seconds_retracted
     if retracted > result.seconds:
         print_stderr(

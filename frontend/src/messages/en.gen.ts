@@ -411,12 +411,16 @@ export const TEXTS = {
     "text": "The option --corner-at {text!r} does not have the form X,Y=TYPE or X,Y=TYPE:K.",
     "hint": "Write for example --corner-at 300,100=C or --corner-at 300,100=D:0.3."
   },
+  "command.bad-edge": {
+    "text": "The option --edge {pair!r} does not have the form EDGE=TYPE or EDGE,EDGE=TYPE.",
+    "hint": "Write for example --edge 12,13=ignored. The first edge has number 0."
+  },
   "command.bad-layer": {
     "text": "The option --layer {pair!r} does not have the form NAME=TYPE.",
     "hint": "Write for example --layer FOLDS=crease."
   },
   "command.bad-line-type": {
-    "text": "The line type in the option --layer {pair!r} does not exist.",
+    "text": "The line type in the option {pair!r} does not exist.",
     "hint": "Choose the line type {known:or}."
   },
   "command.file-too-large": {
@@ -2265,7 +2269,7 @@ export const TEXTS = {
   },
   "job.program-refused": {
     "text": "The program does not match the drawing, so nothing was cut: {findings: }{more}",
-    "hint": "Change the drawing, the line types of its edges or the board."
+    "hint": "Choose another machine or board, change the drawing, or set the line types of these edges to ignored and make them by hand."
   },
   "job.released": {
     "text": "The operator released the job, so it is queued for its machine.",

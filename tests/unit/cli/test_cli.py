@@ -231,6 +231,16 @@ def test_the_layer_option_sets_the_line_type_of_a_layer(knifetip: Command, folde
     assert sum(edge["type"] == "half-cut" for edge in json.loads(out)["edges"]) == 24
 
 
+def test_an_edge_gets_the_line_type_of_its_option(knifetip: Command, folder: Path) -> None:
+    drawing = folder / "rigid-box-blank.dxf"
+    options = ("--layer", "cut=half-cut", "--edge", "0,2=ignored", "--json")
+    code, out, err = knifetip("classify", drawing, *options)
+    assert code == 0, err
+    types = [edge["type"] for edge in json.loads(out)["edges"]]
+    assert [types[0], types[2]] == ["ignored", "ignored"]
+    assert "half-cut" in types
+
+
 @pytest.mark.parametrize(
     ("words", "expected"),
     [
@@ -241,6 +251,10 @@ def test_the_layer_option_sets_the_line_type_of_a_layer(knifetip: Command, folde
         (("classify", "{}", "--layer", "nothing=cut"), "no layer 'nothing'"),
         (("classify", "{}", "--layer", "CUT=sawn"), "The line type in the option"),
         (("classify", "{}", "--layer", "CUT"), "does not have the form NAME=TYPE"),
+        (("classify", "{}", "--edge", "1"), "does not have the form EDGE=TYPE"),
+        (("classify", "{}", "--edge", "one=cut"), "does not have the form EDGE=TYPE"),
+        (("classify", "{}", "--edge", "1=sawn"), "The line type in the option"),
+        (("classify", "{}", "--edge", "99999=cut"), "Edge 99999 does not exist"),
         (("machine", "none"), "machine 'none' does not"),
     ],
 )  # fmt: skip

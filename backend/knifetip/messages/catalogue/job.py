@@ -236,7 +236,8 @@ MESSAGES: Final[Entries] = {
     ),
     "job.program-refused": entry(
         "The program does not match the drawing, so nothing was cut: {findings: }{more}",
-        "Change the drawing, the line types of its edges or the board.",
+        "Choose another machine or board, change the drawing, or set the line types of these edges "
+        "to ignored and make them by hand.",
         findings="messages",
         more="message?",
     ),

@@ -166,13 +166,18 @@ MESSAGES: Final[Entries] = {
         "Write for example --corner-at 300,100=C or --corner-at 300,100=D:0.3.",
         text="text",
     ),
+    "command.bad-edge": entry(
+        "The option --edge {pair!r} does not have the form EDGE=TYPE or EDGE,EDGE=TYPE.",
+        "Write for example --edge 12,13=ignored. The first edge has number 0.",
+        pair="text",
+    ),
     "command.bad-layer": entry(
         "The option --layer {pair!r} does not have the form NAME=TYPE.",
         "Write for example --layer FOLDS=crease.",
         pair="text",
     ),
     "command.bad-line-type": entry(
-        "The line type in the option --layer {pair!r} does not exist.",
+        "The line type in the option {pair!r} does not exist.",
         "Choose the line type {known:or}.",
         pair="text",
         known="texts",
