@@ -6,6 +6,7 @@ The drawings below were refused wrongly when random cartons first contained them
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -270,3 +271,14 @@ def test_a_contour_may_start_at_a_corner_whose_arc_is_made_of_chords() -> None:
         bulge={0: np.tan(0.5 * turn), 2: 1.0, 4: 1.0},
     )
     assert refusals(compiled(line, "flat-cutter-hpgl", "greyboard-3.0")) == []
+
+
+def test_a_path_at_the_corner_of_fitted_curves_on_a_flat_cutter_follows_one_of_them() -> None:
+    # Rounded to plotter units, the path along one side of the window passes the end of this side,
+    # and is a little nearer to the other side there.
+    window = closed((70.035, 40.005), (85.062, 20.025), (94.827, 36.786))
+    panel = closed((0, 0), (150, 0), (150, 120), (0, 120))
+    line = dieline((CUT, panel), (CUT, window))
+    fitted = replace(line, fit_error=np.where(np.arange(len(line)) < 4, 0.0, 0.0004))
+    made = compiled(fitted, "flat-cutter-hpgl", "fbb-0.4")
+    assert refusals(made) == []

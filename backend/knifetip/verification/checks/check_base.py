@@ -31,7 +31,7 @@ from knifetip.verification.checks.stretch_figures import heading_errors, sample_
 from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.curves.curve import azimuth_at, point_at
 from knifetip.verification.curves.group_order import order_in_groups
-from knifetip.verification.curves.intervals import Overlaps, uncovered_curves
+from knifetip.verification.curves.intervals import Overlaps, nearest_parts, uncovered_curves
 from knifetip.verification.expectation.edges import Edges, angle_between
 from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.kinematics import TipPaths
@@ -181,12 +181,15 @@ class StationCheck(ABC):
         work, edge = overlaps.curve[best], overlaps.edge[best]
         distance, blend, rows = overlaps.distance[best], self.blend[work], self.edges.row[edge]
         fit_error = self.context.fit_error[rows]
-        shown = self.figures.record_deviation(rows, distance, blend, fit_error)
         along, place = overlaps.along[best], overlaps.place[best]
         span, size = (np.abs(stretch[:, 1] - stretch[:, 0]) for stretch in (place, along))
         # A path across the tolerance band, as at a corner, follows another edge.
-        figure = np.where(span >= 0.5 * size, distance + blend + fit_error, 0.0)
-        for row in np.flatnonzero(figure > limit[edge] + 1e-9)[:MAX_FINDINGS]:
+        follows, permitted = span >= 0.5 * size, limit[edge] + 1e-9
+        far = np.flatnonzero(follows & (distance + blend + fit_error > permitted))
+        if len(far):
+            distance[far] = self._distances_where_nearest(overlaps, best[far])
+        shown = self.figures.record_deviation(rows, distance, blend, fit_error)
+        for row in far[(distance + blend + fit_error > permitted)[far]][:MAX_FINDINGS]:
             parts = {
                 "distance": distance[row],
                 "rounding": blend[row],
@@ -194,7 +197,7 @@ class StationCheck(ABC):
             }
             message = Message("verify.off-line", tool=self.operation.tool, **parts)
             severity = Severity.FAULT
-            if distance[row] + blend[row] <= limit[edge[row]]:
+            if distance[row] + blend[row] <= permitted[row]:
                 message = Message("verify.off-curve", fit=fit_error[row], **parts)
                 severity = Severity.SHORTFALL
             self.add_finding(
@@ -228,6 +231,28 @@ class StationCheck(ABC):
                 wrong[row],
                 work[row],
             )
+
+    def _distances_where_nearest(self, overlaps: Overlaps, rows: I64) -> F64:
+        """Return the greatest distance from its edge of each of n overlaps where the path is near
+        no nearer edge, (n,) mm.
+
+        At a corner a path leaves the tolerance band of one edge while it follows the other edge.
+        ``rows`` are the indices of the overlaps.
+        """
+        count = 8
+        start, end = nearest_parts(overlaps, rows).T
+        bounds = np.linspace(start, end, count + 1, axis=1)
+        pieces = np.repeat(rows, count)
+        _, offsets = sample_stretches(
+            np.ascontiguousarray(self.curve),
+            overlaps.curve[pieces],
+            np.column_stack([bounds[:, :-1].ravel(), bounds[:, 1:].ravel()]),
+            self.edges.curve,
+            overlaps.edge[pieces],
+            overlaps.place[pieces],
+        )
+        result: F64 = np.abs(offsets).max(axis=0).reshape(-1, count).max(axis=1)
+        return result
 
     def planned_depths(self, edge: I32, place: F64) -> tuple[F64, F64]:  # noqa: ARG002  # for subclasses
         """Return the least and the greatest planned depth of the tip along k stretches, (k,) mm

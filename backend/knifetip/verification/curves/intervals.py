@@ -11,7 +11,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.kernels import F64_1, F64_2, I32_1, I32_2, OutF64_2, kernel
+from knifetip.kernels import F64_1, F64_2, I32_1, I32_2, I64_1, OutF64_2, kernel
 from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.curves.group_order import order_in_groups
 
@@ -20,6 +20,8 @@ EPSILON: Final = 1e-9
 #: An overlap that adds less than this does not count (mm): paths may have gaps of 0.002 mm, and
 #: programs are printed to 0.0001 mm.
 SHORT: Final = 0.005
+#: Copies of an edge differ by less in their distance from a curve (mm).
+TWIN: Final = 1e-6
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -121,6 +123,25 @@ def within_limits(overlaps: Overlaps, limit: F64, curves: F64) -> Overlaps:
     """
     near_overlaps = overlaps.select(overlaps.distance <= limit[overlaps.edge])
     return mark_nearest(near_overlaps, curves, curves[:, 5].copy())
+
+
+def nearest_parts(overlaps: Overlaps, rows: I64) -> F64:
+    """Return the start and end on its curve of the part of each of n overlaps that no nearer edge
+    covers, (n, 2) mm.
+
+    If there are several such parts, the result reaches from the first to the last of them; if there
+    is none, it is the whole overlap.
+
+    Parameters
+    ----------
+    overlaps
+        Overlaps of curves with edges, sorted by curve and then by distance.
+    rows : (n,)
+        Indices of the n overlaps.
+    """
+    first = np.searchsorted(overlaps.curve, overlaps.curve[rows]).astype(np.int64)
+    parts: F64 = _nearest_parts(first, rows, overlaps.along, overlaps.distance)
+    return parts
 
 
 def uncovered_curves(overlaps: Overlaps, curves: F64) -> tuple[I32, F64]:
@@ -238,11 +259,45 @@ def _nearest_mask(
             left = min(along[row, 0], right)
             many, gained = add_interval(covered, many, left, right)
             # A curve works both copies of an edge that is drawn twice.
-            twin = distance[row] <= distance[begin] + 1e-6
+            twin = distance[row] <= distance[begin] + TWIN
             counts = right - left > SHORT or (short and along[row, 1] <= considered[curve])
             best[row] = gained > SHORT or (twin and counts)
         begin = end
     return best
+
+
+@kernel
+def _nearest_parts(first: I64_1, rows: I64_1, along: F64_2, distance: F64_1) -> Any:
+    """Return the parts of n of k overlaps that no nearer edge covers; see ``nearest_parts``.
+
+    Parameters
+    ----------
+    first, rows : (n,)
+        Index of the first overlap of the same curve, and of the overlap itself.
+    along, distance : (k, 2) and (k,) mm
+        Start and end of each overlap along its curve, and its greatest distance from the edge.
+    """
+    parts = np.empty((len(rows), 2))
+    covered = np.empty((16, 2))
+    for k in range(len(rows)):
+        row, start = rows[k], first[k]
+        if len(covered) <= row - start:
+            covered = np.empty((2 * (row - start), 2))
+        many = 0
+        for other in range(start, row):
+            # An edge that is drawn twice covers none of its copies.
+            if distance[other] < distance[row] - TWIN:
+                many, _ = add_interval(covered, many, along[other, 0], along[other, 1])
+        left, right = along[row, 0], along[row, 1]
+        for other in range(many):
+            if covered[other, 0] <= left < covered[other, 1]:
+                left = covered[other, 1]
+            if covered[other, 0] < right <= covered[other, 1]:
+                right = covered[other, 0]
+        if left >= right:
+            left, right = along[row, 0], along[row, 1]
+        parts[k, 0], parts[k, 1] = left, right
+    return parts
 
 
 @kernel(allocates=False)
