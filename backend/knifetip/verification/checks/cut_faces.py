@@ -16,8 +16,8 @@ import numpy as np
 from knifetip.kernels import F64_2, I64_1, Bool_1, kernel
 from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.curves.curve import line_curves, point_at
+from knifetip.verification.curves.curve_grid import CurveGrid, list_curves
 from knifetip.verification.curves.group_order import order_in_groups
-from knifetip.verification.curves.overlap import EdgeGrid, list_edges
 from knifetip.verification.expectation.edge_paths import edge_paths, joined_ends
 from knifetip.verification.expectation.edges import (
     JOIN_DISTANCE,
@@ -360,7 +360,7 @@ def _first_piece_left(points: F64, own: I64, pieces: Edges, owner: I64) -> tuple
     the height of the point, (m,).
     """
     grid = pieces.compute_once(
-        "cells of rays", lambda: list_edges(_joined_curves(pieces), 0.0, _RAY_MARGIN)
+        "cells of rays", lambda: list_curves(_joined_curves(pieces), 0.0, _RAY_MARGIN)
     )
     met, rising = _search_left(points + np.array([0.0, _RAY_OFFSET]), own, owner, grid)
     return met, rising
@@ -390,9 +390,9 @@ def _search_left(
     points: F64_2,
     own: I64_1,
     owner: I64_1,
-    grid: EdgeGrid,
+    grid: CurveGrid,
 ) -> Any:
-    curve, corner, size, wide, tall = grid.edges, grid.corner, grid.size, grid.wide, grid.tall
+    curve, corner, size, wide, tall = grid.curves, grid.corner, grid.size, grid.wide, grid.tall
     first, listed = grid.first, grid.listed
     met = np.full(len(points), -1, np.int64)
     rising = np.zeros(len(points), np.bool_)

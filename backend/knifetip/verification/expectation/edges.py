@@ -13,6 +13,7 @@ from knifetip.kernels import F64_1, inline_kernel, kernel
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.verification.columns import F64, I32, I64
 from knifetip.verification.curves.curve import arc_curves, azimuth_at, line_curves, point_at
+from knifetip.verification.curves.curve_grid import list_curves
 from knifetip.verification.curves.intervals import Overlaps
 from knifetip.verification.curves.near_points import (
     PointGrid,
@@ -20,7 +21,7 @@ from knifetip.verification.curves.near_points import (
     near_points,
     pair_distances,
 )
-from knifetip.verification.curves.overlap import find_overlaps, list_edges, search_overlaps
+from knifetip.verification.curves.overlap import find_overlaps, search_overlaps
 
 Result = TypeVar("Result")
 
@@ -140,7 +141,7 @@ class Edges:
             known, earlier = self._memory[name]
             if np.array_equal(known, curves):
                 return cast(Overlaps, earlier)
-        grid = self.compute_once("grid", lambda: list_edges(self.curve, _GRID_LIMIT))
+        grid = self.compute_once("grid", lambda: list_curves(self.curve, _GRID_LIMIT))
         result = search_overlaps(curves, grid, low, high, limit)
         if is_whole:
             self._memory[name] = (curves, result)
