@@ -277,6 +277,21 @@ def test_a_cut_that_crosses_creases_near_their_joint(
     assert verdict.accepted, verdict.findings[:2]
 
 
+@pytest.mark.parametrize("stub", [0.01, 0.04, 0.05, 0.06])
+def test_a_crease_with_a_joint_near_the_cuts_at_its_end(stub: float) -> None:
+    cuts = edges(((180, 150), (200, 150)), ((200, 150), (220, 150)))
+    creases = edges(((200, 150), (200, 150 + stub)), ((200, 150 + stub), (200, 220)))
+    verdict = verdict_of(dieline(OUTLINE, (CREASE, creases), (CUT, cuts)))
+    assert verdict.accepted, verdict.findings[:2]
+
+
+def test_cuts_that_end_on_both_sides_of_a_joint_of_creases() -> None:
+    cuts = edges(((200, 150), (200, 160)), ((200.06, 150), (200.06, 140)))
+    creases = edges(((120, 150), (200.03, 150)), ((200.03, 150), (300, 150)))
+    verdict = verdict_of(dieline(OUTLINE, (CREASE, creases), (CUT, cuts)))
+    assert verdict.accepted, verdict.findings[:2]
+
+
 @pytest.mark.parametrize("past", [-0.06, -0.05, -0.01, 0.0, 0.01, 0.05, 0.05001, 0.06])
 @pytest.mark.parametrize("shift", [0.0, 0.1, 0.7, 1.3])
 def test_a_crease_that_ends_a_little_before_or_behind_a_cut(past: float, shift: float) -> None:

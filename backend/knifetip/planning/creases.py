@@ -232,7 +232,9 @@ def _crossings_at_cut_ends(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F6
     segments = paths.start[row], paths.end[row], paths.bulge[row]
     fraction = arc.nearest_fraction(*segments, points[end])
     foot = arc.point_at(*segments, fraction)
-    touches = np.hypot(*(foot - points[end]).T) <= GAP + POINT
+    away = np.hypot(*(foot - points[end]).T)
+    touches = away <= GAP + POINT
+    touches[touches] = _are_nearest(paths, end[touches], row[touches], away[touches])
     end, row, fraction = end[touches], row[touches], fraction[touches]
     ahead = unit_vectors(
         arc.tangent_at(paths.start[row], paths.end[row], paths.bulge[row], fraction)
@@ -253,6 +255,32 @@ def _crossings_at_cut_ends(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F6
     both[group, (side < 0.0).astype(np.int64)] = True
     crossed = both[group, 0] & both[group, 1]
     return row[crossed].astype(np.int64), fraction[crossed]
+
+
+def _are_nearest(paths: Paths, point: I64, segment: I64, distance: F64) -> Bool:
+    """Return the mask of the k touches to which no neighbour of the segment is nearer, (k,).
+
+    Near a joint of two segments a point touches both, but it meets their path at one place only.
+
+    Parameters
+    ----------
+    point, segment, distance : (k,), (k,) and (k,) mm
+        Index of the point and of the segment of each touch, and their distance.
+    """
+    size = len(paths.bulge)
+    before, after = np.arange(size) - 1, np.arange(size) + 1
+    first, final = paths.first[:-1], paths.first[1:] - 1
+    before[first] = np.where(paths.closed, final, -1)
+    after[final] = np.where(paths.closed, first, -1)
+    key = point * size + segment
+    order = np.argsort(key)
+    nearest = np.ones(len(key), np.bool_)
+    for neighbour in (before[segment], after[segment]):
+        wanted = point * size + neighbour
+        found = order[np.minimum(np.searchsorted(key[order], wanted), len(key) - 1)]
+        same = (neighbour >= 0) & (key[found] == wanted)
+        nearest &= ~same | (distance <= distance[found] + POINT)
+    return nearest
 
 
 def inner_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, I64, F64]:

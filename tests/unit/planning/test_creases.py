@@ -103,6 +103,13 @@ def test_a_crease_of_two_pieces_is_split_at_its_joint_once() -> None:
     assert operation.finish.tolist() == [End.FREE, End.FREE]
 
 
+def test_cuts_that_end_beside_a_joint_are_not_connected_by_it() -> None:
+    # The cuts end 0.06 mm apart, on opposite sides; the joint lies between them.
+    pieces = edges(((0, 0), (40.03, 0)), ((40.03, 0), (100, 0)))
+    operation = rolled(pieces, edges(((40, 0), (40, 10)), ((40.06, 0), (40.06, -10))))
+    assert len(operation.paths) == 1
+
+
 def test_a_curved_crease_is_split_by_a_straight_cut() -> None:
     # Half a circle of radius 50 from (0, 0) to (100, 0); the cut ends at its lowest point.
     operation = rolled(ACROSS, edges(((50, -80), (50, 0))), bulge={0: 1.0}, board=EVEN)

@@ -17,6 +17,7 @@ import numpy as np
 from knifetip.model.dieline import LineType
 from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import azimuth_at, line_curves, point_at
+from knifetip.verification.curves.intervals import Overlaps
 from knifetip.verification.curves.overlap import find_overlaps
 from knifetip.verification.expectation.edge_paths import EdgePaths, edge_paths, link_ends
 from knifetip.verification.expectation.edges import (
@@ -123,12 +124,14 @@ def _cut_crossings(lines: Edges, cuts: Edges) -> _Crossings:
     most ``TOUCH_DISTANCE`` apart.
     """
     limit = TOUCH_DISTANCE + LIMIT_SLACK
-    paths = edge_paths(lines, link_ends(lines, STRAIGHT_ANGLE)[0])
+    link = link_ends(lines, STRAIGHT_ANGLE)[0]
+    paths = edge_paths(lines, link)
     overlaps = cuts.find_overlaps(lines.curve, ON_DISTANCE)
     position, place = overlaps.along.mean(axis=1), overlaps.place.mean(axis=1)
     is_inner = (place > limit) & (place < cuts.curve[overlaps.edge, 5] - limit)
     is_inner &= np.diff(overlaps.along)[:, 0] < CROSSING_LENGTH
     touch = lines.touched_by_points(cuts.ends, limit)
+    touch = touch.select(~_met_on_linked_edge(touch, cuts.ends, lines, link))
     row, touch_position = touch.edge.astype(np.int64), touch.place[:, 0]
     side = np.sin(
         np.radians(cuts.outward[touch.curve] + 180.0 - azimuth_at(lines.curve[row], touch_position))
@@ -154,6 +157,36 @@ def _cut_crossings(lines: Edges, cuts: Edges) -> _Crossings:
     return _Crossings(
         edge, position, paths.path[edge], _places(lines, paths, edge, position), paths
     )
+
+
+def _met_on_linked_edge(touch: Overlaps, points: F64, lines: Edges, link: I64) -> Bool:
+    """Return the mask of the k touches of points with edges to which a linked edge is nearer, (k,).
+
+    Near a joint of two edges a point touches both, but it meets their path at one place only.
+
+    Parameters
+    ----------
+    touch
+        Touches of points with edges, as overlaps of curves of length 0.
+    points : (n, 2) mm
+        The points.
+    lines, link
+        The edges, and the index of the end to which each of their 2m ends is linked, (2m,), or -1.
+    """
+    result = np.zeros(len(touch.curve), np.bool_)
+    if len(result) == 0:
+        return result
+    point, edge = touch.curve.astype(np.int64), touch.edge.astype(np.int64)
+    foot = point_at(lines.curve[edge], touch.place[:, 0])
+    distance = np.hypot(*(foot - points[point]).T)
+    key = point * len(lines) + edge
+    order = np.argsort(key)
+    for end in (2 * edge, 2 * edge + 1):
+        wanted = point * len(lines) + link[end] // 2
+        found = order[np.searchsorted(key, wanted, sorter=order).clip(max=len(key) - 1)]
+        linked = (link[end] >= 0) & (key[found] == wanted)
+        result |= linked & (distance[found] < distance - LIMIT_SLACK)
+    return result
 
 
 def _places(lines: Edges, paths: EdgePaths, edge: I64, position: F64) -> F64:
