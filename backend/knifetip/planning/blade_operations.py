@@ -204,7 +204,9 @@ def _keep_waste_left(
     side = np.zeros(len(dieline), np.int8)
     side[rows] = waste
     first = paths.first[:-1]
-    as_drawn = (paths.start[first] == dieline.ends[source[first], 0]).all(axis=1)
+    # Closing a joint may have moved the start of a segment a little.
+    away = np.hypot(*(paths.start[first][:, None] - dieline.ends[source[first]]).transpose(2, 0, 1))
+    as_drawn = away[:, 0] <= away[:, 1]
     on_right = side[source[first]] == np.where(as_drawn, -1, 1)
     paths, segment = reverse_paths(paths, paths.closed & on_right)
     return paths, source[segment]

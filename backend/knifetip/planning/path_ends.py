@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from knifetip.geometry import arc
 from knifetip.geometry.chain import chain, outward_directions
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.path import Paths
@@ -40,19 +41,23 @@ def close_joints(paths: Paths) -> Paths:
     """Return the paths without the small gaps that the drawing leaves between segments.
 
     Each segment ends exactly at the start of the next one.  A path whose start and end are less
-    than ``JOIN`` mm apart is closed.
+    than ``JOIN`` mm apart is closed.  The longer of two segments is moved, as this turns it less: a
+    knife must follow the direction in which a short edge is drawn.
     """
-    end = paths.end.copy()
+    start, end = paths.start.copy(), paths.end.copy()
     first, last = paths.first[:-1], paths.first[1:] - 1
-    inner: Bool = np.ones(len(end), np.bool_)
-    inner[last] = False
-    rows = np.flatnonzero(inner)
-    end[rows] = paths.start[rows + 1]
+    following = np.arange(1, len(end) + 1)
     # A line to a point and back ends where it started, but is no contour.
     gap = np.hypot(*(paths.start[first] - paths.end[last]).T)
     near = (gap < JOIN) & ((last > first + 1) | (np.abs(paths.bulge[first]) > 0.0))
-    end[last[near]] = paths.start[first[near]]
-    return Paths(paths.start, end, paths.bulge, paths.first)
+    following[last] = np.where(near, first, -1)
+    before = np.flatnonzero(following >= 0)
+    after = following[before]
+    size = arc.length(paths.start, paths.end, paths.bulge)
+    moves_start = size[before] < size[after]
+    start[after[moves_start]] = paths.end[before[moves_start]]
+    end[before[~moves_start]] = paths.start[after[~moves_start]]
+    return Paths(start, end, paths.bulge, paths.first)
 
 
 def end_points(paths: Paths) -> tuple[F64, I32]:
