@@ -120,6 +120,11 @@ def test_a_cut_shorter_than_the_lead_that_ends_at_a_bridge_is_refused() -> None:
         knife_toolpath(bridged)
 
 
+def test_a_dash_of_a_perforation_shorter_than_the_lead_is_refused() -> None:
+    with pytest.raises(EdgeTooShort, match=r"2\.30 mm"):
+        knife_toolpath(planned(edges(((0, 0), (2.2, 0))), kind=LineType.PERFORATION))
+
+
 def led(ends: F64, **leads: Any) -> Toolpath:
     blade = replace(KNIFE, **leads)
     machine = replace(MACHINE, stations=(replace(MACHINE.stations[0], tool=blade),))
