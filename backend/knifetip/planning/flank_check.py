@@ -251,9 +251,9 @@ def _crosses_groove(strip: _NearbyChords) -> Bool:
     """Return the mask of the chords whose cut crosses the groove, or ends on its line, (k,).
 
     ``strip`` contains the parts of the cuts near the grooves.  Such a part crosses the groove if it
-    comes within ``GAP`` of the groove's line from both sides or from one, and extends across the
-    groove at least as far as along the groove.  The panels beside such a cut lose no more of their
-    top corner than at a groove that ends on the cut.
+    has points on both sides of the groove's line, or ends within ``GAP`` of it, and if it extends
+    across the groove at least as far as along the groove.  The panels beside such a cut lose no
+    more of their top corner than at a groove that ends on the cut.
     """
     if len(strip.path) == 0:
         return np.zeros(0, np.bool_)

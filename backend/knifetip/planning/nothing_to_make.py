@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import Final
 
 import numpy as np
@@ -29,18 +30,14 @@ def check_has_work(drawing: Drawing, dieline: Dieline) -> None:
             raise PlanError("drawing.empty")
         reasons = [drawing.import_report.reason[row] for row in dropped.tolist()]
         # The first reason of each code is an example of the others.
-        count: dict[str, int] = {}
-        example: dict[str, Message] = {}
-        for reason in reasons:
-            count[reason.code] = count.get(reason.code, 0) + 1
-            example.setdefault(reason.code, reason)
-        commonest = sorted(count, key=lambda code: -count[code])[:_SHOWN]
+        example = {reason.code: reason for reason in reversed(reasons)}
+        commonest = Counter(reason.code for reason in reasons).most_common(_SHOWN)
         raise PlanError(
             "drawing.no-lines",
             count=len(dropped),
             reasons=[
-                Message("drawing.no-lines-reason", count=count[code], reason=example[code])
-                for code in commonest
+                Message("drawing.no-lines-reason", count=count, reason=example[code])
+                for code, count in commonest
             ],
         )
     if (dieline.line_type == LineType.IGNORED).all():

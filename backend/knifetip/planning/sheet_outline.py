@@ -109,7 +109,8 @@ def _drawn_outline(dieline: Dieline) -> BoardOutline:
     ignored = (LineType.CUT, LineType.IGNORED, LineType.UNCLASSIFIED)
     others = np.flatnonzero(~np.isin(dieline.line_type, ignored))
     begin, stop = dieline.ends[others, 0], dieline.ends[others, 1]
-    # Not at the middle: below it, round blanks touch and may overlap by rounding.
+    # Not the middle of each line: contours are counted along the vertical through the point, which
+    # for a line of symmetry passes where round blanks touch and may overlap by rounding.
     probe = arc.point_at(begin, stop, dieline.bulge[others], np.full(len(others), 0.37))
     if not side.any() or apart.any() or (division.count_enclosing(probe) == 0).any():
         raise PlanError("sheet.without-outline")

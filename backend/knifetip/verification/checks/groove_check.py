@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Final
 
 import numpy as np
 
@@ -25,14 +24,11 @@ from knifetip.verification.columns import F64, Bool
 from knifetip.verification.curves.curve import left_distance
 from knifetip.verification.curves.intervals import SHORT, Overlaps, within_limits
 from knifetip.verification.curves.overlap import find_overlaps
-from knifetip.verification.expectation.edges import Edges
+from knifetip.verification.expectation.edges import LIMIT_SLACK, Edges
 from knifetip.verification.expectation.expected_work import groove_continues
 from knifetip.verification.expectation.run_outs import run_outs
 from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.tools import ANGLE_TOLERANCE
-
-#: Greatest rounding error of a length (mm).
-_ROUNDING: Final = 1e-6
 
 
 class GrooveCheck(StationCheck):
@@ -116,7 +112,7 @@ class GrooveCheck(StationCheck):
         if blade is None:
             return np.zeros(len(drawn), np.bool_)
         wide = 2.0 * blade.half_width
-        short: Bool = (drawn.curve[:, 0] == 0.0) & (drawn.curve[:, 5] < wide + _ROUNDING)
+        short: Bool = (drawn.curve[:, 0] == 0.0) & (drawn.curve[:, 5] < wide + LIMIT_SLACK)
         short &= ~groove_continues(drawn).reshape(-1, 2).any(axis=1)
         along = overlaps.best & (np.abs(np.diff(overlaps.place)[:, 0]) > SHORT)
         short[overlaps.edge[along]] = False

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Final
 
 import numpy as np
 
@@ -25,14 +24,11 @@ from knifetip.verification.curves.curve import azimuth_at, line_curves, point_at
 from knifetip.verification.curves.intervals import SHORT, Overlaps, mark_nearest, uncovered_edges
 from knifetip.verification.curves.overlap import find_overlaps
 from knifetip.verification.expectation.edge_paths import EdgePaths, continues_straight
-from knifetip.verification.expectation.edges import Edges, angle_between
+from knifetip.verification.expectation.edges import LIMIT_SLACK, Edges, angle_between
 from knifetip.verification.expectation.expected_work import KnifeEnds, knife_ends
 from knifetip.verification.expectation.outline import count_enclosing, find_outlines
 from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.tools import OperationKind
-
-#: Greatest rounding error of a length (mm).
-_ROUNDING: Final = 1e-6
 
 
 class KnifeCheck(StationCheck):
@@ -133,17 +129,18 @@ class KnifeCheck(StationCheck):
         Indices of the edges of the reported cuts.
         """
         paths = ends.paths
-        is_short = (paths.first >= 0) & (paths.length <= lead + _ROUNDING)
+        is_short = (paths.first >= 0) & (paths.length <= lead + LIMIT_SLACK)
         is_short &= ends.free[paths.first] & ends.free[paths.last]
         is_made = np.zeros(len(self.edges), np.bool_)
         along = overlaps.best & (np.abs(np.diff(overlaps.place)[:, 0]) > SHORT)
         is_made[overlaps.edge[along]] = True
         is_short[paths.path[is_made[solid_rows]]] = False
-        edges: I64 = solid_rows[is_short[paths.path]]
+        short = np.flatnonzero(is_short[paths.path])
+        edges: I64 = solid_rows[short]
         np.add.at(self.figures.uncut, self.edges.row[edges], self.size[edges])
-        length = dict(zip(solid_rows.tolist(), paths.length[paths.path].tolist(), strict=True))
-        for edge in edges[:MAX_FINDINGS].tolist():
-            message = Message("verify.cut-too-short", length=length[edge], lead=lead)
+        for row in short[:MAX_FINDINGS]:
+            edge, length = int(solid_rows[row]), float(paths.length[paths.path[row]])
+            message = Message("verify.cut-too-short", length=length, lead=lead)
             size = float(self.size[edge])
             self.add_finding("uncut", edge, message, size, severity=Severity.SHORTFALL)
         return edges

@@ -39,7 +39,7 @@ from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.curves.curve import left_distance, line_curves, point_at
 from knifetip.verification.curves.intervals import EPSILON, uncovered_curves, uncovered_edges
 from knifetip.verification.curves.overlap import find_overlaps
-from knifetip.verification.expectation.cutter_paths import CutterPaths, cutter_paths
+from knifetip.verification.expectation.cutter_paths import CutterPaths, cutter_paths, disc_reach
 from knifetip.verification.expectation.edges import Edges, pairs_within
 from knifetip.verification.expectation.expected_work import knife_ends
 from knifetip.verification.expectation.outline import CutOutlines, count_enclosing, find_outlines
@@ -97,12 +97,7 @@ def check_milling(
     tool = expected_tool(station.tool)
     assert tool.disc is not None
     planned = tool.through_depth(context.board.caliper, context.machine.into_mat)
-    deflection = next(
-        (entry for entry in context.board.deflection if entry.tool == station.name), None
-    )
-    reach = np.array([tool.disc.radius, tool.disc.radius]) - (
-        (deflection.x, deflection.y) if deflection else 0.0
-    )
+    reach = disc_reach(context.board, station)
     _MillingCheck(context, edges, centres, tool.disc, reach, slack).run(planned)
 
 

@@ -198,9 +198,10 @@ def _nearest_stops(
         run, nearest = np.unique(run[order], return_index=True)
         best = order[nearest]
         planned[run], distance[run] = end[best], apart[best]
-        open_ = ~closed
-        open_[run] = across[best]
-        left = left[open_[left]]
+        # Search wider for runs without a stop so near, or with one of an edge across them only.
+        is_left = ~closed
+        is_left[run] = across[best]
+        left = left[is_left[left]]
     return planned, distance
 
 

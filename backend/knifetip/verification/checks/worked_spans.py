@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
 from knifetip.kernels import F64_1, I64_1, kernel
+from knifetip.model.machine import Station
 from knifetip.verification.checks.check_context import DEPTH_TOLERANCE, CheckContext
 from knifetip.verification.checks.cut_faces import GAP_LENGTH, CutFaces, split_at_junctions
 from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.curves.intervals import add_interval
 from knifetip.verification.curves.overlap import find_overlaps
-from knifetip.verification.expectation.cutter_paths import cutter_paths
+from knifetip.verification.expectation.cutter_paths import cutter_paths, disc_reach
 from knifetip.verification.expectation.edges import JOIN_DISTANCE, Edges
-from knifetip.verification.expectation.outline import find_outlines
+from knifetip.verification.expectation.outline import CutOutlines, find_outlines
 from knifetip.verification.kinematics import TipPaths
 from knifetip.verification.tools import OperationKind, expected_tool
 
@@ -29,9 +30,25 @@ MIN_LENGTH: Final = 0.1
 _CORNER_RATIO: Final = 4.0
 
 
-#: Columns about stretches of cuts: index of the cut, start and end along it, length of the part of
-#: the cut to which the stretch belongs (mm), row of the tip path, and whether it is cut through.
-_Columns = tuple[I32 | I64, F64, F64, F64, I64, Bool]
+class _Stretches(NamedTuple):
+    """k stretches of cuts, each made by one tip path."""
+
+    edge: I32 | I64  #: (k,) index of the cut
+    low: F64  #: (k,) mm along the cut
+    high: F64  #: (k,)
+    size: F64  #: (k,) mm, length of the part of the cut to which the stretch belongs
+    path: I64  #: (k,) row of the tip path
+    through: Bool  #: (k,) the work goes through the board
+
+
+class _Parts(NamedTuple):
+    """The parts of cuts between their junctions: a cut may be a part of an outline, and continue as
+    a slit between two flaps.
+    """
+
+    bounds: CutOutlines  #: the p parts, and the outlines that they form
+    owner: I64  #: (p,) index of the cut
+    begin: F64  #: (p,) mm, start of the part along the cut
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -53,49 +70,19 @@ def find_worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> Wor
     ``work`` are all tip paths.  The path of a knife's tip lies on its cut; the path of a cutter's
     centre lies beside its cut.
     """
-    size = cuts.curve[:, 5]
-    knife = np.flatnonzero(work.operation == OperationKind.CUT)
-    near = cuts.find_overlaps(work.curve[knife], context.tolerance)
-    keep = near.best
-    lowest, highest = near.place_range()
-    columns: list[_Columns] = [
-        (near.edge[keep], lowest[keep], highest[keep], size[near.edge[keep]],
-         knife[near.curve[keep]], np.ones(int(keep.sum()), np.bool_)),
-    ]  # fmt: skip
+    stretches = [_knife_stretches(context, work, cuts)]
     mill = work.operation == OperationKind.MILL
     widest = 0.0
     if mill.any():
-        # A cut may be a part of an outline, and continue as a slit between two flaps.
-        parts, owner, begin = split_at_junctions(cuts)
-        bounds = find_outlines(parts)
-    for index in np.unique(work.station[mill]):
-        station = context.machine.stations[int(index)]
-        tool = expected_tool(station.tool)
-        assert tool.disc is not None
-        deflection = next(
-            (one for one in context.board.deflection if one.tool == station.name), None
-        )
-        reach = np.full(2, tool.disc.radius) - ((deflection.x, deflection.y) if deflection else 0.0)
-        widest = max(widest, float(reach.max()))
-        beside = cutter_paths(bounds, reach)
-        rows = np.flatnonzero(mill & (work.station == index))
-        length = beside.curve[:, 5]
-        near = find_overlaps(
-            work.curve[rows], beside.curve, np.zeros(len(length)), length, context.tolerance
-        )
-        crosses = _lies_inside(near.along, work.curve[rows[near.curve], 5])
-        crosses &= _lies_inside(near.place, length[near.edge])
-        found = np.flatnonzero(~crosses)
-        paths, pieces = rows[near.curve[found]], near.edge[found]
-        low, high = beside.edge_intervals(pieces, near.place[found])
-        deep = context.board.caliper - work.z[paths]
-        planned = tool.through_depth(context.board.caliper, context.machine.into_mat)
-        is_through = deep >= planned - DEPTH_TOLERANCE
-        part = beside.edge[pieces]
-        low, high = low + begin[part], high + begin[part]
-        columns.append((owner[part], low, high, parts.curve[part, 5], paths, is_through))
+        pieces, owner, begin = split_at_junctions(cuts)
+        parts = _Parts(find_outlines(pieces), owner, begin)
+        for index in np.unique(work.station[mill]):
+            station = context.machine.stations[int(index)]
+            rows = np.flatnonzero(mill & (work.station == index))
+            stretches.append(_milled_stretches(context, work, rows, parts, station))
+            widest = max(widest, float(disc_reach(context.board, station).max()))
     edge, low, high, size, path, is_through = (
-        np.concatenate(one) for one in zip(*columns, strict=True)
+        np.concatenate(column) for column in zip(*stretches, strict=True)
     )
     order = np.lexsort((path, edge))
     edge, path = edge[order].astype(np.int64), path[order].astype(np.int64)
@@ -112,6 +99,46 @@ def find_worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> Wor
     return WorkedSpans(
         edge[kept], low[long], high[long], line[kept], is_through[long],
         path[np.repeat(long, many)], widest,
+    )  # fmt: skip
+
+
+def _knife_stretches(context: CheckContext, work: TipPaths, cuts: Edges) -> _Stretches:
+    """Return the stretches of the edges ``cuts`` that knives have cut.
+
+    ``work`` are all tip paths.
+    """
+    knife = np.flatnonzero(work.operation == OperationKind.CUT)
+    near = cuts.find_overlaps(work.curve[knife], context.tolerance)
+    near = near.select(near.best)
+    low, high = near.place_range()
+    through = np.ones(len(low), np.bool_)
+    return _Stretches(near.edge, low, high, cuts.curve[near.edge, 5], knife[near.curve], through)
+
+
+def _milled_stretches(
+    context: CheckContext, work: TipPaths, rows: I64, parts: _Parts, station: Station
+) -> _Stretches:
+    """Return the stretches of cuts that the cutter of a station has cut.
+
+    ``work`` are all tip paths, and ``rows`` the indices of those of the cutter's centre.
+    """
+    beside = cutter_paths(parts.bounds, disc_reach(context.board, station))
+    length = beside.curve[:, 5]
+    near = find_overlaps(
+        work.curve[rows], beside.curve, np.zeros(len(length)), length, context.tolerance
+    )
+    crosses = _lies_inside(near.along, work.curve[rows[near.curve], 5])
+    crosses &= _lies_inside(near.place, length[near.edge])
+    near = near.select(~crosses)
+    path, part = rows[near.curve], beside.edge[near.edge]
+    low, high = beside.edge_intervals(near.edge, near.place)
+    deep = context.board.caliper - work.z[path]
+    planned = expected_tool(station.tool).through_depth(
+        context.board.caliper, context.machine.into_mat
+    )
+    return _Stretches(
+        parts.owner[part], low + parts.begin[part], high + parts.begin[part],
+        parts.bounds.edges.curve[part, 5], path, deep >= planned - DEPTH_TOLERANCE,
     )  # fmt: skip
 
 

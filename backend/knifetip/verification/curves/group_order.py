@@ -25,7 +25,8 @@ def order_in_groups(group: I32 | I64, first: F64, second: F64) -> I64:
     group : (n,)
         Group of each row, not negative.
     first, second : (n,)
-        The keys of each row.
+        Sort keys: the rows of a group are sorted by ``first``, and those of them that are equal in
+        ``first`` by ``second``.
     """
     result: I64 = _order_in_groups(
         np.ascontiguousarray(group, np.int64),
@@ -56,8 +57,8 @@ def _order_in_groups(group: I64_1, first: F64_1, second: F64_1, count: int) -> A
             rows = rows[np.argsort(second[rows], kind="mergesort")]
             order[low:high] = rows[np.argsort(first[rows], kind="mergesort")]
             continue
-        for place_of in range(low + 1, high):
-            row, slot = order[place_of], place_of
+        for at in range(low + 1, high):
+            row, slot = order[at], at
             while slot > low and _comes_after(first, second, order[slot - 1], row):
                 order[slot] = order[slot - 1]
                 slot -= 1
@@ -67,7 +68,9 @@ def _order_in_groups(group: I64_1, first: F64_1, second: F64_1, count: int) -> A
 
 @inline_kernel
 def _comes_after(first: F64_1, second: F64_1, one: int, other: int) -> bool:
-    """Return whether a row has greater keys than another."""
+    """Return whether row ``one`` has a greater key than row ``other``, in the order of
+    ``order_in_groups``.
+    """
     a, b = first[one], first[other]
     if a == b or (math.isnan(a) and math.isnan(b)):
         a, b = second[one], second[other]

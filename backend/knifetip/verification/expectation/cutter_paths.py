@@ -10,11 +10,14 @@ from typing import Final
 
 import numpy as np
 
+from knifetip.model.board import Board
+from knifetip.model.machine import Station
 from knifetip.verification.columns import F64, I32, I64
 from knifetip.verification.curves.curve import line_curves
 from knifetip.verification.curves.intervals import EPSILON
 from knifetip.verification.expectation.edges import Edges
 from knifetip.verification.expectation.outline import CutOutlines
+from knifetip.verification.tools import expected_tool
 
 #: Greatest distance between an elliptic offset and its chords (mm).
 _CHORD_ERROR: Final = 1e-4
@@ -46,6 +49,18 @@ class CutterPaths:
         first, last = self.place[piece, 0], self.place[piece, 1]
         position = first[:, None] + (last - first)[:, None] * fraction
         return position.min(axis=1), position.max(axis=1)
+
+
+def disc_reach(board: Board, station: Station) -> F64:
+    """Return the half-axes along X and Y of the disc that a cutter removes, (2,) mm.
+
+    They are the radius of the cutter less its deflection in the board.  The station must have a
+    router bit or a laser.
+    """
+    disc = expected_tool(station.tool).disc
+    assert disc is not None
+    deflection = next((one for one in board.deflection if one.tool == station.name), None)
+    return np.full(2, disc.radius) - ((deflection.x, deflection.y) if deflection else 0.0)
 
 
 def cutter_paths(bounds: CutOutlines, reach: F64) -> CutterPaths:
