@@ -206,6 +206,25 @@ def test_a_machine_with_a_knife_has_no_work_for_its_cutter() -> None:
     assert {"uncut", "stray"} <= found
 
 
+@pytest.mark.parametrize("aside", [0.0, 0.0062])
+def test_a_corner_beside_the_path_of_a_facing_part(aside: float) -> None:
+    # The parts are a little farther apart than the disc is wide, so that the path past a corner of
+    # one of them runs nearly on the path beside the other.
+    low = 86.0062
+    block = dieline(
+        (CUT, 0, 0, 100, 0, 0.0), (CUT, 100, 0, 100, 80, 0.0), (CUT, 100, 80, 0, 80, 0.0),
+        (CUT, 0, 80, 0, 0, 0.0),
+        (CUT, -5, low, 150, low, 0.0), (CUT, 150, low, 150, 160, 0.0),
+        (CUT, 150, 160, -5, 160, 0.0), (CUT, -5, 160, -5, low, 0.0),
+    )  # fmt: skip
+    facing = (
+        f"G0 X50 Y{low - 3 - aside:.4f}", "G1 Z-0.3 F1200", "G1 X-8 F6000", "G1 Y163", "G1 X153",
+        f"G1 Y{low - 3 - aside:.4f}", "G1 X50", "G1 Z4 F1200",
+    )  # fmt: skip
+    found = faults(verdict_of(program(*BETWEEN, *facing), block))
+    assert bool(found) == (aside > 0.0), found
+
+
 def test_a_round_part_and_a_hole_too_tight_for_the_disc() -> None:
     drawn = dieline(
         (CUT, 60, 40, 20, 40, 1.0), (CUT, 20, 40, 60, 40, 1.0),  # R 20

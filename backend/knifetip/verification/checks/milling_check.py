@@ -36,8 +36,13 @@ from knifetip.verification.checks.milling_shortfalls import (
 from knifetip.verification.checks.pass_depth import too_deep_spans, unfinished_spans
 from knifetip.verification.checks.unreached_areas import unreached_areas
 from knifetip.verification.columns import F64, I32, I64, Bool
-from knifetip.verification.curves.curve import left_distance, line_curves, point_at
-from knifetip.verification.curves.intervals import EPSILON, uncovered_curves, uncovered_edges
+from knifetip.verification.curves.curve import azimuth_at, left_distance, line_curves, point_at
+from knifetip.verification.curves.intervals import (
+    EPSILON,
+    Overlaps,
+    uncovered_curves,
+    uncovered_edges,
+)
 from knifetip.verification.curves.overlap import find_overlaps
 from knifetip.verification.expectation.cutter_paths import CutterPaths, cutter_paths, disc_reach
 from knifetip.verification.expectation.edges import Edges, pairs_within
@@ -241,10 +246,13 @@ class _MillingCheck:
         # A path that crosses the tolerance band leads in or out.
         runs = overlaps.best & (overlaps.distance < 0.99 * self.tolerance)
         # Round the corner of one edge the centre may pass the path beside another edge.  Such an
-        # arc does not count for the other edge.
+        # arc, or the line before or after it, does not count for the other edge.
         passes = self._goes_round_corner(centres.curve)[overlaps.curve]
         passes &= figure > self.tolerance
         runs &= ~passes
+        beside = np.flatnonzero(runs & (figure > self.tolerance))
+        beside = beside[self._runs_past_ends(centres.curve, pieces, overlaps, beside)]
+        passes[beside], runs[beside] = True, False
         self.context.figures.record_deviation(
             self.edges.row[edge[runs]],
             overlaps.distance[runs],
@@ -307,6 +315,40 @@ class _MillingCheck:
             arcs = np.flatnonzero((centres[:, 0] != 0.0) & is_near)
             corners = self.edges.ends[np.repeat(self.bounds.closing, 2)]
             result[arcs[pairs_within(centres[arcs, 1:3], corners, _CORNER_ERROR)[0]]] = True
+        return result
+
+    def _runs_past_ends(
+        self, centres: F64, pieces: CutterPaths, overlaps: Overlaps, rows: I64
+    ) -> Bool:
+        """Return the mask of those of k overlaps in which the disc's centre only continues its path
+        beside another edge straight past the end of that edge, (k,).
+
+        Round a corner the centre may go on by up to the disc's radius before it turns.
+
+        Parameters
+        ----------
+        centres : (n, 6)
+            Paths of the disc's centre.
+        pieces, overlaps, rows
+            Expected paths of the centre, its overlaps with them, and the indices of the k overlaps.
+        """
+        if len(rows) == 0 or not self._disc_is_round:
+            return np.zeros(len(rows), np.bool_)
+        curve = pieces.curve
+        ends = [point_at(curve, np.zeros(len(curve))), point_at(curve, curve[:, 5])]
+        outward = np.radians(
+            [azimuth_at(curve, np.zeros(len(curve))) + 180.0, azimuth_at(curve, curve[:, 5])]
+        )
+        ahead = [
+            line_curves(end, end + self.reach[0] * np.stack([np.cos(angle), np.sin(angle)], axis=1))
+            for end, angle in zip(ends, outward, strict=True)
+        ]
+        wanted = np.concatenate([curve, *ahead])
+        work, number = np.unique(overlaps.curve[rows], return_inverse=True)
+        nothing = np.zeros(len(wanted))
+        found = find_overlaps(centres[work], wanted, nothing, wanted[:, 5], self.tolerance)
+        key = found.curve.astype(np.int64) * len(wanted) + found.edge
+        result: Bool = ~np.isin(number * len(wanted) + overlaps.edge[rows], key[found.best])
         return result
 
     def _filled_arcs(self, centres: F64) -> I64:
