@@ -10,12 +10,15 @@ from collections import Counter
 from pathlib import Path
 from typing import Final
 
+import numpy as np
 import pytest
 
 from knifetip import pipeline
 from knifetip.library import load
+from knifetip.messages.render import hint
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.pipeline import Compiled
+from knifetip.topology.noding import split_at_crossings
 from tests.cartons.trial import attempt_drawing
 from tests.support.drawings import drawing
 from tests.support.shapes import closed, dieline, edges
@@ -84,6 +87,34 @@ def test_a_short_crease_may_be_pressed_where_another_one_crosses_it(
         wrong, line, made.placement, load.machine("demo-table"), load.board("fbb-0.4")
     )
     assert not verdict.accepted
+
+
+@pytest.mark.parametrize("board", ["fbb-0.4", "greyboard-3.0"])
+@pytest.mark.parametrize("machine", ["demo-table", "flat-cutter-hpgl"])
+@pytest.mark.parametrize("first", [0, 1])
+def test_a_knife_overruns_outlines_that_cross_only_into_the_waste(
+    machine: str, board: str, first: int
+) -> None:
+    # The middle of one outline lies inside the other outline, but its corners do not.
+    outlines = [
+        closed((0, 0), (70, 0), (70, 70), (0, 70)),
+        closed((35, 16), (-15, -34), (35, -84), (85, -34)),
+    ]
+    line = dieline((CUT, np.concatenate([outlines[first], outlines[1 - first]])))
+    assert refusals(compiled(line, machine, board)) == []
+
+
+def test_contours_that_release_each_other_can_be_cut_once_divided_at_their_crossings() -> None:
+    # Each half of the small circle lies on both sides of the large one.
+    ends = edges(((30, 0), (-30, 0)), ((-30, 0), (30, 0)), ((35, 9), (25, -9)), ((25, -9), (35, 9)))
+    drawn = dieline((CUT, ends), bulge=dict.fromkeys(range(4), 1.0))
+    made = compiled(drawn, "demo-table", "fbb-0.4")
+    (fault,) = [finding for finding in made.verdict.findings if finding.refuses]
+    assert fault.message.code == "verify.loose-piece"
+    assert "divide them at their crossings" in hint(fault.message)
+    pieces, bulge, _ = split_at_crossings(drawn.ends, drawn.bulge)
+    divided = dieline((CUT, pieces), bulge=dict(enumerate(bulge)))
+    assert refusals(compiled(divided, "demo-table", "fbb-0.4")) == []
 
 
 #: Number of files of the corpus, and of those without a line to make.

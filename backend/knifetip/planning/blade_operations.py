@@ -45,9 +45,7 @@ class _Cuts:
     group: I64 | None = None  #: (m,) cuts of different groups are not chained
 
 
-def plan_blade_cuts(
-    sides: CutSides, outline: BoardOutline, dieline: Dieline, rows: I32, setup: Setup
-) -> list[Operation]:
+def plan_blade_cuts(sides: CutSides, dieline: Dieline, rows: I32, setup: Setup) -> list[Operation]:
     """Return the operations that cut edges of a dieline with a knife, innermost layer first.
 
     A layer is a set of cuts that may be made in any order (see the module ``layers``).  Each layer
@@ -58,17 +56,18 @@ def plan_blade_cuts(
     ----------
     sides
         For each of the m edges: the side of the waste, and the part or hole that the edge bounds.
-    outline
-        Outlines of the board and of its holes.
     rows : (m,)
         Indices of the edges in the dieline.
     setup
         Machine, board and station of the knife.
     """
     side = sides.waste
-    layers = cut_layers(
-        dieline.ends[rows], dieline.bulge[rows], sides.face, uncrossed=sides.subdivision
-    )
+    ends, bulge = dieline.ends[rows], dieline.bulge[rows]
+    layers = cut_layers(ends, bulge, sides.face, uncrossed=sides.subdivision)
+    if layers.stretches.ends is ends:
+        outline = BoardOutline.from_cuts(ends, bulge, sides.removed)
+    else:
+        _, outline = BoardOutline.from_contours(ends, bulge, sides)
     layer = layers.number
     rank = (layer.max(initial=0) - layer) * 2 + (side != 0)
     index = np.full(len(dieline), -1, np.int64)

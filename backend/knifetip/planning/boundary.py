@@ -34,6 +34,8 @@ from knifetip.geometry.run_out import corner_run_outs
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import GAP
 from knifetip.planning.creases import inner_crossings
+from knifetip.planning.cut_sides import CutSides, cut_sides
+from knifetip.topology.noding import split_at_crossings
 
 #: A groove that meets the edge at a smaller angle runs along it (sine).
 _ALONG = sin(radians(5.0))
@@ -63,6 +65,31 @@ class BoardOutline:
         start, end = ends[rows, 0], ends[rows, 1]
         bent = np.where(back[:, 0], -bulge[rows], bulge[rows])
         return cls(np.where(back, end, start), np.where(back, start, end), bent)
+
+    @classmethod
+    def from_contours(
+        cls, ends: F64, bulge: F64, sides: CutSides
+    ) -> tuple[BoardOutline, BoardOutline]:
+        """Return the outline of the parts, and the outline of all board, which has holes.
+
+        Where contours touch or cross between their vertices, they are divided, because the side of
+        the waste changes there: contours that meet bound one component, and all its faces are
+        panels.
+
+        Parameters
+        ----------
+        ends, bulge : (n, 2, 2) mm and (n,)
+            Start and end points, and bulges, of all cuts.
+        sides
+            Sides of the cuts if they meet only at their ends.
+        """
+        waste, removed = sides.waste, sides.removed
+        contour = np.flatnonzero(removed)
+        pieces, bent, row = split_at_crossings(ends[contour], bulge[contour])
+        if len(row) > len(contour):
+            divided = cut_sides(pieces, bent)
+            ends, bulge, waste, removed = pieces, bent, divided.waste, divided.removed
+        return cls.from_cuts(ends, bulge, waste), cls.from_cuts(ends, bulge, removed)
 
     @property
     def edges(self) -> Paths:

@@ -8,7 +8,7 @@ are cut before the contour itself.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from functools import partial
+from functools import cache, partial
 from typing import Final
 
 import numpy as np
@@ -97,8 +97,10 @@ def plan(
     cuts = np.flatnonzero(line_type == LineType.CUT).astype(np.int32)
     cuts = cuts[distinct_edges(dieline.ends[cuts], dieline.bulge[cuts])]
     sides = cut_sides(dieline.ends[cuts], dieline.bulge[cuts])
-    outline = BoardOutline.from_cuts(dieline.ends[cuts], dieline.bulge[cuts], sides.waste)
-    borders = BoardOutline.from_cuts(dieline.ends[cuts], dieline.bulge[cuts], sides.removed)
+
+    @cache
+    def outlines() -> tuple[BoardOutline, BoardOutline]:
+        return BoardOutline.from_contours(dieline.ends[cuts], dieline.bulge[cuts], sides)
 
     def rows_of(*types: LineType) -> I32:
         return np.flatnonzero(np.isin(line_type, types)).astype(np.int32)
@@ -112,10 +114,10 @@ def plan(
     )
     planners: Mapping[Planner, Callable[..., Operation | list[Operation]]] = {
         Planner.CREASES: plan_creases,
-        Planner.GROOVES: partial(plan_grooves, outline, sheet),
-        Planner.HALF_CUTS: partial(plan_half_cuts, borders),
+        Planner.GROOVES: lambda *job: plan_grooves(outlines()[0], sheet, *job),
+        Planner.HALF_CUTS: lambda *job: plan_half_cuts(outlines()[1], *job),
         Planner.PERFORATIONS: plan_perforations,
-        Planner.BLADE_CUTS: partial(plan_blade_cuts, sides, borders),
+        Planner.BLADE_CUTS: partial(plan_blade_cuts, sides),
         Planner.OFFSET_CUTS: partial(plan_milling, corners or Corners()),
     }
     operations: list[Operation] = []

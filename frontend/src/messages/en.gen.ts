@@ -3765,7 +3765,7 @@ export const TEXTS = {
   },
   "verify.loose-piece": {
     "text": "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board that line {line} of the program has already cut out, so this part of the board may move.",
-    "hint": "Process this edge before the contour that cuts out this part of the board."
+    "hint": "Process this edge before the contour that cuts out this part of the board. Where contours cross, divide them at their crossings in the drawing."
   },
   "verify.lowers-second": {
     "text": "The program line lowers station {station} while station {other} may still be lowered.",

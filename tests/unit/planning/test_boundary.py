@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from knifetip.errors import FlankOutside
 from knifetip.geometry.columns import F64
-from knifetip.planning.boundary import BoardOutline, run_out_lengths
+from knifetip.planning.boundary import BoardOutline, ends_at_waste, run_out_lengths
 from knifetip.planning.cut_sides import cut_sides
 from tests.support.shapes import closed, edges, rotation
 
@@ -167,3 +167,15 @@ def test_the_run_out_is_the_least_with_both_corners_past_the_edge(
     beside = width / 2.0 * np.array([-ahead[1], ahead[0]])
     past = [float((point + size * ahead + s * beside - point) @ normal) for s in (1, -1)]
     assert min(past) == pytest.approx(0.0, abs=1e-9)
+
+
+@pytest.mark.parametrize("order", [(0, 1), (1, 0)])
+def test_waste_lies_only_outside_all_outlines_that_cross(order: tuple[int, int]) -> None:
+    squares = [SQUARE, SQUARE + 50.0]
+    ends = np.concatenate([squares[order[0]], squares[order[1]]])
+    bulge = np.zeros(len(ends))
+    points = np.array([[0.0, 50.0], [100.0, 25.0], [100.0, 75.0], [150.0, 75.0], [75.0, 50.0]])
+    ahead = np.array([[-1.0, 0.0], [1.0, 0.0], [1.0, 0.0], [1.0, 0.0], [0.0, -1.0]])
+    for outline in BoardOutline.from_contours(ends, bulge, cut_sides(ends, bulge)):
+        at_waste = ends_at_waste(points, ahead, outline)
+        assert at_waste.tolist() == [True, True, False, True, False]

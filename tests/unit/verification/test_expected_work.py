@@ -188,3 +188,29 @@ def test_the_tip_passes_an_end_on_a_cut_only_if_waste_lies_ahead(
     assert ends.overrun[-1] == overrun
     direction = np.subtract(slit[2:], slit[:2]) / math.dist(slit[2:], slit[:2])
     np.testing.assert_allclose(ends.stop[-1], slit[2:] + overrun * direction, atol=1e-12)
+
+
+def test_an_overrun_at_outlines_that_cross_is_planned_outside_both_only() -> None:
+    # Two squares of 40 mm; a corner of each lies inside the other.  Slits end on the left side of
+    # the first one from inside, and on its right side, which is inside the second one above 20 mm.
+    def square(x: float, y: float) -> list[tuple[LineType, float, float, float, float, float]]:
+        corners = [(x, y), (x + 40, y), (x + 40, y + 40), (x, y + 40)]
+        pairs = zip(corners, corners[1:] + corners[:1], strict=True)
+        return [(CUT, *start, *end, 0.0) for start, end in pairs]
+
+    slits = [(CUT, 10, 10, 0, 10, 0.0), (CUT, 30, 10, 40, 10, 0.0), (CUT, 30, 30, 40, 30, 0.0)]
+    for squares in (square(0, 0) + square(20, 20), square(20, 20) + square(0, 0)):
+        cuts = place_edges(dieline(*squares, *slits), (0.0, 0.0))
+        found = knife_ends(cuts, cuts, 0.1, 0.07)
+        assert found.overrun[17:22:2].tolist() == [0.07, 0.07, 0.0]
+
+
+def test_an_overrun_into_a_hole_that_crosses_its_outline_is_not_planned() -> None:
+    # The hole is drawn across the outline, so it is not clear which faces are waste.
+    hole = [(CUT, 30, 10, 50, 10, 0.0), (CUT, 50, 10, 50, 30, 0.0), (CUT, 50, 30, 30, 30, 0.0)]
+    hole += [(CUT, 30, 30, 30, 10, 0.0)]
+    outline = [(CUT, 0, 0, 40, 0, 0.0), (CUT, 40, 0, 40, 40, 0.0), (CUT, 40, 40, 0, 40, 0.0)]
+    outline += [(CUT, 0, 40, 0, 0, 0.0)]
+    cuts = place_edges(dieline(*hole, *outline, (CUT, 10, 20, 30, 20, 0.0)), (0.0, 0.0))
+    found = knife_ends(cuts, cuts, 0.1, 0.07)
+    assert found.overrun[17] == 0.0

@@ -241,7 +241,8 @@ MESSAGES: Final[Entries] = {
     "verify.loose-piece": entry(
         "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board "
         "that line {line} of the program has already cut out, so this part of the board may move.",
-        "Process this edge before the contour that cuts out this part of the board.",
+        "Process this edge before the contour that cuts out this part of the board. Where "
+        "contours cross, divide them at their crossings in the drawing.",
         x="number",
         y="number",
         line="count",

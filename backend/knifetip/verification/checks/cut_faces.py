@@ -8,17 +8,17 @@ pieces of cuts, the links, and the two faces beside each piece and each link.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
 
 from knifetip.kernels import F64_2, I64_1, Bool_1, kernel
-from knifetip.verification.columns import F64, I32, I64, Bool
+from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import line_curves, point_at
 from knifetip.verification.curves.curve_grid import CurveGrid, list_curves
-from knifetip.verification.curves.group_order import order_in_groups
 from knifetip.verification.expectation.edge_paths import edge_paths, joined_ends
+from knifetip.verification.expectation.edge_pieces import split_edges
 from knifetip.verification.expectation.edges import (
     JOIN_DISTANCE,
     Edges,
@@ -44,10 +44,6 @@ _MIN_AREA: Final = 1e-6
 #: Upward offset of the rays that search to the left of a point (mm), because vertices often lie at
 #: the same height.
 _RAY_OFFSET: Final = 0.317 * JOIN_DISTANCE
-
-
-#: An overlap that comes this near to an end of an edge reaches it (mm).
-_ROUNDING: Final = 1e-6
 
 
 #: Pieces this near to a cell are listed in it for the rays (mm).
@@ -206,72 +202,6 @@ def _neighbour_mask(one: I64_1, other: I64_1, points: F64_2, first: I64_1) -> An
                 kept[k] = False
                 break
     return kept
-
-
-def split_at_junctions(edges: Edges) -> tuple[Edges, I64, F64]:
-    """Return the p pieces of n edges between the ends of other edges that lie on them, the index of
-    the edge of each piece (p,), and the position on this edge at which the piece begins (p,) mm.
-    """
-    curve, owner, begin = split_edges(edges, at_crossings=False)
-    if len(curve) == len(edges):
-        return edges, owner, begin
-    pieces = edges_from_curves(curve)
-    own = {name: getattr(edges, name)[owner] for name in ("row", "line_type", "chord")}
-    return replace(pieces, **own), owner, begin
-
-
-def split_edges(edges: Edges, *, at_crossings: bool = True) -> tuple[F64, I64, F64]:
-    """Split n edges where the ends of other edges touch them, and where two edges cross.
-
-    Parameters
-    ----------
-    edges
-        The n edges.
-    at_crossings
-        Whether edges are also split where they cross.
-
-    Returns
-    -------
-    Three arrays: the p pieces as rows of six numbers (p, 6) (see ``curves.curve``), the index of
-    the edge of each piece (p,), and the position on that edge at which the piece starts (p,) mm.
-    """
-    curve, size = edges.curve, edges.curve[:, 5]
-    _, touched, place = edges.touched_ends(JOIN_DISTANCE)
-    inner = (place > JOIN_DISTANCE) & (place < size[touched] - JOIN_DISTANCE)
-    split, place = touched[inner], place[inner]
-    if at_crossings:
-        crossing, crossing_place = _crossings(edges)
-        split, place = np.concatenate([split, crossing]), np.concatenate([place, crossing_place])
-    owner = np.concatenate([np.arange(len(curve)), split])
-    position = np.concatenate([np.zeros(len(curve)), place])
-    order = order_in_groups(owner, position, position)
-    owner, position = owner[order].astype(np.int64), position[order]
-    last = np.append(owner[1:] != owner[:-1], True)[: len(owner)]
-    stop = np.where(last, size[owner], np.append(position[1:], 0.0)[: len(position)])
-    long_enough = (stop - position > JOIN_DISTANCE) | (last & (position == 0.0))
-    owner, position, stop = owner[long_enough], position[long_enough], stop[long_enough]
-    piece = curve[owner].copy()
-    straight = piece[:, 0] == 0.0
-    moved = point_at(piece, position)
-    piece[straight, 1:3] = moved[straight]
-    turned = piece[:, 0] * position / np.where(straight, 1.0, piece[:, 3])
-    piece[~straight, 4] += turned[~straight]
-    piece[:, 5] = stop - position
-    return piece, owner, position
-
-
-def _crossings(edges: Edges) -> tuple[I32, F64]:
-    """Return the index of an edge and a position on it (mm) for each point at which another edge
-    crosses it, (k,) each.
-    """
-    size = edges.curve[:, 5]
-    cross = edges.find_overlaps(edges.curve, JOIN_DISTANCE)
-    # If an end of one lies within ``JOIN_DISTANCE`` of the other, the overlap reaches this end, and
-    # the edges touch and do not cross.
-    low, high = cross.place_range()
-    crosses = (cross.along[:, 0] > _ROUNDING) & (cross.along[:, 1] < size[cross.curve] - _ROUNDING)
-    crosses &= (low > _ROUNDING) & (high < size[cross.edge] - _ROUNDING)
-    return cross.edge[crosses], (0.5 * (low + high))[crosses]
 
 
 def _assign_faces(pieces: Edges, cycle: I64, outside: Bool, component: I64) -> tuple[I64, int]:

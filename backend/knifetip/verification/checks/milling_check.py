@@ -26,7 +26,6 @@ from knifetip.model.verdict import Severity
 from knifetip.verification.checks import milling_geometry
 from knifetip.verification.checks.bridge_check import check_bridges, order_bridges
 from knifetip.verification.checks.check_context import DEPTH_TOLERANCE, NEAR_EDGE, CheckContext
-from knifetip.verification.checks.cut_faces import split_at_junctions
 from knifetip.verification.checks.milling_geometry import spans_near_points
 from knifetip.verification.checks.milling_shortfalls import (
     distance_from_disc,
@@ -45,6 +44,7 @@ from knifetip.verification.curves.intervals import (
 )
 from knifetip.verification.curves.overlap import find_overlaps
 from knifetip.verification.expectation.cutter_paths import CutterPaths, cutter_paths, disc_reach
+from knifetip.verification.expectation.edge_pieces import split_at_junctions
 from knifetip.verification.expectation.edges import Edges, pairs_within
 from knifetip.verification.expectation.expected_work import knife_ends
 from knifetip.verification.expectation.outline import CutOutlines, count_enclosing, find_outlines

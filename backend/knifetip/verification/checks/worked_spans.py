@@ -11,11 +11,12 @@ import numpy as np
 from knifetip.kernels import F64_1, I64_1, kernel
 from knifetip.model.machine import Station
 from knifetip.verification.checks.check_context import DEPTH_TOLERANCE, CheckContext
-from knifetip.verification.checks.cut_faces import GAP_LENGTH, CutFaces, split_at_junctions
+from knifetip.verification.checks.cut_faces import GAP_LENGTH, CutFaces
 from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.curves.intervals import add_interval
 from knifetip.verification.curves.overlap import find_overlaps
 from knifetip.verification.expectation.cutter_paths import cutter_paths, disc_reach
+from knifetip.verification.expectation.edge_pieces import split_at_junctions
 from knifetip.verification.expectation.edges import JOIN_DISTANCE, Edges
 from knifetip.verification.expectation.outline import CutOutlines, find_outlines
 from knifetip.verification.kinematics import TipPaths

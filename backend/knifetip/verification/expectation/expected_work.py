@@ -205,14 +205,7 @@ def knife_ends(
     runs_over = np.zeros(2 * count, np.bool_)
     if overrun > 0.0 and meets.any():
         # A panel ahead of an end must not be cut.
-        on_cut = np.flatnonzero(meets[overlaps.curve])
-        runs_over = meets & waste_ahead(
-            edges.outward,
-            overlaps.curve[on_cut],
-            overlaps.edge[on_cut],
-            overlaps.place[on_cut, 0],
-            cuts,
-        )
+        runs_over = meets & waste_ahead(edges, cuts)
     past = np.where(runs_over, overrun, 0.0)
     stop, over = edges.ends.copy(), np.flatnonzero(runs_over)
     ahead = np.radians(edges.outward[over])

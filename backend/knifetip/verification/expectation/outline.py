@@ -18,6 +18,7 @@ from knifetip.kernels import F64_1, F64_2, I64_1, inline_kernel, kernel
 from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import point_at
 from knifetip.verification.curves.group_order import order_in_groups
+from knifetip.verification.expectation.edge_pieces import divide_at_contacts
 from knifetip.verification.expectation.edges import (
     JOIN_DISTANCE,
     Edges,
@@ -58,6 +59,19 @@ def find_outlines(edges: Edges) -> CutOutlines:
     lies.
     """
     return edges.compute_once("outlines", lambda: _find_outlines(edges))
+
+
+def find_divided_outlines(edges: Edges) -> CutOutlines:
+    """Return the outlines that the cuts ``edges`` form, with contours divided where they meet.
+
+    Where two contours touch or cross between their vertices, or one contour crosses itself, the
+    part changes sides there.  The contours that meet are one component, and all its faces are
+    panels.  The record contains the pieces of contours, or all ``edges`` if no contours meet.
+    """
+    return edges.compute_once(
+        "divided outlines",
+        lambda: find_outlines(divide_at_contacts(edges, find_outlines(edges).closing)),
+    )
 
 
 def _find_outlines(edges: Edges) -> CutOutlines:

@@ -27,7 +27,7 @@ from knifetip.verification.expectation.edges import (
     TOUCH_DISTANCE,
     Edges,
 )
-from knifetip.verification.expectation.outline import CutOutlines, find_outlines
+from knifetip.verification.expectation.outline import CutOutlines, find_divided_outlines
 
 #: Sine of 5°; a groove at a smaller angle to the board's edge does not leave the board.
 _MIN_SINE: Final = math.sin(math.radians(5.0))
@@ -55,11 +55,11 @@ def run_outs(grooves: Edges, cuts: Edges, half: float) -> RunOuts:
     """
     count = len(grooves.ends)
     boundary, least = np.zeros(count, np.bool_), np.zeros(count)
-    bounds = find_outlines(cuts)
+    bounds = find_divided_outlines(cuts)
     outer = np.flatnonzero(bounds.outer)
     if len(outer) == 0 or count == 0:
         return RunOuts(boundary, least)
-    curve = cuts.curve[outer]
+    curve = bounds.edges.curve[outer]
     overlaps = find_overlaps(
         line_curves(grooves.ends, grooves.ends),
         curve,

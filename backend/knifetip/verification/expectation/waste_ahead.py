@@ -6,18 +6,20 @@ from typing import Final
 
 import numpy as np
 
-from knifetip.verification.columns import F64, I32, Bool
+from knifetip.verification.columns import Bool
 from knifetip.verification.curves.curve import azimuth_at
 from knifetip.verification.curves.group_order import order_in_groups
 from knifetip.verification.expectation.edges import TOUCH_DISTANCE, Edges, angle_between
-from knifetip.verification.expectation.outline import find_outlines
+from knifetip.verification.expectation.outline import find_divided_outlines
 
 #: A cut that makes a smaller angle with an outline runs along it (degrees).
 _ALONG_OUTLINE: Final = 5.0
 
 
-def waste_ahead(ahead: F64, end: I32, cut: I32, place: F64, cuts: Edges) -> Bool:
-    """Return the mask of the ends of lines ahead of which waste lies, (e,).
+def waste_ahead(edges: Edges, cuts: Edges) -> Bool:
+    """Return the mask of the 2n ends of n edges ahead of which waste lies, (2n,).
+
+    End 2i is the start of edge i, and end 2i + 1 is its end.
 
     At an end on an outline, the outline's curves leave the end in two or more directions.  Between
     neighbouring directions lies either board or waste; the side of the direction that is next
@@ -26,19 +28,18 @@ def waste_ahead(ahead: F64, end: I32, cut: I32, place: F64, cuts: Edges) -> Bool
 
     Parameters
     ----------
-    ahead : (e,) degrees
-        Direction out of the line at each end.
-    end, cut, place : (k,), (k,) and (k,) mm
-        The k pairs of an end and a cut that touches it: the indices of both, and the position along
-        the cut at which they touch.
+    edges
+        The n lines.
     cuts
         All cuts.
     """
-    outlined = find_outlines(cuts)
-    keep = np.flatnonzero(outlined.closing[cut])
-    end, cut, place = end[keep], cut[keep], place[keep]
-    forward = azimuth_at(cuts.curve[cut], place)
-    onward = cuts.curve[cut, 5] - place > TOUCH_DISTANCE
+    outlined = find_divided_outlines(cuts)
+    ahead, curves = edges.outward, outlined.edges.curve
+    touches = outlined.edges.touched_by_points(edges.ends, TOUCH_DISTANCE)
+    keep = np.flatnonzero(outlined.closing[touches.edge])
+    end, cut, place = touches.curve[keep], touches.edge[keep], touches.place[keep, 0]
+    forward = azimuth_at(curves[cut], place)
+    onward = curves[cut, 5] - place > TOUCH_DISTANCE
     back = place > TOUCH_DISTANCE
     left = outlined.board_left[cut]
     at = np.concatenate([end[onward], end[back]])
