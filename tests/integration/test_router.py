@@ -402,3 +402,19 @@ def test_rounded_corners_with_the_radius_of_the_cutter_are_made(excess: float) -
     bend = dict.fromkeys((5, 7, 9, 11), math.tan(math.pi / 8.0))
     result = verdict_of(dieline(FRAME, (CUT, hole), bulge=bend))
     assert not has_faults(result), result.findings[:3]
+
+
+def test_a_disc_may_touch_a_cut_in_a_loose_piece_but_not_make_it_again() -> None:
+    # The square has gaps at its corners, so it is cut on its line.  On its way round the small
+    # contour, which is cut after it, the disc touches the end of the slit in the square.
+    square = edges(((50.1, 20), (149.9, 20)), ((150, 20.1), (150, 79.9)),
+                   ((149.9, 80), (50.1, 80)), ((50, 79.9), (50, 20.1)))  # fmt: skip
+    slit = edges(((50.1, 50), (149.9, 50)))
+    small = closed((49.9, 53), (49.94, 53), (49.94, 53.04), (49.9, 53.04))
+    line = dieline((CUT, square), (CUT, slit), (CUT, small))
+    assert not has_faults(verdict_of(line))
+    work = [compensate(operation) for operation in plan(line, ROUTER, BOARD)]
+    text = process(sequence([*work, *work[:1]], ROUTER), ROUTER, "linuxcnc").text
+    repeated = verify(text, line, (0.0, 0.0), ROUTER, BOARD)
+    late = [one for one in repeated.findings if one.message.code == "verify.loose-piece"]
+    assert [one.edge for one in late] == [4]

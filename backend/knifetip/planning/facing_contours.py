@@ -1,28 +1,32 @@
 """facing_contours: mill contours together between which the cutter does not fit.
 
-A part that lies in a hole of another part is cut before the hole, so they are in different layers.
-Each has its own offset, which keeps the cutter out of the contours of the same layer only.  Where
-the part is nearer to the hole than the cutter's diameter, both offsets would lead the cutter into
-the other contour.  Such a part and its hole get the same layer: they have one offset, which leaves
-out the places where the cutter does not fit.
+Contours of different layers have separate offsets, which keep the cutter out of the contours of
+the same layer only.  A part that lies in a hole is cut before the hole; slits and necks divide the
+layers further.  Where two contours face each other across the same waste and are nearer than the
+cutter's diameter, both offsets would lead the cutter into the other contour.  Such contours get the
+same layer: they have one offset, which leaves out the places where the cutter does not fit.
 """
 
 from __future__ import annotations
+
+from typing import Any
 
 import numpy as np
 
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64, Bool
-from knifetip.geometry.path import Paths
+from knifetip.geometry.path import Paths, select_paths
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
+from knifetip.geometry.union_find import flatten, union
+from knifetip.kernels import I64_1, kernel
+from knifetip.topology.exact_nesting import find_enclosing_faces
 
 
 def merge_facing_layers(paths: Paths, layer: I64, milled: Bool, diameter: float) -> I64:
-    """Return the layer of each of p paths, (p,), after parts and holes that face each other are
-    merged.
+    """Return the layer of each of p paths, (p,), after contours that face each other are merged.
 
-    A part that is nearer to the hole in which it lies than the diameter of the cutter gets the
-    layer of the hole, and so do the parts that are as near to this part.
+    Contours in the same waste that are nearer to each other than the diameter of the cutter get the
+    lowest layer of them, and so do contours that are as near to these.
 
     Parameters
     ----------
@@ -35,46 +39,109 @@ def merge_facing_layers(paths: Paths, layer: I64, milled: Bool, diameter: float)
     diameter : mm
         Diameter of the cutter.
     """
+    rows = np.flatnonzero(milled).astype(np.int32)
     result = layer.copy()
-    boxes = _path_boxes(paths)
-    holes = np.flatnonzero(milled & (paths.areas > 0.0))
-    parts = np.flatnonzero(milled & (paths.areas < 0.0))
-    parts = parts[layer[parts] > layer[holes].min(initial=layer.max(initial=0))]
-    # From the outermost hole inwards, so that a part takes over the layer that its hole has by now.
-    for hole in holes[np.argsort(layer[holes], kind="stable")] if len(parts) else ():
-        inside = (boxes[parts, :2] >= boxes[hole, :2]).all(axis=1)
-        inside &= (boxes[parts, 2:] <= boxes[hole, 2:]).all(axis=1)
-        # A part that lies directly in the hole is one layer higher.
-        inside &= layer[parts] == layer[hole] + 1
-        remaining, reached = parts[inside], hole[None]
-        while len(remaining) and len(reached):
-            reached = _paths_near(paths, reached, remaining, diameter)
-            remaining = np.setdiff1d(remaining, reached)
-            result[reached] = np.minimum(result[reached], result[hole])
+    if len(rows) == 0 or (layer[rows] == layer[rows[0]]).all():
+        return result
+    contours, _ = select_paths(paths, rows)
+    waste = _surrounding_waste(contours)
+    one, other = _near_pairs(contours, waste, _has_layers(waste, layer[rows]), diameter)
+    result[rows] = _lowest_of_sets(one, other, layer[rows])
     return result
 
 
-def _path_boxes(paths: Paths) -> F64:
-    """Return the bounding box of each of p paths, (p, 4) mm: x min, y min, x max, y max."""
-    boxes = arc.bounding_boxes(paths.start, paths.end, paths.bulge)
-    first = paths.first[:-1]
-    low = np.minimum.reduceat(boxes[:, :2], first, axis=0)
-    return np.hstack([low, np.maximum.reduceat(boxes[:, 2:], first, axis=0)])
+def _surrounding_waste(contours: Paths) -> I64:
+    """Return the number of the waste beside each of p contours, (p,).
 
-
-def _paths_near(paths: Paths, ones: I64, others: I64, distance: float) -> I64:
-    """Return those of the paths ``others`` that are nearer to one of the paths ``ones`` than a
-    distance (mm).
-
-    The paths must not cross each other.
+    It is the index of the contour that encloses the waste, so the contour itself for a hole, plus
+    1; it is 0 for the waste round all contours.
     """
-    own = np.flatnonzero(np.isin(paths.path_of, ones))
-    rows = np.flatnonzero(np.isin(paths.path_of, others))
-    boxes = arc.bounding_boxes(paths.start, paths.end, paths.bulge)
-    i, j = box_pairs(boxes[own], boxes[rows], distance)
-    i, j = own[i], rows[j]
-    apart = np.minimum(_distances(paths, i, j), _distances(paths, j, i))
-    return np.unique(paths.path_of[j[apart < distance]])
+    count = len(contours)
+    is_hole = contours.areas > 0.0
+    # Each contour has two faces: inside and outside.
+    inside = 2 * np.arange(count)
+    left = np.where(is_hole, inside, inside + 1)
+    right = np.where(is_hole, inside + 1, inside)
+    owner = contours.path_of
+    enclosing, _ = find_enclosing_faces(
+        contours.start,
+        contours.end,
+        contours.bulge,
+        np.stack([left, right], axis=1)[owner].astype(np.int32),
+        np.arange(2 * count) % 2 == 1,
+        owner.astype(np.int32),
+    )
+    around = np.where(enclosing < 0, 0, enclosing // 2 + 1)
+    waste: I64 = np.where(is_hole, np.arange(count) + 1, around)
+    return waste
+
+
+def _has_layers(waste: I64, layer: I64) -> Bool:
+    """Return the mask of the contours beside whose waste are contours of several layers, (p,).
+
+    ``waste`` and ``layer``, (p,), are the waste beside each contour, and the contour's layer.
+    """
+    lowest = np.full(len(waste) + 1, layer.max())
+    highest = np.full(len(waste) + 1, layer.min())
+    np.minimum.at(lowest, waste, layer)
+    np.maximum.at(highest, waste, layer)
+    several: Bool = (lowest < highest)[waste]
+    return several
+
+
+def _near_pairs(
+    contours: Paths, waste: I64, selected: Bool, distance: float
+) -> tuple[I64, I64]:
+    """Return the pairs of contours beside the same waste that are nearer to each other than a
+    distance.
+
+    A pair is returned once for each pair of its segments that are so near.
+
+    Parameters
+    ----------
+    contours
+        p contours, which must not cross each other.
+    waste, selected : (p,)
+        Number of the waste beside each contour, and mask of the contours that are compared.
+    distance : mm
+        The distance.
+    """
+    owner = contours.path_of
+    rows = np.flatnonzero(selected[owner])
+    boxes = arc.bounding_boxes(contours.start[rows], contours.end[rows], contours.bulge[rows])
+    i, j = box_pairs(boxes, boxes, distance)
+    i, j = rows[i], rows[j]
+    kept = (owner[i] < owner[j]) & (waste[owner[i]] == waste[owner[j]])
+    i, j = i[kept], j[kept]
+    apart = np.minimum(_distances(contours, i, j), _distances(contours, j, i))
+    near = apart < distance
+    return owner[i[near]].astype(np.int64), owner[j[near]].astype(np.int64)
+
+
+@kernel
+def _lowest_of_sets(one: I64_1, other: I64_1, layer: I64_1) -> Any:
+    """Return the lowest layer in the set of each of p contours, (p,).
+
+    Contours of a pair belong to the same set.
+
+    Parameters
+    ----------
+    one, other : (k,)
+        Indices of the contours of each pair.
+    layer : (p,)
+        Layer of each contour.
+    """
+    parent = np.arange(len(layer))
+    for pair in range(len(one)):
+        union(parent, one[pair], other[pair])
+    flatten(parent)
+    lowest = layer.copy()
+    for contour in range(len(layer)):
+        root = parent[contour]
+        lowest[root] = min(lowest[root], layer[contour])
+    for contour in range(len(layer)):
+        lowest[contour] = lowest[parent[contour]]
+    return lowest
 
 
 def _distances(paths: Paths, i: I64, j: I64) -> F64:

@@ -77,3 +77,29 @@ def test_a_part_is_not_merged_with_a_hole_on_the_other_side_of_the_board() -> No
     # The hole in a part is near to the outline of the part.
     part, its_hole = (2, rectangle(22, 40, 40, 40)), (3, rectangle(24, 42, 36, 36))
     assert merged(OUTLINE, HOLE, part, its_hole) == [0, 1, 1, 3]
+
+
+@pytest.mark.parametrize(("gap", "layer"), [(5.9, 0), (6.1, 2)])
+def test_parts_near_each_other_in_the_same_waste_are_milled_together(
+    gap: float, layer: int
+) -> None:
+    # Slits or necks may give contours of one waste different layers.
+    small = (2, rectangle(300 + gap, 50, 0.04, 0.04))
+    assert merged(OUTLINE, small) == [0, layer]
+    # A chain of near parts ends in the lowest layer of all.
+    last = (4, rectangle(310 + gap, 50, 40, 40))
+    bridge = (2, rectangle(304 + gap, 50, 2, 40))
+    assert merged(OUTLINE, small, bridge, last) == [0, *([layer] * 3)]
+
+
+def test_a_part_in_the_bay_of_another_part_is_in_the_same_waste() -> None:
+    # The box of the part lies in the box of the bay's part, but not in the part.
+    bay = [(x, y, 0.0) for x, y in ((0, 0), (100, 0), (100, 100), (90, 100), (90, 10), (0, 10))]
+    assert merged((0, bay), (2, rectangle(84.5, 50, 4, 4))) == [0, 0]
+    assert merged((0, bay), (2, rectangle(70, 50, 4, 4))) == [0, 2]
+
+
+def test_a_part_in_the_hole_of_a_near_part_has_other_waste() -> None:
+    ring, hole = (2, rectangle(22, 40, 40, 40)), (3, rectangle(24, 42, 36, 36))
+    inner = (4, rectangle(26, 44, 10, 10))
+    assert merged(OUTLINE, HOLE, ring, hole, inner) == [0, 1, 1, 3, 3]

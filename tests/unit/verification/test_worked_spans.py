@@ -39,7 +39,7 @@ def spans_of(*spans: Span, reach: float = 0.0) -> WorkedSpans:
     rows = np.arange(len(spans))
     return WorkedSpans(
         np.zeros(len(spans), np.int64), np.array(low, np.float64), np.array(high, np.float64),
-        np.array(line), np.array(through), rows, reach,
+        np.array(line), np.array(through), np.array(high, np.float64) - low, rows, reach,
     )  # fmt: skip
 
 
@@ -86,5 +86,17 @@ def test_the_overrun_of_a_knife_begins_no_cut(end: float, second: float) -> None
 
 
 def test_a_repetition_covers_at_least_half_of_what_was_cut_before() -> None:
-    spans = spans_of((0, 10, 1, True), (0, 10, 2, True), (5, 15, 3, True), (9, 19, 4, True))
-    assert new_spans(spans.edge, spans.low, spans.high).tolist() == [True, False, True, False]
+    assert is_new((0, 10, 1, True), (0, 10, 2, True), (5, 15, 3, True), (9, 19, 4, True)) == [
+        True, False, True, False,
+    ]  # fmt: skip
+
+
+def test_a_cut_that_is_not_through_the_board_is_made_again_by_the_next_pass() -> None:
+    assert is_new((0, 10, 1, False), (0, 10, 2, True)) == [True, True]
+    assert is_new((0, 10, 1, True), (0, 10, 2, False), (4, 20, 3, True)) == [True, False, True]
+
+
+def is_new(*spans: Span) -> list[bool]:
+    made = spans_of(*spans)
+    fresh: list[bool] = new_spans(made.edge, made.low, made.high, made.through).tolist()
+    return fresh

@@ -187,10 +187,8 @@ def _report_late_cuts(
     ``rule`` contains the code of the message.
     """
     late = spans.line > limit
-    if spans.reach == 0.0 and late.any():
-        # The overrun of a knife may lie on a cut that is already made.
-        overrun = _longest_overrun(context)
-        late &= new_spans(spans.edge, spans.low, spans.high) | (spans.high - spans.low > overrun)
+    if late.any():
+        late &= ~_touches_again(context, spans)
     late_rows = np.flatnonzero(late)
     late_cuts, first = np.unique(spans.edge[late_rows], return_index=True)
     for k in late_rows[first][:MAX_FINDINGS]:
@@ -202,6 +200,24 @@ def _report_late_cuts(
             context, rule, int(cuts.row[edge]), place[0], (int(spans.line[k]), int(limit[k]))
         )
     return late_cuts
+
+
+def _touches_again(context: CheckContext, spans: WorkedSpans) -> Bool:
+    """Return the mask of the stretches on which a tool only touches a cut that is already made,
+    (k,).
+
+    The overrun of a knife may lie on such a cut.  A disc may touch one in passing, mostly on its
+    way round a corner of another contour: the arc of the centre with the radius R stays within the
+    tolerance t of a line over at most 4 √(R t).
+    """
+    size = spans.high - spans.low
+    if spans.reach == 0.0:
+        short = size <= _longest_overrun(context)
+    else:
+        short = size <= 4.0 * math.sqrt(spans.reach * context.tolerance)
+        short &= size < 0.5 * spans.travel
+    again: Bool = short & ~new_spans(spans.edge, spans.low, spans.high, spans.through)
+    return again
 
 
 def _longest_overrun(context: CheckContext) -> float:

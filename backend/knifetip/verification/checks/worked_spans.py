@@ -8,7 +8,7 @@ from typing import Any, Final, NamedTuple
 
 import numpy as np
 
-from knifetip.kernels import F64_1, I64_1, kernel
+from knifetip.kernels import F64_1, I64_1, Bool_1, kernel
 from knifetip.model.machine import Station
 from knifetip.verification.checks.check_context import DEPTH_TOLERANCE, CheckContext
 from knifetip.verification.checks.cut_faces import GAP_LENGTH, CutFaces
@@ -61,6 +61,7 @@ class WorkedSpans:
     high: F64  #: (k,)
     line: I64  #: (k,)
     through: Bool  #: (k,) the work goes through the board
+    travel: F64  #: (k,) mm, length of the tip paths of which the stretch is a part
     path: I64  #: (m,) rows of all tip paths on these stretches
     reach: float  #: mm, the radius of the widest cutter, 0 for knives
 
@@ -94,11 +95,12 @@ def find_worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> Wor
     if len(first):
         low, high = np.minimum.reduceat(low, first), np.maximum.reduceat(high, first)
         is_through = np.logical_and.reduceat(is_through, first)
+    travel = np.add.reduceat(work.curve[path, 5], first) if len(first) else np.zeros(0)
     # Drop paths that only cross a cut or touch its end.
     long = high - low >= np.minimum(MIN_LENGTH, 0.5 * size[first])
     kept, many = first[long], np.diff(first, append=len(path))
     return WorkedSpans(
-        edge[kept], low[long], high[long], line[kept], is_through[long],
+        edge[kept], low[long], high[long], line[kept], is_through[long], travel[long],
         path[np.repeat(long, many)], widest,
     )  # fmt: skip
 
@@ -308,12 +310,13 @@ def _completing_lines(
 
 
 @kernel
-def new_spans(edge: I64_1, low: F64_1, high: F64_1) -> Any:
+def new_spans(edge: I64_1, low: F64_1, high: F64_1, through: Bool_1) -> Any:
     """Return the mask of the stretches of cuts that are not repetitions of earlier stretches, (k,).
 
-    A stretch is no repetition if earlier stretches of its cut cover at most half of it.  ``edge``,
-    ``low`` and ``high`` are the index of the cut of each of k stretches, and the stretch's start
-    and end on it (mm), sorted by cut and then by program line.
+    A stretch is no repetition if earlier stretches through the board cover at most half of it.
+    ``edge``, ``low`` and ``high`` are the index of the cut of each of k stretches, and the
+    stretch's start and end on it (mm), sorted by cut and then by program line; ``through`` is the
+    mask of the stretches that are cut through.
     """
     fresh = np.zeros(len(edge), np.bool_)
     begin = 0
@@ -324,7 +327,11 @@ def new_spans(edge: I64_1, low: F64_1, high: F64_1) -> Any:
         covered = np.empty((end - begin + 1, 2))
         many = 0
         for k in range(begin, end):
-            many, gained = add_interval(covered, many, low[k], high[k])
-            fresh[k] = gained >= 0.5 * (high[k] - low[k])
+            repeated = 0.0
+            for j in range(many):
+                repeated += max(min(covered[j, 1], high[k]) - max(covered[j, 0], low[k]), 0.0)
+            fresh[k] = repeated <= 0.5 * (high[k] - low[k])
+            if through[k]:
+                many, _ = add_interval(covered, many, low[k], high[k])
         begin = end
     return fresh
