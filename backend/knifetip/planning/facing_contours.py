@@ -89,9 +89,7 @@ def _has_layers(waste: I64, layer: I64) -> Bool:
     return several
 
 
-def _near_pairs(
-    contours: Paths, waste: I64, selected: Bool, distance: float
-) -> tuple[I64, I64]:
+def _near_pairs(contours: Paths, waste: I64, selected: Bool, distance: float) -> tuple[I64, I64]:
     """Return the pairs of contours beside the same waste that are nearer to each other than a
     distance.
 

@@ -94,7 +94,8 @@ def test_parts_near_each_other_in_the_same_waste_are_milled_together(
 
 def test_a_part_in_the_bay_of_another_part_is_in_the_same_waste() -> None:
     # The box of the part lies in the box of the bay's part, but not in the part.
-    bay = [(x, y, 0.0) for x, y in ((0, 0), (100, 0), (100, 100), (90, 100), (90, 10), (0, 10))]
+    corners = ((0, 0), (100, 0), (100, 100), (90, 100), (90, 10), (0, 10))
+    bay: Contour = [(x, y, 0.0) for x, y in corners]
     assert merged((0, bay), (2, rectangle(84.5, 50, 4, 4))) == [0, 0]
     assert merged((0, bay), (2, rectangle(70, 50, 4, 4))) == [0, 2]
 
