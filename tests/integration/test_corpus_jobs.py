@@ -6,6 +6,7 @@ The drawings below were refused wrongly when a walk through the corpus first con
 from __future__ import annotations
 
 import math
+import re
 from collections import Counter
 from pathlib import Path
 from typing import Final
@@ -115,6 +116,45 @@ def test_contours_that_release_each_other_can_be_cut_once_divided_at_their_cross
     pieces, bulge, _ = split_at_crossings(drawn.ends, drawn.bulge)
     divided = dieline((CUT, pieces), bulge=dict(enumerate(bulge)))
     assert refusals(compiled(divided, "demo-table", "fbb-0.4")) == []
+
+
+@pytest.mark.parametrize("radius", [0.0159444, 0.0190160, 0.0164314])
+def test_rounded_coordinates_may_turn_the_knife_on_tiny_circles(radius: float) -> None:
+    # Many positions, because only some of them are rounded towards each other.
+    outline = closed((-5, -5), (125, -5), (125, 95), (-5, 95))
+    places = [(12.0 * k + 0.00137 * j, 11.0 * j + 0.00073 * k) for k in range(10) for j in range(9)]
+    size = radius / math.sqrt(2.0)
+    halves = [
+        half
+        for x, y in places
+        for half in (
+            ((x - size, y + size), (x + size, y - size)),
+            ((x + size, y - size), (x - size, y + size)),
+        )
+    ]
+    line = dieline(
+        (CUT, outline),
+        (CUT, edges(*halves)),
+        bulge=dict.fromkeys(range(4, 4 + len(halves)), 1.0),
+    )
+    made = compiled(line, "demo-table", "fbb-0.4")
+    assert refusals(made) == []
+
+
+def test_a_knife_that_is_turned_on_a_larger_circle_is_refused() -> None:
+    line = dieline(
+        (CUT, closed((0, 0), (40, 0), (40, 30), (0, 30))),
+        (CUT, edges(((19, 15), (21, 15)), ((21, 15), (19, 15)))),
+        bulge={4: 1.0, 5: 1.0},
+    )
+    made = compiled(line, "demo-table", "fbb-0.4")
+    assert refusals(made) == []
+    word = re.search(rb"G3 X\S+ Y\S+ C(\S+)", made.program.text)
+    assert word is not None
+    turned = made.program.text.replace(word[1], b"%.4f" % (float(word[1]) + 0.3), 1)
+    machine, board = load.machine("demo-table"), load.board("fbb-0.4")
+    verdict = pipeline.verify(turned, line, made.placement, machine, board)
+    assert "verify.wrong-heading" in {finding.message.code for finding in verdict.findings}
 
 
 #: Number of files of the corpus, and of those without a line to make.

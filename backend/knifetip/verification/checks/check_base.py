@@ -304,7 +304,11 @@ class StationCheck(ABC):
             np.zeros(len(self.edges), np.bool_) if chorded is None else chorded,
             self.operation == OperationKind.CREASE, turn,
         )  # fmt: skip
-        self.check_swing(worst, reach[work], np.zeros(len(best)), work, edge)
+        # A shift of the tip by rounding turns the direction of an arc by this shift / radius.
+        arcs = np.flatnonzero(self.edges.curve[edge, 0] != 0.0)
+        slack = np.zeros(len(best))
+        slack[arcs] = np.degrees(PRINT_TURN / self.edges.curve[edge[arcs], 3])
+        self.check_swing(worst, reach[work], slack, work, edge)
 
         # A path past an edge has no edge to compare with, only its own direction.
         path_rows, spans = uncovered_curves(overlaps, self.curve)
