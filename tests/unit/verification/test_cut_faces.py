@@ -9,11 +9,12 @@ from knifetip.verification.expectation.outline import count_enclosing, find_outl
 from tests.support.programs.handwritten import CUT, dieline
 
 
-def test_a_ray_does_not_pass_between_two_joined_ends() -> None:
-    # The right side of the first blank consists of two lines that are joined with a gap of
-    # 0.0008 mm.  The ray to the left of the second blank runs at the height of this gap.
+@pytest.mark.parametrize("bulge", [0.0, 0.1])
+def test_a_ray_does_not_pass_between_two_joined_ends(bulge: float) -> None:
+    # The right side of the first blank consists of a line and a line or arc that are joined with a
+    # gap of 0.0008 mm.  The ray to the left of the second blank runs at the height of this gap.
     drawn = dieline(
-        (CUT, 0, 0, 100, 0, 0.0), (CUT, 100, 0, 100, 40, 0.0), (CUT, 100, 40.0008, 100, 80, 0.0),
+        (CUT, 0, 0, 100, 0, 0.0), (CUT, 100, 0, 100, 40, 0.0), (CUT, 100, 40.0008, 100, 80, bulge),
         (CUT, 100, 80, 0, 80, 0.0), (CUT, 0, 80, 0, 0, 0.0),
         (CUT, 110, 39.9998, 130, 20, 0.0), (CUT, 130, 20, 130, 60, 0.0),
         (CUT, 130, 60, 110, 39.9998, 0.0),

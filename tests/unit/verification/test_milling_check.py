@@ -11,7 +11,7 @@ from knifetip.model.dieline import Dieline
 from knifetip.model.machine import Machine, Station
 from knifetip.model.tool import Cutter
 from knifetip.model.verdict import Finding, Severity, Verdict
-from knifetip.verification.checks.milling_geometry import spans_near_points
+from knifetip.verification.checks.milling_geometry import is_beside_arc, spans_near_points
 from knifetip.verification.columns import F64
 from knifetip.verification.curves.curve import line_curves
 from knifetip.verification.curves.intervals import uncovered_edges
@@ -261,6 +261,22 @@ def test_a_round_hole_is_milled_from_inside() -> None:
     wide = faults(milled(7.02))
     assert {(finding.kind, finding.edge) for finding in wide} >= {("overcut", 4), ("overcut", 5)}
     assert wide[0].measure == pytest.approx(0.02)
+
+
+def test_a_disc_that_is_no_circle_is_beside_an_arc_a_little_past_its_end() -> None:
+    # A quarter of a circle with a radius of 10 mm, and points 13 mm from its centre.
+    quarter = np.array([(1.0, 0.0, 0.0, 10.0, 0.0, 5.0 * math.pi)])
+    angles = np.radians([-1.0, -0.5, 45.0, 90.5, 91.0])
+    points = 13.0 * np.column_stack([np.cos(angles), np.sin(angles)])
+
+    def beside(x: float, y: float) -> list[bool]:
+        edges = np.repeat(quarter, len(points), axis=0)
+        mask: list[bool] = is_beside_arc(points, edges, np.array([x, y])).tolist()
+        return mask
+
+    assert beside(3.0, 3.0) == [False, False, True, False, False]
+    # 0.5° are 0.113 mm, and 1° is 0.227 mm.
+    assert beside(3.0, 2.9) == [False, True, True, True, False]
 
 
 @pytest.mark.parametrize("backwards", [False, True])
