@@ -18,6 +18,7 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 
 from knifetip.cleaning.edge_parameter import circle_of, middle_of, range_of, size_of
+from knifetip.geometry.capacity import reserve_i64_2
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.spatial_index.box_tree import (
     build_tree,
@@ -214,12 +215,8 @@ def _overlapping(
                 if j < 0:
                     break
                 if i != j and _do_overlap(rows, i, j, same):
-                    if size == len(found):
-                        more = np.empty((2 * size, 2), np.int64)
-                        more[:size] = found
-                        found = more
-                    found[size, 0] = i
-                    found[size, 1] = j
+                    found = reserve_i64_2(found, size + 1)
+                    found[size, 0], found[size, 1] = i, j
                     size += 1
                     partners += 1
     return found[:size].copy()

@@ -338,14 +338,8 @@ def _without_doubtful_passages(
     These are remaining pieces of folds that are short and have an end that no other piece touches.
     A passage that is not dropped may touch such ends of other folds, so they are searched again.
 
-    Parameters
-    ----------
-    ends, bulge : (k, 2, 2) mm and (k,)
-        All edges.
-    parts
-        The q pieces of folds.
-    overshoot, passage : (q,)
-        The pieces to be dropped: overshoots, and passages between two pieces on panels.
+    ``overshoot`` and ``passage`` are the pieces to be dropped, (q,): overshoots, and passages
+    between two pieces on panels.  The other arguments are those of ``_find_dropped``.
     """
     while passage.any():
         left = _remaining_pieces(ends, bulge, parts, overshoot | passage)
@@ -369,12 +363,8 @@ def _without_doubtful_passages(
 def _remaining_pieces(ends: F64, bulge: F64, parts: _Parts, dropped: Bool) -> Pieces:
     """Return the pieces of k edges that remain if pieces of folds are dropped.
 
-    Parameters
-    ----------
-    ends, bulge : (k, 2, 2) mm and (k,)
-        All edges.
-    parts, dropped
-        The q pieces of folds, and the mask of those that are dropped, (q,).
+    ``dropped`` is the mask of these pieces, (q,).  The other arguments are those of
+    ``_find_dropped``.
     """
     others = np.setdiff1d(np.arange(len(bulge)), parts.edge)
     edge = np.concatenate([others, parts.edge])

@@ -73,9 +73,8 @@ def find_cuts(
     cut_count
         Number of split points; the arrays may be longer.
     """
-    capacity = 2 * count + 16
-    cut_row = np.empty(capacity, np.int64)
-    cut_point = np.empty((capacity, 3))
+    cut_row = np.empty(2 * count + 16, np.int64)
+    cut_point = np.empty((len(cut_row), 3))
     cut_count = 0
     for i in range(real):
         depth = start_query(tree, stack)
@@ -104,17 +103,9 @@ def find_cuts(
             ):  # fmt: skip
                 continue
             hits = intersect_rows(rows, i, rows, j, TOUCH, crossings)
-            if cut_count + 2 * hits > capacity:
-                capacity *= 2
-                more = np.empty(capacity, np.int64)
-                further = np.empty((capacity, 3))
-                for c in range(cut_count):
-                    more[c] = cut_row[c]
-                    further[c, 0] = cut_point[c, 0]
-                    further[c, 1] = cut_point[c, 1]
-                    further[c, 2] = cut_point[c, 2]
-                cut_row = more
-                cut_point = further
+            if cut_count + 2 * hits > len(cut_row):
+                cut_row = np.concatenate((cut_row, np.empty_like(cut_row)))
+                cut_point = np.concatenate((cut_point, np.empty_like(cut_point)))
             for h in range(hits):
                 for side in range(2 if j < real else 1):
                     cut_row[cut_count] = j if side else i

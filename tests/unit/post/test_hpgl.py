@@ -24,15 +24,25 @@ MACHINE = load.machine("flat-cutter-hpgl")
 R, P, F, S, L = Motion.RAPID, Motion.PLUNGE, Motion.FEED, Motion.SWIVEL, Motion.LIFT
 #: Knife and creasing tool (mm/min): 40 and 30 cm/s.
 CUT, CREASE = 24000.0, 18000.0
+#: Station, motion, x, y, z, bulge and feed of the end of a move.
 Move = tuple[int, Motion, float, float, float, float, float]
 
-#: Station, motion, x, y, z, bulge and feed of the end of a move.
-SQUARE: list[Move] = [
-    (1, R, 20, 20, 5, 0, 0),
-    (1, P, 20, 20, -0.3, 0, 6000),
-    (1, F, 120, 20, -0.3, 0, CUT),
-    (1, L, 120, 20, 2.4, 0, 6000),
-]
+
+def strokes(
+    station: int,
+    z: float,
+    feed: float,
+    *points: tuple[float, float],
+    bulge: float = 0.0,
+    above: float = 5.0,
+) -> list[Move]:
+    """Return the moves along the points at height ``z``, with a plunge before and a lift after."""
+    moves: list[Move] = [(station, R, *points[0], 5, 0, 0), (station, P, *points[0], z, 0, 6000)]
+    moves += [(station, F, *point, z, bulge, feed) for point in points[1:]]
+    return [*moves, (station, L, *points[-1], above, 0, 6000)]
+
+
+SQUARE = strokes(1, -0.3, CUT, (20, 20), (120, 20), above=2.4)
 
 
 def toolpath(*moves: Move, start: tuple[float, float] = (0.0, 0.0)) -> Toolpath:
@@ -72,14 +82,8 @@ def test_each_line_has_the_row_of_its_move() -> None:
 def test_each_kind_of_work_of_a_station_selects_its_pen() -> None:
     lines = instructions(
         toolpath(
-            (2, R, 10, 10, 5, 0, 0),
-            (2, P, 10, 10, 0.1, 0, 6000),
-            (2, F, 10, 50, 0.1, 0, CREASE),
-            (2, L, 10, 50, 5, 0, 6000),
-            (1, R, 30, 10, 5, 0, 0),
-            (1, P, 30, 10, 0.2, 0, 6000),
-            (1, F, 30, 50, 0.2, 0, CUT),
-            (1, L, 30, 50, 2.4, 0, 6000),
+            *strokes(2, 0.1, CREASE, (10, 10), (10, 50)),
+            *strokes(1, 0.2, CUT, (30, 10), (30, 50), above=2.4),
             (1, R, 20, 20, 2.4, 0, 0),
             *SQUARE[1:],
         )
@@ -95,26 +99,14 @@ def test_each_kind_of_work_of_a_station_selects_its_pen() -> None:
 
 
 def test_positions_are_rounded_independently_and_moves_of_no_length_are_omitted() -> None:
-    lines = instructions(
-        toolpath(
-            (1, R, 20.013, 20, 5, 0, 0),
-            (1, P, 20.013, 20, -0.3, 0, 6000),
-            (1, F, 20.02, 20, -0.3, 0, CUT),
-            (1, F, 40.03, 20, -0.3, 0, CUT),
-            (1, L, 40.03, 20, 5, 0, 6000),
-        )
-    )
+    lines = instructions(toolpath(*strokes(1, -0.3, CUT, (20.013, 20), (20.02, 20), (40.03, 20))))
     assert lines[6:10] == ["PU801,800;", "PD;", "PD1601,800;", "PU;"]
 
 
 def test_the_tool_is_not_lowered_for_a_pass_that_rounds_to_a_point() -> None:
     program = process(
         toolpath(
-            (1, R, 20.001, 20, 5, 0, 0),
-            (1, P, 20.001, 20, -0.3, 0, 6000),
-            (1, F, 20.008, 20, -0.3, 0, CUT),
-            (1, F, 20.008, 20.005, -0.3, 0, CUT),
-            (1, L, 20.008, 20.005, 2.4, 0, 6000),
+            *strokes(1, -0.3, CUT, (20.001, 20), (20.008, 20), (20.008, 20.005), above=2.4),
             *SQUARE,
         ),
         MACHINE,
@@ -126,12 +118,7 @@ def test_the_tool_is_not_lowered_for_a_pass_that_rounds_to_a_point() -> None:
 
 
 def test_an_arc_becomes_chords_within_half_the_tolerance() -> None:
-    half = toolpath(
-        (1, R, 100, 100, 5, 0, 0),
-        (1, P, 100, 100, -0.3, 0, 6000),
-        (1, F, 100, 140, -0.3, 1.0, CUT),
-        (1, L, 100, 140, 5, 0, 6000),
-    )
+    half = toolpath(*strokes(1, -0.3, CUT, (100, 100), (100, 140), bulge=1.0))
     lines = [line for line in instructions(half) if line.startswith("PD") and "," in line]
     points = np.array([[100.0, 100.0]] + [
         [float(number) / 40.0 for number in line[2:-1].split(",")] for line in lines
@@ -148,14 +135,8 @@ def test_an_arc_becomes_chords_within_half_the_tolerance() -> None:
 
 @pytest.mark.parametrize("radius", [6.1, 9.3, 11.07, 13.11, 18.53, 25.77])
 def test_the_creasing_tool_turns_by_little_where_two_chords_meet(radius: float) -> None:
-    lines = instructions(
-        toolpath(
-            (2, R, 100, 100, 5, 0, 0),
-            (2, P, 100, 100, 0.2, 0, 6000),
-            (2, F, 100, 100 + radius, 0.2, math.sqrt(0.5), CREASE),
-            (2, L, 100, 100 + radius, 5, 0, 6000),
-        )
-    )
+    ends = (100, 100), (100, 100 + radius)
+    lines = instructions(toolpath(*strokes(2, 0.2, CREASE, *ends, bulge=math.sqrt(0.5))))
     points = [(4000, 4000)] + [
         tuple(map(int, line[2:-1].split(","))) for line in lines if re.match("PD[0-9]", line)
     ]
