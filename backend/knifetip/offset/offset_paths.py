@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,6 +16,10 @@ from knifetip.offset.cusps import find_cusp_loops, straighten_cusps
 from knifetip.offset.raw_segments import NO_FAILURE, NO_LENGTH, NOT_A_NUMBER, NOT_CLOSED
 from knifetip.offset.self_contact import find_self_contact
 from knifetip.offset.transition import Corner, check_corners
+
+#: If no offset is found, the radius is reduced by this (mm).  In a slot as wide as the tool, both
+#: sides have the same offset, and rounding decides whether it has two paths, one or none.
+_RADIUS_STEP: Final = 1e-5
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -76,8 +80,9 @@ def offset_paths(
     OffsetPaths
         A closed path gives closed paths: none if the tool does not fit, several if it cannot pass a
         neck.  No point of a result is nearer to its contours than r, except within
-        ``DISTANCE_TOLERANCE``.  No result path runs between a corner and the path on which the tool
-        goes round this corner.  A path of type C or D round a corner is never cut short.
+        ``DISTANCE_TOLERANCE``, or within ``_RADIUS_STEP`` if no offset is found with r.  No result
+        path runs between a corner and the path on which the tool goes round this corner.  A path of
+        type C or D round a corner is never cut short.
 
     Raises
     ------
@@ -120,7 +125,11 @@ def offset_paths(
     if failure[0] == NOT_CLOSED:
         straight, segment = straighten_cusps(paths)
         corner_row = segment if same > 1 else slice(None)
-        result, _ = _offset(straight, regions, kinds[corner_row], k_values[corner_row])
+        types = kinds[corner_row], k_values[corner_row]
+        result, _ = _offset(straight, regions, *types)
+        if result is None:
+            less = np.sign(signed) * np.maximum(radius - _RADIUS_STEP, 0.0)
+            result, _ = _offset(straight, regions._replace(signed=less), *types)
         if result is not None:
             result = replace(
                 result, source=segment[result.source], replaced=np.unique(segment[result.replaced])

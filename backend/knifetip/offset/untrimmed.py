@@ -7,6 +7,7 @@ trimmed to their intersection only if each of them keeps about half its length.
 from __future__ import annotations
 
 import math
+from typing import Final
 
 from knifetip.kernels import F64_2, kernel
 from knifetip.offset.corners import (
@@ -34,6 +35,10 @@ from knifetip.offset.raw_segments import (
 )
 from knifetip.offset.records import Contours, CornerTypes, MovedPath, RawRows
 
+#: Largest overlap of two moved segments that are trimmed like their tangents (mm).  There, the
+#: tangents deviate from arcs with radii above 1.3 mm by less than DISTANCE_TOLERANCE.
+_FLAT: Final = 1e-4
+
 
 @kernel
 def _trim_point(
@@ -48,7 +53,8 @@ def _trim_point(
     """Return the point (x, y) to which the moved segments at a concave corner are trimmed (mm).
 
     The point is NaN if the two moved segments do not cross once, or if one of them would lose more
-    than about half its length.
+    than about half its length.  In a very flat corner, where rounding decides how often arcs cross,
+    it is the intersection of their tangents.
 
     Parameters
     ----------
@@ -72,7 +78,11 @@ def _trim_point(
         contours, last, next_, table, row_before, row_after, signed
     )
     if hits != 1 or sine < 0.0:
-        return math.nan, math.nan
+        _, cross, dot = classify_corner(table, row_before, row_after, signed)
+        if dot < 0.0 or abs(signed * cross) > _FLAT:
+            return math.nan, math.nan
+        x, y = contours.start[next_, 0], contours.start[next_, 1]
+        gx, gy = line_crossing(table, row_before, row_after, x, y, signed / (1.0 + dot))
     for row, x, y in (
         (row_before, table[row_before, EX], table[row_before, EY]),
         (row_after, table[row_after, SX], table[row_after, SY]),

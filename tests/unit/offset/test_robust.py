@@ -210,3 +210,37 @@ def test_a_wide_loop_at_a_cusp_is_refused_and_its_hint_helps() -> None:
     bulge = np.tan(np.arctan(contour.bulge[:1]) * along[first])
     trimmed = paths_of(xy, np.roll(xy, -1, axis=0), [*bulge, 0.0, 0.0, 0.0], [0, 4])
     assert len(offset_paths(trimmed, 3.0, 1).paths) == 1
+
+
+@pytest.mark.parametrize("past", [0.0, 1e-9, 4.5e-7, 1e-5])
+@pytest.mark.parametrize("shift", [-0.001, 0.0, 0.0013])
+def test_a_round_slot_as_wide_as_the_tool(past: float, shift: float) -> None:
+    top = 26.0 + past
+    corners = [(0, 0), (100, 0), (100, 20), (60 + shift, 20), (60, top), (100, top), (100, 60)]
+    xy = np.array([*corners, (0, 60)])
+    bulge = np.array([0, 0, 0, -1.0, 0, 0, 0, 0])
+    contour = paths_of(xy, np.roll(xy, -1, axis=0), bulge, [0, len(xy)])
+    made = offset_paths(contour, 3.0, -1)
+    along = points(made)
+    part = shapely.Polygon(arc.points_along(contour.start, contour.end, bulge, 90).reshape(-1, 2))
+    assert shapely.distance(part, along).min() > 3.0 - 2e-3
+    assert shapely.get_x(along[abs(shapely.get_y(along) - 23.0) < 1e-4]).min() < 61.0
+
+
+@pytest.mark.parametrize("turn", [3.5e-7, 4e-7, 4.5e-7, 1e-6, 1e-5])
+@pytest.mark.parametrize("around", [0.0, 0.3, 1.0, 2.0])
+def test_arcs_that_cross_twice_beside_a_flat_corner(turn: float, around: float) -> None:
+    # The tool does not fit into the narrow notch, so the path is offset as a region.
+    corners, bulge, heading = [np.zeros(2)], [], 0.0
+    for radius in (1830.0, 610.0):
+        swept = 9.0 / radius
+        chord = 2.0 * radius * np.sin(0.5 * swept)
+        along = heading - 0.5 * swept
+        corners.append(corners[-1] + chord * np.array([np.cos(along), np.sin(along)]))
+        bulge.append(-np.tan(0.25 * swept))
+        heading += turn - swept
+    xy = np.concatenate([corners, [(18, -60), (11, -60), (9, -30), (7, -60), (0, -60)]])
+    cosine, sine = np.cos(around), np.sin(around)
+    xy = xy @ np.array([[cosine, sine], [-sine, cosine]])
+    contour = paths_of(xy, np.roll(xy, -1, axis=0), np.append(bulge, np.zeros(6)), [0, len(xy)])
+    assert len(offset_paths(contour, 3.0, 1).paths) == 1
