@@ -157,6 +157,22 @@ def test_a_knife_that_is_turned_on_a_larger_circle_is_refused() -> None:
     assert "verify.wrong-heading" in {finding.message.code for finding in verdict.findings}
 
 
+@pytest.mark.parametrize("x", [33.0, 35.5, 36.0, 37.9, 38.0, 38.5])
+@pytest.mark.parametrize("first", range(8))
+def test_a_round_crease_may_be_crossed_by_a_cut_near_its_first_edge(x: float, first: int) -> None:
+    # The wheel needs more than 2 mm before the cut, so it stops behind a joint.
+    corners = ((38, 40), (40, 38), (40, 2), (38, 0), (2, 0), (0, 2), (0, 38), (2, 40))
+    turned = corners[first:] + corners[:first]
+    bend = 1.0 - 2.0**0.5
+    line = dieline(
+        (CREASE, closed(*turned)),
+        (CUT, edges(((x, 50), (x, 30)))),
+        (CUT, closed((-20, -20), (60, -20), (60, 60), (-20, 60))),
+        bulge={row: bend for row in range(8) if (row + first) % 2 == 0},
+    )
+    assert refusals(compiled(line, "demo-table", "fbb-0.4")) == []
+
+
 #: Number of files of the corpus, and of those without a line to make.
 FILES, EMPTY = 103, 20
 

@@ -254,7 +254,9 @@ def test_a_crease_that_a_cut_goes_through_at_a_vertex(monkeypatch: pytest.Monkey
     assert verdict_of(line).accepted
     right = original(crease_operations, "split_at_cuts")
     monkeypatch.setattr(
-        crease_operations, "split_at_cuts", lambda paths, *_: right(paths, cut[:0], cut[:0, 0, 0])
+        crease_operations,
+        "split_at_cuts",
+        lambda paths, _ends, _bulge, closed: right(paths, cut[:0], cut[:0, 0, 0], closed),
     )
     assert not verdict_of(line).accepted
 

@@ -33,6 +33,7 @@ class Chains:
     order: I32  #: (n,) rows of the edges, path by path
     flipped: Bool  #: (n,) whether each edge in ``order`` is traversed backwards
     first: I32  #: (p + 1,) start of each path in ``order``; the last entry is n
+    closed: Bool  #: (p,) whether the last edge of each path is connected to its first edge
 
     def paths(self, ends: F64, bulge: F64) -> Paths:
         """Return the chained edges as a record of paths with coordinates.
@@ -102,7 +103,8 @@ def chain(
     """
     count = len(ends)
     if count == 0:
-        return Chains(np.zeros(0, np.int32), np.zeros(0, np.bool_), np.zeros(1, np.int32))
+        none = np.zeros(0, np.bool_)
+        return Chains(np.zeros(0, np.int32), none, np.zeros(1, np.int32), none)
     node = number_vertices(ends.reshape(-1, 2), gap)
     # Vertices are numbered as their first ends, so that one group would change no number.
     if group is not None and (group != group[0]).any():
@@ -115,8 +117,7 @@ def chain(
         np.cos(np.radians(max_turn)) - 1e-12,
         np.cos(np.radians(min(max_turn, ANGLE))) - 1e-12,
     )
-    order, flipped, first, _ = follow_links(link)
-    return Chains(order, flipped, first)
+    return Chains(*follow_links(link))
 
 
 def continues_straight(

@@ -128,11 +128,10 @@ def _crease_paths(dieline: Dieline, rows: I32) -> tuple[Paths, I32, tuple[U8, U8
     paths, source = close_joints(chains.paths(ends, bulge)), row[order][chains.order]
     start, finish = np.split(np.where(_continued_ends(paths), End.CONTINUED, End.FREE), 2)
     path_of = paths.path_of
-    paths, segment, crossed = split_at_cuts(paths, cut_ends, cut_bulge)
+    paths, segment, crossed = split_at_cuts(paths, cut_ends, cut_bulge, chains.closed)
     old_path = path_of[segment[paths.first[:-1]]]
-    kinds = np.where(crossed, End.FREE, np.stack([start, finish], axis=1)[old_path]).astype(
-        np.uint8
-    )
+    kinds = np.where(crossed, End.FREE, np.stack([start, finish], axis=1)[old_path])
+    kinds = kinds.astype(np.uint8)
     return paths, source[segment], (kinds[:, 0], kinds[:, 1])
 
 

@@ -29,8 +29,10 @@ _ACROSS = sin(radians(ANGLE))
 _CHORDS_PER_ARC = 128
 
 
-def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool]:
+def split_at_cuts(paths: Paths, ends: F64, bulge: F64, closed: Bool) -> tuple[Paths, I32, Bool]:
     """Return the paths, split where cuts cross them.
+
+    A closed path that is split has no end where it began: its last piece continues in its first.
 
     A path is not split by a cut that only touches it from one side, nor by a cut on which the path
     ends.  Cuts that cross a path at most ``GAP`` apart (mm) cross it at one place: the path stops
@@ -40,6 +42,8 @@ def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
         Start and end points, and bulges, of the cuts.
+    closed : (p,)
+        Mask of the paths whose last segment continues in the first one.
 
     Returns
     -------
@@ -83,7 +87,42 @@ def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool
     again = np.append(False, owner[1:] == owner[:-1])[: len(owner)]
     crossed = _end_at_crossings(result, paths, segment, fraction)
     crossed |= np.stack([again, np.append(again[1:], False)[: len(again)]], axis=1)
-    return result, row.astype(np.int32), crossed
+    return _join_closed(result, row.astype(np.int32), crossed, owner, closed)
+
+
+def _join_closed(
+    pieces: Paths, row: I32, crossed: Bool, owner: I64, closed: Bool
+) -> tuple[Paths, I32, Bool]:
+    """Return the q pieces of paths, with the last piece of each closed path before its first one,
+    joined to it, unless a cut crosses the path where they meet.
+
+    Parameters
+    ----------
+    row, crossed
+        As returned by ``split_at_cuts``, (m,) and (q, 2).
+    owner : (q,)
+        Path of each piece, ascending.
+    closed
+        Mask of the closed paths, (p,).
+    """
+    path, first = np.unique(owner, return_index=True)
+    last = np.append(first[1:], len(owner))[: len(first)] - 1
+    joined = closed[path] & (last > first) & ~crossed[first, 0] & ~crossed[last, 1]
+    first, last = first[joined], last[joined]
+    if len(first) == 0:
+        return pieces, row, crossed
+    key = np.arange(len(owner), dtype=np.float64)
+    key[last] = first - 0.5
+    order = np.argsort(key)
+    moved, segment = select_paths(pieces, order.astype(np.int32))
+    crossed = crossed.copy()
+    crossed[first, 0] = crossed[last, 0]
+    begins = np.ones(len(order), np.bool_)
+    begins[np.argsort(order)[first]] = False
+    starts = np.append(moved.first[:-1][begins], len(moved.bulge))
+    merged = Paths(moved.start, moved.end, moved.bulge, starts)
+    kept = np.setdiff1d(np.arange(len(owner)), last)
+    return merged, row[segment], crossed[kept]
 
 
 def _begin_of_segments(paths: Paths, size: F64) -> F64:

@@ -185,3 +185,37 @@ def test_a_closed_crease_is_set_back_only_at_its_corner() -> None:
         gap = made.paths.start[made.paths.first[:-1]] - made.paths.end[made.paths.first[1:] - 1]
         # Both lines of a double crease end beside the corner, and are not mitred there.
         assert np.hypot(*gap.T).max() <= 2.0
+
+
+#: A rounded square of creases that begins with an arc, at (38, 40).
+ROUNDED = edges(
+    ((38, 40), (40, 38)), ((40, 38), (40, 2)), ((40, 2), (38, 0)), ((38, 0), (2, 0)),
+    ((2, 0), (0, 2)), ((0, 2), (0, 38)), ((0, 38), (2, 40)), ((2, 40), (38, 40)),
+)  # fmt: skip
+BENDS = dict.fromkeys((0, 2, 4, 6), -(2**0.5 - 1.0))
+
+
+@pytest.mark.parametrize(
+    ("cuts", "starts"),
+    [
+        ([((36, 50), (36, -10))], [[36, 40], [36, 0]]),
+        ([((36, 50), (36, 30))], [[36, 40]]),
+        ([((50, 20), (30, 20)), ((-10, 20), (10, 20))], [[0, 20], [40, 20]]),
+    ],
+    ids=["twice", "once", "away from its start"],
+)
+def test_a_closed_crease_that_is_split_has_no_end_where_it_began(
+    cuts: list[tuple[tuple[float, float], tuple[float, float]]], starts: list[list[float]]
+) -> None:
+    operation = rolled(ROUNDED, edges(*cuts), BENDS, EVEN)
+    np.testing.assert_allclose(operation.paths.start[operation.paths.first[:-1]], starts, atol=1e-9)
+    assert set(operation.start.tolist() + operation.finish.tolist()) == {End.FREE}
+    gaps = operation.paths.start[1:] - operation.paths.end[:-1]
+    inner = np.setdiff1d(np.arange(len(gaps)), operation.paths.first[1:-1] - 1)
+    np.testing.assert_allclose(gaps[inner], 0.0, atol=1e-9)
+
+
+def test_a_closed_crease_that_a_cut_crosses_where_it_begins_is_split_there_only() -> None:
+    operation = rolled(ROUNDED, edges(((38, 50), (38, 30))), BENDS, EVEN)
+    np.testing.assert_allclose(operation.paths.start[operation.paths.first[:-1]], [[38, 40]])
+    assert operation.start.tolist() == operation.finish.tolist() == [End.FREE]
