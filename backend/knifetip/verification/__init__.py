@@ -34,10 +34,11 @@ uncut       ``check_base``, ``crease_check`` (short creases), ``knife_check``
             (perforations), ``track_ends`` (stops short), ``bridge_check``,
             ``milling_check``, ``cleaning_check``, ``verify`` (no line type)
 overcut     ``stray_work`` and ``track_ends`` (past an end), ``groove_check``
-            (run-outs, flanks through cuts), ``bridge_check``, ``milling_check``,
+            (run-outs, flanks through cuts), ``bridge_check``, ``milling_paths``,
             ``knife_check`` (short gaps of perforations)
-stray       ``stray_work``, ``milling_check``, ``board_move_check`` (rapids in
-            the board, too near to it or to the sheet)
+stray       ``stray_work``, ``milling_check`` (shallow passes), ``milling_paths``,
+            ``board_move_check`` (rapids in the board, too near to it or to the
+            sheet)
 order       ``work_order``
 unreached   ``milling_shortfalls`` (a shortfall)
 kerf        ``milling_shortfalls`` (a shortfall)
@@ -73,7 +74,7 @@ verify.crease-meets-cuts           checks.crease_check
 verify.crease-stops-at-cut         checks.crease_check
 verify.crease-too-short            checks.crease_check
 verify.cut-too-short               checks.knife_check
-verify.cuts-part                   checks.milling_check
+verify.cuts-part                   checks.milling_paths
 verify.cutter-at-rest              tools
 verify.feed-of-other-axis          checks.motion_checks
 verify.flank-inside                checks.groove_check
@@ -91,7 +92,7 @@ verify.head-not-located            checks.carriage_check
 verify.heads-too-near              checks.carriage_check
 verify.idle-head-low               checks.carriage_check
 verify.in-zone                     checks.zone_check
-verify.inside-part                 checks.milling_check
+verify.inside-part                 checks.milling_paths
 verify.knife-at-rest               tools
 verify.laser-off                   tools
 verify.loose-piece                 checks.work_order
@@ -112,7 +113,7 @@ verify.output-off                  checks.motion_checks
 verify.pass-alone                  checks.milling_check
 verify.pass-too-deep               checks.groove_check, checks.milling_check
 verify.past-end                    checks.stray_work
-verify.past-open-cut               checks.milling_check
+verify.past-open-cut               checks.milling_paths
 verify.past-stop                   checks.stray_work
 verify.perforation-bridge          checks.knife_check
 verify.perforation-cut             checks.knife_check
@@ -124,7 +125,7 @@ verify.rapid-near-sheet            checks.board_move_check
 verify.rapid-too-low               checks.board_move_check
 verify.slanted                     checks.board_move_check
 verify.spindle                     checks.output_checks
-verify.stray                       checks.milling_check, checks.stray_work
+verify.stray                       checks.milling_paths, checks.stray_work
 verify.stray-along                 checks.stray_work
 verify.stray-plunge                checks.stray_work
 verify.stray-plunge-along          checks.stray_work

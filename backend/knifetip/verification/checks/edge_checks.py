@@ -17,7 +17,8 @@ from knifetip.verification.checks.check_context import CheckContext
 from knifetip.verification.checks.crease_check import CreaseCheck
 from knifetip.verification.checks.groove_check import GrooveCheck
 from knifetip.verification.checks.knife_check import KnifeCheck
-from knifetip.verification.checks.milling_check import CentrePaths, check_milling
+from knifetip.verification.checks.milling_check import check_milling
+from knifetip.verification.checks.milling_work import MilledPaths
 from knifetip.verification.columns import I64
 from knifetip.verification.expectation.edges import Edges, without_duplicates
 from knifetip.verification.expectation.expected_work import WORKED_TYPES
@@ -96,7 +97,7 @@ class _MillingStationCheck(StationCheck):
         if station is None or expected_tool(station.tool).disc is None:
             self.check_uncut(self.match_edges(), np.arange(len(self.edges)))
             return
-        centres = CentrePaths(self.curve, self.z, self.track, self.line, self.blend)
+        centres = MilledPaths(self.curve, self.z, self.track, self.line, self.blend)
         check_milling(self.context, self.edges, centres, station, self.slack)
 
 

@@ -14,8 +14,6 @@ Source: "Tool radius compensation", equations 1-9.  The reach into corners was d
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from itertools import chain
 from typing import Final
 
 import numpy as np
@@ -23,36 +21,32 @@ import numpy as np
 from knifetip.messages import Message
 from knifetip.model.machine import Station
 from knifetip.model.verdict import Severity
-from knifetip.verification.checks import milling_geometry
 from knifetip.verification.checks.bridge_check import check_bridges, order_bridges
-from knifetip.verification.checks.check_context import DEPTH_TOLERANCE, NEAR_EDGE, CheckContext
+from knifetip.verification.checks.check_context import DEPTH_TOLERANCE, CheckContext
 from knifetip.verification.checks.milling_geometry import spans_near_points
+from knifetip.verification.checks.milling_paths import check_centre_paths, open_cut_mask
 from knifetip.verification.checks.milling_shortfalls import (
     distance_from_disc,
     report_unreached,
     report_wide_slits,
 )
+from knifetip.verification.checks.milling_work import MilledPaths, MillingWork
 from knifetip.verification.checks.pass_depth import too_deep_spans, unfinished_spans
 from knifetip.verification.checks.unreached_areas import unreached_areas
-from knifetip.verification.columns import F64, I32, I64, Bool
+from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import azimuth_at, left_distance, line_curves, point_at
 from knifetip.verification.curves.intervals import (
     EPSILON,
     Overlaps,
-    uncovered_curves,
     uncovered_edges,
 )
 from knifetip.verification.curves.overlap import find_overlaps
 from knifetip.verification.expectation.cutter_paths import CutterPaths, cutter_paths, disc_reach
-from knifetip.verification.expectation.edge_pieces import split_at_junctions
 from knifetip.verification.expectation.edges import Edges, pairs_within
 from knifetip.verification.expectation.expected_work import knife_ends
-from knifetip.verification.expectation.outline import CutOutlines, count_enclosing, find_outlines
 from knifetip.verification.findings import MAX_FINDINGS
-from knifetip.verification.tools import Disc, expected_tool
+from knifetip.verification.tools import expected_tool
 
-#: Twice the rounding of printed coordinates (mm).
-PRINT_ROUNDING: Final = 1e-4
 #: Greatest distance of an arc's printed centre from the corner that it goes round, and difference
 #: between its radius and that of the disc (mm).
 _CORNER_ERROR: Final = 5e-4
@@ -61,27 +55,8 @@ _CORNER_ERROR: Final = 5e-4
 _SAME_WIDTH: Final = 0.0011
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class CentrePaths:
-    """n paths of the cutter's centre in the board: lines and arcs, with the height, track, program
-    line and permitted corner rounding of each path.
-    """
-
-    curve: F64
-    z: F64
-    track: I64
-    line: I32
-    blend: F64
-
-    def select(self, rows: I64 | Bool) -> CentrePaths:
-        """Return the selected paths; ``rows`` are their indices or their mask."""
-        return CentrePaths(
-            self.curve[rows], self.z[rows], self.track[rows], self.line[rows], self.blend[rows]
-        )
-
-
 def check_milling(
-    context: CheckContext, edges: Edges, centres: CentrePaths, station: Station, slack: float
+    context: CheckContext, edges: Edges, centres: MilledPaths, station: Station, slack: float
 ) -> None:
     """Check that a cutter removes the board on the waste side of its cuts, and nowhere else.
 
@@ -106,28 +81,10 @@ def check_milling(
     _MillingCheck(context, edges, centres, tool.disc, reach, slack).run(planned)
 
 
-class _MillingCheck:
+class _MillingCheck(MillingWork):
     """Check that compares the paths of one cutter's centre with all cuts that the cutter must
     make.
     """
-
-    def __init__(
-        self,
-        context: CheckContext,
-        edges: Edges,
-        centres: CentrePaths,
-        tool: Disc,
-        reach: F64,
-        slack: float,
-    ) -> None:
-        self.context, self.centres, self.tool = context, centres, tool
-        self.reach, self.slack, self.tolerance = reach, slack, context.tolerance
-        # One part of an edge may be the outline, and another part a slit between two flaps.
-        self.edges, owner, self.begin = split_at_junctions(edges)
-        self.size_of_edge = edges.curve[owner, 5]
-        self.bounds: CutOutlines = find_outlines(self.edges)
-        self.size = self.edges.curve[:, 5]
-        self.rounds = np.where(np.isfinite(centres.blend), centres.blend, 0.0)
 
     def run(self, planned_depth: float) -> None:
         """Run the check; ``planned_depth`` is the planned depth of the tip below the board's top
@@ -138,7 +95,7 @@ class _MillingCheck:
         if self.tool.step == 0.0:
             wrong = np.abs(wrong)
         for row in np.flatnonzero(wrong > DEPTH_TOLERANCE)[:MAX_FINDINGS]:
-            self._add_finding(
+            self.add_finding(
                 "depth",
                 -1,
                 Message(
@@ -155,12 +112,11 @@ class _MillingCheck:
         unreached = self._record_untouched(pieces, gap_edge, begin, end)
         through = self.centres.curve[is_through]
         report_unreached(self.context, self.bounds, unreached, through, self.reach)
-        on_slit = self.centres.curve[is_through & self._open_cut_mask()]
+        on_cut = open_cut_mask(self)
+        on_slit = self.centres.curve[is_through & on_cut]
         slits = np.flatnonzero(~self.bounds.closing)
         report_wide_slits(self.context, self.edges, slits, on_slit, 2.0 * self.tool.radius)
-        self._check_parts()
-        self._check_open_ends()
-        self._check_stray_work()
+        check_centre_paths(self, on_cut)
 
     def _check_pass_steps(self, deep: F64) -> None:
         """Add a finding for each pass that is deeper than the passes before it by more than one
@@ -176,7 +132,7 @@ class _MillingCheck:
         size = np.diff(spans)[:, 0]
         for k in np.flatnonzero(size > self.slack)[:MAX_FINDINGS]:
             row = int(path_rows[k])
-            self._add_finding(
+            self.add_finding(
                 "depth",
                 -1,
                 Message(
@@ -205,16 +161,7 @@ class _MillingCheck:
         for k in np.flatnonzero(size > self.slack)[:MAX_FINDINGS]:
             row = int(path_rows[k])
             message = Message("verify.pass-alone", length=size[k], depth=deep[row])
-            self._add_finding("stray", -1, message, float(size[k]), row)
-
-    def _add_finding(
-        self, kind: str, edge: int, message: Message, measure: float, row: int = -1
-    ) -> None:
-        edge_row = int(self.edges.row[edge]) if edge >= 0 else -1
-        line = int(self.centres.line[row]) if row >= 0 else -1
-        self.context.findings.add(kind, message, measure, edge=edge_row, line=line)
-
-    # -- the edges -------------------------------------------------------------------------------
+            self.add_finding("stray", -1, message, float(size[k]), row)
 
     def _untouched_stretches(self, pieces: CutterPaths, is_through: Bool) -> tuple[I64, F64, F64]:
         """Return the k stretches of edges that the disc touches on none of its paths through the
@@ -310,7 +257,7 @@ class _MillingCheck:
         On such an arc the disc touches the end of the edge.  ``centres`` (n, 6) are lines and arcs.
         """
         result = np.zeros(len(centres), np.bool_)
-        if self._disc_is_round:
+        if self.disc_is_round:
             is_near = np.abs(centres[:, 3] - self.reach[0]) <= _CORNER_ERROR
             arcs = np.flatnonzero((centres[:, 0] != 0.0) & is_near)
             corners = self.edges.ends[np.repeat(self.bounds.closing, 2)]
@@ -332,7 +279,7 @@ class _MillingCheck:
         pieces, overlaps, rows
             Expected paths of the centre, its overlaps with them, and the indices of the k overlaps.
         """
-        if len(rows) == 0 or not self._disc_is_round:
+        if len(rows) == 0 or not self.disc_is_round:
             return np.zeros(len(rows), np.bool_)
         curve = pieces.curve
         ends = [point_at(curve, np.zeros(len(curve))), point_at(curve, curve[:, 5])]
@@ -365,7 +312,7 @@ class _MillingCheck:
         is_inside = (curve[:, 0] > 0.0) != self.bounds.board_left
         as_wide = np.abs(curve[:, 3] - self.reach[0]) <= _SAME_WIDTH
         arcs = np.flatnonzero(is_bent & is_inside & as_wide)
-        if len(arcs) == 0 or len(centres) == 0 or not self._disc_is_round:
+        if len(arcs) == 0 or len(centres) == 0 or not self.disc_is_round:
             return np.zeros(0, np.int64)
         points = [
             point_at(curve[arcs], fraction * curve[arcs, 5])
@@ -422,7 +369,7 @@ class _MillingCheck:
         bare &= ~self._check_bridge_gaps(left_edge, left_begin, left_end)
         np.add.at(figures.uncut, row[left_edge[bare]], missed[bare])
         for k in np.flatnonzero(bare)[:MAX_FINDINGS]:
-            self._add_finding(
+            self.add_finding(
                 "uncut",
                 int(left_edge[k]),
                 Message(
@@ -479,7 +426,7 @@ class _MillingCheck:
         for kind, edge_row, message, measure in check_bridges(
             bridges, paths, self.edges, rounds, board, self.slack
         ):
-            self._add_finding(kind, edge_row, message, measure)
+            self.add_finding(kind, edge_row, message, measure)
         return is_bridge
 
     def _blocked_stretches(self, pieces: CutterPaths) -> tuple[I64, F64, F64]:
@@ -525,209 +472,3 @@ class _MillingCheck:
         lows.append(np.zeros(len(missing)))
         highs.append(self.size[missing])
         return np.concatenate(edge), np.concatenate(lows), np.concatenate(highs)
-
-    # -- the paths of the centre -----------------------------------------------------------------
-
-    def _check_parts(self) -> None:
-        """Add a finding for each path on which the disc cuts into a part.
-
-        The distance by which the disc extends past an edge into the part is recorded as the overcut
-        of the edge.
-        """
-        closing = np.flatnonzero(self.bounds.closing)
-        curve = self.edges.curve[closing]
-        widest = float(self.reach.max())
-        overlaps = find_overlaps(
-            self.centres.curve, curve, np.zeros(len(curve)), curve[:, 5], widest
-        )
-        path, edge = overlaps.curve, overlaps.edge
-        # An open cut is followed on its line, so the disc removes board on both sides.
-        along = self._open_cut_mask()
-        penetration = np.zeros(len(path))
-        sides = np.zeros((2, len(path)))
-        # The ends of a stretch beside an arc are inexact if the disc is nearly as wide as it.
-        whole = overlaps.along.copy()
-        bent = curve[edge, 0] != 0.0
-        whole[bent, 0], whole[bent, 1] = 0.0, self.centres.curve[path[bent], 5]
-        candidates = milling_geometry.nearest_candidates
-        for position in chain(
-            candidates(self.centres.curve[path], overlaps.along, curve[edge], self._disc_is_round),
-            candidates(self.centres.curve[path], whole, curve[edge], True),
-        ):
-            centre = point_at(self.centres.curve[path], position)
-            penetration = np.maximum(
-                penetration,
-                milling_geometry.disc_penetration(centre, curve[edge], self.reach),
-            )
-            beside = milling_geometry.is_beside_arc(centre, curve[edge], self.reach)
-            offset = left_distance(self.centres.curve[path], position, curve[edge])
-            offset = np.where(beside, offset, 0.0)
-            sides = np.stack([np.minimum(sides[0], offset), np.maximum(sides[1], offset)])
-        # A path with points on both sides of an edge crosses the edge.
-        crosses = (sides[0] < -EPSILON) & (sides[1] > EPSILON)
-        penetration = np.where(crosses, np.maximum(penetration, self.reach.min()), penetration)
-        self._record_overcut(closing[edge], path, np.where(along[path], 0.0, penetration))
-
-        corner = self.edges.ends[np.repeat(self.bounds.closing, 2)]
-        met = find_overlaps(
-            line_curves(corner, corner),
-            self.centres.curve,
-            np.zeros(len(self.centres.z)),
-            self.centres.curve[:, 5],
-            widest,
-        )
-        touched = met.edge
-        near = np.full(len(touched), np.inf)
-        for fraction in np.linspace(0.0, 1.0, 2 if self._disc_is_round else 33):
-            centre = point_at(
-                self.centres.curve[touched], fraction * self.centres.curve[touched, 5]
-            )
-            near = np.minimum(near, np.hypot(*((centre - corner[met.curve]) / self.reach).T))
-        foot = milling_geometry.nearest_along(
-            self.centres.curve[touched], corner[met.curve], self.reach
-        )
-        centre = point_at(self.centres.curve[touched], foot)
-        near = np.minimum(near, np.hypot(*((centre - corner[met.curve]) / self.reach).T))
-        penetration = np.where(along[touched], 0.0, (1.0 - near) * float(self.reach.min()))
-        at_corner = np.repeat(closing, 2)[met.curve]
-        self._record_overcut(at_corner, touched, penetration)
-
-    def _open_cut_mask(self) -> Bool:
-        """Return the mask of the centre's n paths that follow an open cut, shape (n,).
-
-        An open cut is a cut that does not separate a part from waste.  Paths along a contour, and
-        its leads, may lie on an open cut, too, but they do not follow it.
-        """
-        own = self.edges.curve[~self.bounds.closing]
-        size, track = self.centres.curve[:, 5], self.centres.track
-        # An open cut that other cuts meet is divided there, so a path may follow several pieces.
-        on_cut, touches = self._lengths_along(np.arange(len(size)), own)
-        result = touches & (size - on_cut <= 0.5 * size + EPSILON)
-        # Tracks that lie mainly beside contours, and less of their length on open cuts.
-        total, cut = np.bincount(track, size), np.bincount(track, on_cut)
-        mixed = np.zeros(len(total), np.bool_)
-        mixed[track[result]] = True
-        mixed &= cut < total - self.slack
-        rows = np.flatnonzero(mixed[track])
-        if len(rows):
-            pieces = cutter_paths(self.bounds, self.reach)
-            beside = pieces.curve[self.bounds.closing[pieces.edge]]
-            along = np.bincount(
-                track[rows], self._lengths_along(rows, beside)[0], minlength=len(total)
-            )
-            contour = (along > 0.5 * total) & (along > cut + self.slack)
-            result[rows[contour[track[rows]]]] = False
-        return result
-
-    def _lengths_along(self, rows: I64, lines: F64) -> tuple[F64, Bool]:
-        """Return the length of each of k paths of the centre that lies on m lines and arcs, (k,)
-        mm, and the mask of the paths that touch one of them, (k,).
-
-        Parameters
-        ----------
-        rows : (k,)
-            Indices of the paths.
-        lines : (m, 6)
-            Lines and arcs as rows of six numbers (see ``curves.curve``).
-        """
-        curve = self.centres.curve[rows]
-        overlaps = find_overlaps(curve, lines, np.zeros(len(lines)), lines[:, 5], self.tolerance)
-        left, spans = uncovered_curves(overlaps, curve)
-        touches = np.zeros(len(rows), np.bool_)
-        touches[overlaps.curve] = True
-        apart = np.bincount(left, np.diff(spans)[:, 0], minlength=len(rows))
-        return curve[:, 5] - apart, touches
-
-    def _check_open_ends(self) -> None:
-        """Add a finding for each path of the centre that goes past an end of the open cut that it
-        follows.
-
-        An open cut is a cut that does not separate a part from waste.
-        """
-        rows = np.flatnonzero(self._open_cut_mask())
-        own = self.edges.curve[~self.bounds.closing]
-        curve = self.centres.curve[rows]
-        near = find_overlaps(curve, own, np.zeros(len(own)), own[:, 5], self.tolerance)
-        path_rows, spans = uncovered_curves(near, curve)
-        size = np.diff(spans)[:, 0]
-        for k in np.flatnonzero(size > self.slack)[:MAX_FINDINGS]:
-            self._add_finding(
-                "overcut",
-                -1,
-                Message("verify.past-open-cut", length=size[k]),
-                float(size[k]),
-                int(rows[path_rows[k]]),
-            )
-
-    @property
-    def _disc_is_round(self) -> bool:
-        return bool(self.reach[0] == self.reach[1])
-
-    def _record_overcut(self, edge: I64, path: I32 | I64, penetration: F64) -> None:
-        penetration = np.where(penetration > EPSILON, penetration, 0.0)
-        figure = penetration + np.where(penetration > 0.0, self.rounds[path], 0.0)
-        row = self.edges.row[edge]
-        np.maximum.at(
-            self.context.figures.overcut,
-            row,
-            np.where(penetration > PRINT_ROUNDING, penetration, 0.0),
-        )
-        bad = np.flatnonzero(figure > self.tolerance + PRINT_ROUNDING)
-        # Report only the worst place of each pair of edge and path.
-        bad = bad[np.argsort(-penetration[bad], kind="stable")]
-        reported = np.unique(np.stack([edge[bad], path[bad]], axis=1), axis=0, return_index=True)[1]
-        for k in bad[np.sort(reported)][:MAX_FINDINGS]:
-            self._add_finding(
-                "overcut",
-                int(edge[k]),
-                Message("verify.cuts-part", depth=penetration[k]),
-                float(penetration[k]),
-                int(path[k]),
-            )
-
-    def _check_stray_work(self) -> None:
-        """Add a finding for each path of the cutter inside a part or too far from every edge."""
-        centres = self.centres
-        first = np.unique(centres.track, return_index=True)[1]
-        middle = 0.5 * centres.curve[first, 5]
-        depth = count_enclosing(point_at(centres.curve[first], middle), self.bounds)
-        slits = np.zeros(int(centres.track.max(initial=-1)) + 1, np.bool_)
-        slits[centres.track[self._open_cut_mask()]] = True
-        for row in first[(depth % 2 == 1) & ~slits[centres.track[first]]][:MAX_FINDINGS]:
-            x, y = point_at(centres.curve[row : row + 1], np.zeros(1))[0]
-            self._add_finding(
-                "stray",
-                -1,
-                Message("verify.inside-part", x=x, y=y),
-                float(centres.curve[row, 5]),
-                int(row),
-            )
-        far = 2.0 * self.tool.radius + max(self.tool.entry_length, NEAR_EDGE)
-        near = find_overlaps(
-            centres.curve, self.edges.curve, np.zeros(len(self.edges)), self.size, far
-        )
-        ends = find_overlaps(
-            line_curves(self.edges.ends, self.edges.ends),
-            centres.curve,
-            np.zeros(len(centres.z)),
-            centres.curve[:, 5],
-            far,
-        )
-        low, high = spans_near_points(centres.curve[ends.edge], self.edges.ends[ends.curve], far)
-        nonempty = high > low
-        path_rows, begin, end = uncovered_edges(
-            np.concatenate([near.curve, ends.edge[nonempty]]).astype(np.int64),
-            np.concatenate([near.along[:, 0], low[nonempty]]),
-            np.concatenate([near.along[:, 1], high[nonempty]]),
-            centres.curve[:, 5],
-        )
-        lost = end - begin > self.slack
-        for k in np.flatnonzero(lost)[:MAX_FINDINGS]:
-            x, y = point_at(centres.curve[path_rows[k : k + 1]], begin[k : k + 1])[0]
-            self._add_finding(
-                "stray",
-                -1,
-                Message("verify.stray", tool="cutter", length=end[k] - begin[k], x=x, y=y),
-                float(end[k] - begin[k]),
-                int(path_rows[k]),
-            )
