@@ -10,6 +10,7 @@ import numpy as np
 
 from knifetip.library import load
 from knifetip.model.dieline import LineType
+from knifetip.topology.noding import split_at_crossings
 
 if TYPE_CHECKING:
     from tests.cartons.trial import Attempt, Refusal
@@ -91,6 +92,26 @@ def _turned(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt]:
     return "turned", replace(attempt, drawing=turned)
 
 
+def _divided(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
+    """Divide the cuts of the drawing at their crossings."""
+    drawing, cut = attempt.drawing, attempt.line_type == LineType.CUT
+    ends, bulge, row = split_at_crossings(drawing.ends[cut], drawing.bulge[cut])
+    if len(row) == int(cut.sum()):
+        return None
+    source = np.concatenate([np.flatnonzero(~cut), np.flatnonzero(cut)[row]])
+    columns = {
+        name: getattr(drawing, name)[source]
+        for name in ("entity", "layer", "colour", "true_colour", "linetype", "fit_error")
+    }
+    divided = replace(
+        drawing,
+        ends=np.concatenate([drawing.ends[~cut], ends]),
+        bulge=np.concatenate([drawing.bulge[~cut], bulge]),
+        **columns,
+    )
+    return "divided", replace(attempt, drawing=divided, line_type=attempt.line_type[source])
+
+
 def _whole_sheet(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
     """State no sheet."""
     if attempt.choices.sheet is None:
@@ -114,4 +135,5 @@ _ACTIONS: Final[dict[str, Callable[[Refusal, Attempt], tuple[str, Attempt] | Non
     "sheet.without-outline": _whole_sheet,
     "verify.cuts-part": _thinner_cutter,
     "verify.inside-part": _thinner_cutter,
+    "verify.loose-piece": _divided,
 }

@@ -181,10 +181,10 @@ FILES, EMPTY = 103, 20
 @pytest.mark.parametrize(
     ("machine", "least"),
     [
-        ("demo-table", 71),
+        ("demo-table", 76),
         ("router-table", 69),
         ("laser-table", 69),
-        ("flat-cutter-hpgl", 71),
+        ("flat-cutter-hpgl", 76),
     ],
 )
 def test_most_drawings_of_the_corpus_become_accepted_programs(
