@@ -262,7 +262,8 @@ def _chord_counts(toolpath: Toolpath, machine: Machine, device: Device, toleranc
             swivel[station.number] = station.tool.swivel
     while True:
         point, kind, row = _plotter_points(toolpath, device, pieces)
-        shown = np.flatnonzero(kind != _NONE)
+        # Where only the depth changes, the tool stays down and turns as at any other joint.
+        shown = np.flatnonzero((kind != _NONE) & (kind != _DOWN))
         row, step = row[shown], np.diff(point, axis=0)[shown]
         unsure = np.degrees(math.sqrt(2.0) / np.maximum(np.hypot(*step.T), 1.0))
         turn = np.abs((np.diff(azimuth(step.astype(np.float64))) + 180.0) % 360.0 - 180.0)

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from knifetip.errors import ProgramError
+from knifetip.geometry import arc
 from knifetip.languages.hpgl.plotter import Plotter
 from knifetip.library import load
 from knifetip.model.machine import Machine
@@ -134,9 +135,25 @@ def test_an_arc_becomes_chords_within_half_the_tolerance() -> None:
 
 
 @pytest.mark.parametrize("radius", [6.1, 9.3, 11.07, 13.11, 18.53, 25.77])
-def test_the_creasing_tool_turns_by_little_where_two_chords_meet(radius: float) -> None:
-    ends = (100, 100), (100, 100 + radius)
-    lines = instructions(toolpath(*strokes(2, 0.2, CREASE, *ends, bulge=math.sqrt(0.5))))
+@pytest.mark.parametrize("depths", [1, 7, 11, 16, 23, 31, 40, 47])
+def test_the_creasing_tool_turns_by_little_where_two_chords_meet(
+    radius: float, depths: int
+) -> None:
+    start, finish = np.array([100.0, 100.0]), np.array([100.0, 100.0 + radius])
+    share = np.arange(depths + 1) / depths
+    _, end, bulge = arc.sub_arc(
+        np.tile(start, (depths, 1)),
+        np.tile(finish, (depths, 1)),
+        np.full(depths, math.sqrt(0.5)),
+        share[:-1],
+        share[1:],
+    )
+    height = 0.2 - 0.01 * np.arange(depths)
+    rows: list[Move] = [(2, P, 100, 100, 0.2, 0, 6000)]
+    for (x, y), bent, z in zip(end.tolist(), bulge.tolist(), height.tolist(), strict=True):
+        rows += [(2, F, x, y, z, bent, CREASE), (2, P, x, y, z - 0.01, 0, 6000)]
+    x, y = finish.tolist()
+    lines = instructions(toolpath((2, R, 100, 100, 5, 0, 0), *rows[:-1], (2, L, x, y, 5, 0, 6000)))
     points = [(4000, 4000)] + [
         tuple(map(int, line[2:-1].split(","))) for line in lines if re.match("PD[0-9]", line)
     ]
