@@ -3917,7 +3917,7 @@ export const TEXTS = {
   },
   "verify.too-few-bridges": {
     "text": "Only {bridges:# bridge holds|# bridges hold} the part, but the board needs at least {fewest:# bridge|# bridges}.",
-    "hint": "Compile the job again, or require fewer bridges in the board file."
+    "hint": "Compile the job again, or require fewer bridges in the board file. Where contours cross, divide them at their crossings in the drawing."
   },
   "verify.turn-at-feed": {
     "text": "Axis C turns by {degrees:.4f}° in a program line whose feed is in mm/min, so the duration of the rotation is not defined.",

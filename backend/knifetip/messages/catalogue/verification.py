@@ -413,7 +413,8 @@ MESSAGES: Final[Entries] = {
     "verify.too-few-bridges": entry(
         "Only {bridges:# bridge holds|# bridges hold} the part, but the board needs at least "
         "{fewest:# bridge|# bridges}.",
-        "Compile the job again, or require fewer bridges in the board file.",
+        "Compile the job again, or require fewer bridges in the board file. Where contours "
+        "cross, divide them at their crossings in the drawing.",
         bridges="count",
         fewest="count",
     ),
