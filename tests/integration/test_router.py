@@ -23,6 +23,7 @@ from knifetip.model.machine import Machine
 from knifetip.model.tool import Cutter
 from knifetip.model.toolpath import Motion
 from knifetip.model.verdict import Acceptance, Severity, Verdict
+from knifetip.sequencing import sequence as order
 from knifetip.verification.verify import verify
 from tests.support.modules import original
 from tests.support.shapes import closed, dieline, edges
@@ -418,3 +419,27 @@ def test_a_disc_may_touch_a_cut_in_a_loose_piece_but_not_make_it_again() -> None
     repeated = verify(text, line, (0.0, 0.0), ROUTER, BOARD)
     late = [one for one in repeated.findings if one.message.code == "verify.loose-piece"]
     assert [one.edge for one in late] == [4]
+
+
+@pytest.mark.parametrize("mouth", [2.0, 5.0, 5.9])
+def test_a_bay_with_a_narrow_mouth_is_milled_before_the_path_round_its_part(
+    monkeypatch: pytest.MonkeyPatch, mouth: float
+) -> None:
+    # The path round the part begins nearer to the parking position than that in the bay.
+    left = 380 - mouth
+    part = closed((100, 100), (400, 100), (400, 180), (380, 180), (380, 178), (395, 178),
+                  (395, 130), (320, 130), (320, 178), (left, 178), (left, 180),
+                  (100, 180))  # fmt: skip
+    line = dieline((CUT, part))
+    assert not has_faults(verdict_of(line))
+    monkeypatch.setattr(order, "split_enclosed", lambda toolpath, _tool: [toolpath])
+    late = [one for one in verdict_of(line).findings if one.severity is Severity.FAULT]
+    assert {one.message.code for one in late} == {"verify.loose-piece"}
+    assert {one.edge for one in late} == {4, 5, 6, 7, 8}
+
+
+def test_a_bay_that_the_cutter_leaves_through_its_mouth_is_one_path() -> None:
+    part = closed((100, 100), (400, 100), (400, 180), (380, 180), (380, 178), (395, 178),
+                  (395, 130), (320, 130), (320, 178), (373.9, 178), (373.9, 180),
+                  (100, 180))  # fmt: skip
+    assert not has_faults(verdict_of(dieline((CUT, part))))

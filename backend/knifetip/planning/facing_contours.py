@@ -5,6 +5,8 @@ the same layer only.  A part that lies in a hole is cut before the hole; slits a
 layers further.  Where two contours face each other across the same waste and are nearer than the
 cutter's diameter, both offsets would lead the cutter into the other contour.  Such contours get the
 same layer: they have one offset, which leaves out the places where the cutter does not fit.
+
+Slits beside a contour are made before it.
 """
 
 from __future__ import annotations
@@ -47,6 +49,38 @@ def merge_facing_layers(paths: Paths, layer: I64, milled: Bool, diameter: float)
     waste = _surrounding_waste(contours)
     one, other = _near_pairs(contours, waste, _has_layers(waste, layer[rows]), diameter)
     result[rows] = _lowest_of_sets(one, other, layer[rows])
+    return result
+
+
+def slit_layers(paths: Paths, layer: I64, milled: Bool, slit: Bool, radius: float) -> I64:
+    """Return the layer of each of p paths, (p,), after slits are raised to that of the contours
+    beside which they lie.
+
+    The disc that mills a contour removes the board beside it, so a slit nearer to the contour than
+    the radius is made before it, even if the slit lies in the waste.  In each layer slits are made
+    before contours.
+
+    Parameters
+    ----------
+    paths, layer, milled
+        See ``merge_facing_layers``.
+    slit : (p,)
+        Mask of the paths that are cut on their line.
+    radius : mm
+        Radius of the cutter.
+    """
+    result = layer.copy()
+    if not milled.any() or (layer == layer[0]).all():
+        return result
+    owner = paths.path_of
+    boxes = arc.bounding_boxes(paths.start, paths.end, paths.bulge)
+    rows, others = np.flatnonzero(slit[owner]), np.flatnonzero(milled[owner])
+    i, j = box_pairs(boxes[rows], boxes[others], radius)
+    i, j = rows[i], others[j]
+    later = layer[owner[i]] < layer[owner[j]]
+    i, j = i[later], j[later]
+    near = np.minimum(_distances(paths, i, j), _distances(paths, j, i)) < radius
+    np.maximum.at(result, owner[i[near]], layer[owner[j[near]]])
     return result
 
 

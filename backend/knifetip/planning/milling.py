@@ -28,7 +28,7 @@ from knifetip.planning.bridges import Spacing, ends_of_others, place_bridges
 from knifetip.planning.contour_crossings import check_contour_crossings
 from knifetip.planning.corners import choices_at_bends, distances_to_corners, find_bends
 from knifetip.planning.cut_sides import cut_sides
-from knifetip.planning.facing_contours import merge_facing_layers
+from knifetip.planning.facing_contours import merge_facing_layers, slit_layers
 from knifetip.planning.last_cuts import track_levels
 from knifetip.planning.layers import cut_layers
 from knifetip.planning.path_ends import close_joints
@@ -87,6 +87,7 @@ def plan_milling(
     source = source[order]
     milled = paths.closed & (side != 0)
     number = merge_facing_layers(paths, number, milled, 2.0 * cutter.radius)
+    number = slit_layers(paths, number, milled, side == 0, cutter.radius)
     depth = cutter.passes(setup.through_depth)
     operations = []
     track = np.empty(len(layer), np.int64)

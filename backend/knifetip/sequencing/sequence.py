@@ -1,7 +1,8 @@
 """sequence: join the toolpaths of all operations into one toolpath.
 
 Toolpaths keep their order, which is the working order of the operations.  The tracks of each
-toolpath (paths that the tool follows without lifting) are put into a short order.  If the tool
+toolpath (paths that the tool follows without lifting) are put into a short order; a track that
+encloses others comes after these.  If the tool
 permits it, a track may be run from its other end.  In air moves between tracks the head turns while
 it travels, at the least height that clears the board.  If the next track needs another tool, the
 head travels at the machine's travel height.  If the next tool is on another carriage of the gantry,
@@ -24,6 +25,7 @@ from knifetip.model.machine import Machine, Station
 from knifetip.model.tool import Reversal
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.sequencing.air_moves import interference, lift_clear, turns_outside_board, unwind
+from knifetip.sequencing.enclosed_tracks import split_enclosed
 from knifetip.sequencing.keep_out import avoid_zones
 from knifetip.sequencing.order import short_order
 from knifetip.sequencing.passes import (
@@ -87,7 +89,12 @@ def sequence(
     TravelExceeded
         A move would leave the limits of an axis.
     """
-    work = [toolpath for toolpath in toolpaths if len(toolpath)]
+    work = [
+        part
+        for toolpath in toolpaths
+        if len(toolpath)
+        for part in split_enclosed(toolpath, machine.station(int(toolpath.tool[0])).tool)
+    ]
     if not work:
         raise PlanError("job.no-work")
     tool = int(work[0].tool[0])

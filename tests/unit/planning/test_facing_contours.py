@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from knifetip.geometry.path import Paths
-from knifetip.planning.facing_contours import merge_facing_layers
+from knifetip.planning.facing_contours import merge_facing_layers, slit_layers
 
 Contour = list[tuple[float, float, float]]
 
@@ -104,3 +104,16 @@ def test_a_part_in_the_hole_of_a_near_part_has_other_waste() -> None:
     ring, hole = (2, rectangle(22, 40, 40, 40)), (3, rectangle(24, 42, 36, 36))
     inner = (4, rectangle(26, 44, 10, 10))
     assert merged(OUTLINE, HOLE, ring, hole, inner) == [0, 1, 1, 3, 3]
+
+
+@pytest.mark.parametrize(("gap", "layer"), [(0.0, 2), (2.9, 2), (3.1, 0)])
+def test_a_slit_beside_a_contour_is_cut_before_it(gap: float, layer: int) -> None:
+    part = np.array([(0, 0), (0, 40), (40, 40), (40, 0), (0, 0)], np.float64)
+    slit = np.array([(-gap - 5.0, 20.0), (-gap, 20.0)])
+    paths = Paths(
+        np.concatenate([part[:-1], slit[:-1]]), np.concatenate([part[1:], slit[1:]]),
+        np.zeros(5), np.array([0, 4, 5]),
+    )  # fmt: skip
+    milled = np.array([True, False])
+    assert slit_layers(paths, np.array([2, 0]), milled, ~milled, 3.0).tolist() == [2, layer]
+    assert slit_layers(paths, np.array([2, 3]), milled, ~milled, 3.0).tolist() == [2, 3]

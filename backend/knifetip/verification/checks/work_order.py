@@ -15,6 +15,9 @@ from which a piece hangs on necks and bridges only; a contour inside the piece m
 later.  With the first cut of each border between two faces in place of ``complete``, it gives the
 line that begins the outline of a face; no crease, groove, half-cut or perforation in the face may
 follow.
+
+The disc of a cutter also closes mouths that are narrower than the disc; ``milled_loops`` finds the
+paths of discs that follow a closed path round them.
 """
 
 from __future__ import annotations
@@ -37,6 +40,7 @@ from knifetip.verification.checks.cut_faces import (
     find_dangling_ends,
     gap_links,
 )
+from knifetip.verification.checks.milled_loops import loose_lines
 from knifetip.verification.checks.neck_faces import NECK_WIDTH, cut_components, find_neck_faces
 from knifetip.verification.checks.worked_spans import (
     MIN_LENGTH,
@@ -100,6 +104,7 @@ def check_work_order(context: CheckContext, work: TipPaths) -> None:
     hanging = _Rule(necks, _release_lines(necks, complete), "verify.hanging-piece")
     begun = _release_lines(faces, first_lines(faces, spans, len(cuts)))
     reported = _check_cuts(context, cuts, loose, spans)
+    reported = np.union1d(reported, _check_milled_loops(context, cuts, work, spans, reported))
     _check_contours(context, cuts, hanging, spans, reported)
     _check_other_edges(
         context, cuts, work, spans, (loose, hanging, _Rule(faces, begun, "verify.outline-begun"))
@@ -140,7 +145,33 @@ def _check_cuts(context: CheckContext, cuts: Edges, loose: _Rule, spans: WorkedS
     release_line = _held_until(
         spans.edge, spans.low, spans.high, first, begin, begin + faces.curve[pieces, 5], face_lines
     )
-    return _report_late_cuts(context, cuts, loose, spans, release_line)
+    return _report_late_cuts(context, cuts, loose.code, spans, release_line)
+
+
+def _check_milled_loops(
+    context: CheckContext, cuts: Edges, work: TipPaths, spans: WorkedSpans, reported: I64
+) -> I64:
+    """Add a finding for each cut that is milled inside a closed path that an earlier line closes;
+    return the indices of these cuts.
+
+    Parameters
+    ----------
+    cuts
+        All cuts.
+    work
+        All tip paths.
+    spans
+        Stretches of cuts that the tools have cut.
+    reported
+        Indices of the cuts that get no further finding.
+    """
+    if spans.reach == 0.0:
+        return reported
+    lines, released = loose_lines(work, context.machine, context.board)
+    place = np.searchsorted(lines, spans.line).clip(max=len(lines) - 1)
+    unlimited = (lines[place] != spans.line) | np.isin(spans.edge, reported)
+    limit = np.where(unlimited, math.inf, released[place])
+    return _report_late_cuts(context, cuts, "verify.loose-piece", spans, limit)
 
 
 def _check_contours(
@@ -174,17 +205,17 @@ def _check_contours(
     )
     limit = held_until[component]
     limit[reported] = math.inf
-    _report_late_cuts(context, cuts, hanging, spans, limit[spans.edge])
+    _report_late_cuts(context, cuts, hanging.code, spans, limit[spans.edge])
 
 
 def _report_late_cuts(
-    context: CheckContext, cuts: Edges, rule: _Rule, spans: WorkedSpans, limit: F64
+    context: CheckContext, cuts: Edges, code: str, spans: WorkedSpans, limit: F64
 ) -> I64:
     """Add a finding for the first stretch of each cut that is made after its limit; return the
     indices of these cuts.
 
     ``limit`` is the last program line at which each of the k stretches ``spans`` may be cut, (k,);
-    ``rule`` contains the code of the message.
+    ``code`` is the code of the message.
     """
     late = spans.line > limit
     if late.any():
@@ -197,7 +228,7 @@ def _report_late_cuts(
             cuts.curve[edge : edge + 1], np.array([0.5 * (spans.low[k] + spans.high[k])])
         )
         _add_finding(
-            context, rule, int(cuts.row[edge]), place[0], (int(spans.line[k]), int(limit[k]))
+            context, code, int(cuts.row[edge]), place[0], (int(spans.line[k]), int(limit[k]))
         )
     return late_cuts
 
@@ -290,7 +321,7 @@ def _check_other_edges(
         reported[path[late]] = True
         for k in late[:MAX_FINDINGS]:
             row = int(edges.row[near.edge[long[k]]])
-            _add_finding(context, rule, row, place[k], (int(line[k]), int(limit[k])))
+            _add_finding(context, rule.code, row, place[k], (int(line[k]), int(limit[k])))
 
 
 def _touches(points: F64, cuts: Edges) -> Bool:
@@ -301,14 +332,14 @@ def _touches(points: F64, cuts: Edges) -> Bool:
 
 
 def _add_finding(
-    context: CheckContext, rule: _Rule, edge: int, place: F64, lines: tuple[int, int]
+    context: CheckContext, code: str, edge: int, place: F64, lines: tuple[int, int]
 ) -> None:
     """Add a finding about an edge that is worked at a point, (2,) mm, in the first program line of
     ``lines``, after the second one.
     """
     line, limit = lines
     context.findings.add(
-        "order", Message(rule.code, x=place[0], y=place[1], line=limit), 0.0, edge=edge, line=line
+        "order", Message(code, x=place[0], y=place[1], line=limit), 0.0, edge=edge, line=line
     )
 
 

@@ -344,7 +344,7 @@ def _count_containing(
                         continue
                     crossed = 0
                     for row in range(first[j], first[j + 1]):
-                        crossed += _ray_crossings(outlines[row], x, ray_y)
+                        crossed += ray_crossings(outlines[row], x, ray_y)
                     counts[ray] += crossed % 2
         a, b, c = counts[0], counts[1], counts[2]
         depth[i] = max(min(a, b), min(max(a, b), c))
@@ -398,7 +398,7 @@ def _list_in_bands(boxes: F64_2) -> Any:
 
 
 @kernel(allocates=False, checks_division=True)
-def _ray_crossings(curve: F64_1, x: float, y: float) -> int:
+def ray_crossings(curve: F64_1, x: float, y: float) -> int:
     """Return how often a line or arc crosses the ray from the point (x, y) along +X.
 
     ``curve`` is the line or arc as six numbers (see ``curves.curve``), (6,).  It is divided into
