@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from tests.cartons.job import Job, random_job
 from tests.cartons.trial import Outcome, attempt_job
 
-FATES = ("accepted", "excepted", "by hint", "stuck", "error", "misjudged")
+FATES = ("accepted", "excepted", "by hint", "left out", "stuck", "error", "misjudged")
 
 
 @dataclass
@@ -38,7 +38,7 @@ class Tally:
         return sum(
             fates[fate]
             for fates in self.by_machine.values()
-            for fate in ("stuck", "error", "misjudged")
+            for fate in ("left out", "stuck", "error", "misjudged")
         )
 
     def add(self, job: Job, outcome: Outcome) -> None:
@@ -107,5 +107,5 @@ def run(
                 outcome.fate, outcome.text = "misjudged", fault
         tally.add(job, outcome)
         tally.seconds = time.perf_counter() - begin
-        if outcome.fate in ("stuck", "error", "misjudged"):
+        if outcome.fate in ("left out", "stuck", "error", "misjudged"):
             yield job, outcome

@@ -16,13 +16,27 @@ if TYPE_CHECKING:
     from tests.cartons.trial import Attempt, Refusal
 
 
+#: What is done where planner and verifier disagree: a failure, although a job comes of it.
+LEFT_OUT: Final = "left out"
+
+
 def follow(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
     """Follow the hint of a refusal: return a description of the change, and the changed job.
 
     Returns None if the change cannot be made automatically.
     """
     action = _ACTIONS.get(refusal.code)
-    return None if action is None else action(refusal, attempt)
+    changed = None if action is None else action(refusal, attempt)
+    if changed is None and refusal.code.startswith("verify."):
+        # The hint of every refused program: leave the edge out and make it by hand.
+        changed = _left_out(refusal, attempt)
+    return changed
+
+
+def _left_out(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
+    """Leave out the edges with faults, which the tools should be able to make."""
+    changed = _ignored(refusal, attempt)
+    return None if changed is None else (LEFT_OUT, changed[1])
 
 
 def _other_tool(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt]:

@@ -19,7 +19,7 @@ from knifetip.model.drawing import Drawing
 from knifetip.model.interpretation import Interpretation
 from knifetip.model.machine import Machine
 from knifetip.model.verdict import Acceptance, Severity, Verdict
-from tests.cartons.hints import follow
+from tests.cartons.hints import LEFT_OUT, follow
 from tests.cartons.job import Job
 
 #: Greatest number of hints that are followed one after the other.
@@ -47,7 +47,7 @@ class Attempt:
 class Outcome:
     """What became of a job."""
 
-    fate: str = ""  #: "accepted", "excepted", "by hint", "stuck" or "error"
+    fate: str = ""  #: "accepted", "excepted", "by hint", "left out", "stuck" or "error"
     #: code → number of findings or errors of that code in the first compile
     refusals: Counter[str] = field(default_factory=Counter)
     followed: list[str] = field(default_factory=list)  #: "code: what was done"
@@ -104,7 +104,9 @@ def _follow_hints(attempt: Attempt, outcome: Outcome) -> None:
         outcome.attempt = attempt
         refusal = _compile(attempt, outcome)
         if refusal is None:
-            outcome.fate = "by hint" if outcome.followed else outcome.fate
+            if outcome.followed:
+                left_out = any(step.endswith(LEFT_OUT) for step in outcome.followed)
+                outcome.fate = LEFT_OUT if left_out else "by hint"
             return
         changed = follow(refusal, attempt)
         if changed is None:

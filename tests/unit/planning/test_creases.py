@@ -110,6 +110,38 @@ def test_cuts_that_end_beside_a_joint_are_not_connected_by_it() -> None:
     assert len(operation.paths) == 1
 
 
+@pytest.mark.parametrize(("apart", "many"), [(0.04, 2), (0.05, 2), (0.06, 3)])
+def test_cuts_that_cross_a_crease_near_each_other_split_it_once(apart: float, many: int) -> None:
+    cuts = edges(((40, -10), (40, 10)), ((40 + apart, -10), (40 + apart, 10)))
+    operation = rolled(ACROSS, cuts)
+    assert len(operation.paths) == many
+    np.testing.assert_allclose(operation.paths.end[0], [40, 0], atol=1e-9)
+    np.testing.assert_allclose(operation.paths.start[-1], [40 + apart, 0], atol=1e-9)
+
+
+def test_a_crease_is_split_at_its_joint_by_a_cut_beside_it() -> None:
+    pieces = edges(((0, 0), (40, 0)), ((40, 0), (100, 0)))
+    operation = rolled(pieces, edges(((40.0015, -10), (40.0015, 10))))
+    np.testing.assert_array_equal(operation.paths.end, [[40, 0], [100, 0]])
+
+
+def test_no_crease_continues_another_one_where_a_cut_crosses_both() -> None:
+    # The creases overlap by 0.03 mm, so the cut is too near to their ends to split one of them.
+    creases = edges(((0, 0), (40, 0)), ((39.97, 0), (100, 0.5)))
+    uncut, cut = rolled(creases), rolled(creases, edges(((39.98, -10), (39.98, 10))))
+    assert uncut.finish.tolist() == [End.CONTINUED, End.FREE]
+    assert uncut.start.tolist() == [End.FREE, End.CONTINUED]
+    assert cut.start.tolist() == cut.finish.tolist() == [End.FREE, End.FREE]
+
+
+def test_creases_beside_a_crossing_in_another_direction_continue_each_other() -> None:
+    creases = edges(((0, 0), (100, 0)), ((40, 50), (40, 0.02)), ((40, -50), (40, -0.02)))
+    operation = rolled(creases, edges(((30, -5), (50, 5))))
+    ends = dict(zip(operation.source.tolist(), operation.finish.tolist(), strict=True))
+    assert (ends[1], ends[2]) == (End.CONTINUED, End.CONTINUED)
+    assert len(operation.paths) == 4
+
+
 def test_a_curved_crease_is_split_by_a_straight_cut() -> None:
     # Half a circle of radius 50 from (0, 0) to (100, 0); the cut ends at its lowest point.
     operation = rolled(ACROSS, edges(((50, -80), (50, 0))), bulge={0: 1.0}, board=EVEN)
