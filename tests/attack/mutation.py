@@ -320,6 +320,32 @@ def _track_moved(lines: Lines, row: int, rng: Random) -> bool:
     return True
 
 
+def _track_returned(lines: Lines, row: int, rng: Random) -> bool:
+    """Cut a straight track again after it, or after the whole path, in the opposite direction."""
+    begins = [*_tracks(lines), len(lines)]
+    straight = []
+    for a, b in zip(begins, begins[1:], strict=False):
+        cuts = [at for at in range(a + 1, b) if re.match(r"G[0123] .*[XY]", lines[at])]
+        places = [dict(_WORD.findall(lines[at])) for at in (a, *cuts)]
+        if len(cuts) == 1 and lines[cuts[0]].startswith("G1") and {"X", "Y"} <= places[0].keys():
+            straight.append((a, b, cuts[0], places))
+    if not straight:
+        return False
+    a, b, cut, (start, stop) = rng.choice(straight)
+    stop = start | stop
+    block = lines[a:b]
+    for at, place in ((0, stop), (cut - a, start)):
+        for letter in "XY":
+            block[at] = re.sub(rf"{letter}-?[\d.]+", f"{letter}{place[letter]}", block[at])
+        for letter in set("XY") - {word[0] for word in block[at].split()}:
+            block[at] += f" {letter}{place[letter]}"
+    heading = float(start.get("C", 0.0)) + rng.choice((180.0, -180.0, 0.0))
+    block[0] = re.sub(r"C-?[\d.]+", f"C{heading:.4f}", block[0])
+    at = rng.choice((b, rng.choice(begins[:-1])))
+    lines[at:at] = block
+    return True
+
+
 def _stations_exchanged(lines: Lines, row: int, rng: Random) -> bool:
     """Exchange the sections of two stations, or move one."""
     begins = [at for at, line in enumerate(lines) if re.match(r"\(station|M64|SP[1-9]", line)]
@@ -398,6 +424,7 @@ _CHANGES: dict[str, Change] = {
     "tail shifted": _tail_shifted,
     "tracks exchanged": _tracks_exchanged,
     "track moved": _track_moved,
+    "track returned": _track_returned,
     "stations exchanged": _stations_exchanged,
     "switch": _switch,
     "mode": _mode,
@@ -407,6 +434,6 @@ _WEIGHTED = (
     *_CHANGES,
     *("digit", "number", "number", "lines dropped", "lines moved", "switch", "switch"),
     *("foreign line", "foreign line", "foreign line", "word replaced", "word inserted"),
-    *("line of another program", "cut off", "byte", "byte", "track moved"),
+    *("line of another program", "cut off", "byte", "byte", "track moved", "track returned"),
 )
 KINDS = tuple(sorted(set(_WEIGHTED)))

@@ -73,6 +73,7 @@ verify.contour-unreached           checks.milling_shortfalls
 verify.crease-meets-cuts           checks.crease_check
 verify.crease-stops-at-cut         checks.crease_check
 verify.crease-too-short            checks.crease_check
+verify.cut-both-ways               checks.knife_check
 verify.cut-too-short               checks.knife_check
 verify.cuts-part                   checks.milling_paths
 verify.cutter-at-rest              tools

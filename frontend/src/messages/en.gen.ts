@@ -3675,6 +3675,10 @@ export const TEXTS = {
     "text": "The crease is too short for the creasing wheel and is not made: it is {length:.2f} mm long, the wheel has a radius of {radius:.1f} mm, and it must stop {clearance:.2f} mm before each free end.",
     "hint": "Join the crease to a crease on the same straight line, set its line type to ignored, or choose a board on which short creases are pressed or a smaller creasing wheel."
   },
+  "verify.cut-both-ways": {
+    "text": "{length:.3f} mm of this edge are cut in both directions. A slanted blade then cuts the top face past both ends.",
+    "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
+  },
   "verify.cut-too-short": {
     "text": "The cut is {length:.2f} mm long and ends inside a panel. The slanted blade of the knife needs a cut longer than {lead:.2f} mm, so the cut is not made.",
     "hint": "Draw a longer cut, join the cut to another cut, set its line type to ignored, or choose a knife with a less slanted blade."

@@ -140,6 +140,12 @@ MESSAGES: Final[Entries] = {
         radius="number",
         clearance="number",
     ),
+    "verify.cut-both-ways": entry(
+        "{length:.3f} mm of this edge are cut in both directions. A slanted blade then cuts the "
+        "top face past both ends.",
+        _COMPILE_AGAIN,
+        length="number",
+    ),
     "verify.cut-too-short": entry(
         "The cut is {length:.2f} mm long and ends inside a panel. The slanted blade of the knife "
         "needs a cut longer than {lead:.2f} mm, so the cut is not made.",

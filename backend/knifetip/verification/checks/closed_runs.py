@@ -123,17 +123,22 @@ def _drawn_direction(edges: Edges, point: F64, outward: F64) -> F64:
     return result
 
 
-def overruns_corner(tracks: TrackEnds, first: I64, vertex: F64) -> Bool:
-    """Return the mask of the k runs that begin at a vertex of two edges and end beside it, (k,).
+def stops_at_own_corner(tracks: TrackEnds, first: I64, last: I64, vertex: F64) -> Bool:
+    """Return the mask of the k runs that end beside a vertex of two edges at which one of their own
+    tracks begins, (k,).
 
-    Such a run closes a path, so it must not stop where an open path that ends there would stop.
+    Such a run closes a path or returns along it, so it must not stop where an open path that ends
+    there would stop.
 
     Parameters
     ----------
-    first : (k,)
-        First track of each run.
+    first, last : (k,)
+        First and last track of each run.
     vertex : (k, 2) mm
         End of the edge at whose planned stop each run ends.
     """
-    here: Bool = np.hypot(*(tracks.start[first] - vertex).T) <= TOUCH_DISTANCE
-    return here & tracks.plain[first]
+    result = np.zeros(len(first), np.bool_)
+    run, track = pairs_within(vertex, tracks.start, TOUCH_DISTANCE)
+    own = (track >= first[run]) & (track <= last[run]) & tracks.plain[track]
+    result[run[own]] = True
+    return result

@@ -89,6 +89,7 @@ class KnifeCheck(StationCheck):
         overlaps = mark_nearest(overlaps, self.curve, overrun_start)
         self.check_position(overlaps)
         check_stray_work(self, overlaps, overrun_start)
+        self._check_opposite_cuts(overlaps)
         left_out = np.zeros(len(self.edges), np.bool_)
         left_out[self._report_short_cuts(overlaps, solid_rows, ends, lead_depth * slant)] = True
         self.check_uncut(overlaps, np.flatnonzero(~perforated & ~has_bridges & ~left_out))
@@ -108,6 +109,31 @@ class KnifeCheck(StationCheck):
             self._record_faces(
                 overlaps, over, lead_depth * slant, (lead_depth - overrun_depth) * slant
             )
+
+    def _check_opposite_cuts(self, overlaps: Overlaps) -> None:
+        """Add a finding for each edge that the knife cuts in both directions.
+
+        A slanted blade that cuts an edge again in the opposite direction cuts the top face past the
+        other end of the edge, too, where no such cut is planned.
+
+        Parameters
+        ----------
+        overlaps
+            Overlaps of the tip paths with the edges, without overruns.
+        """
+        low, high = overlaps.place_range()
+        follows = overlaps.best & (high - low >= 0.5 * np.diff(overlaps.along)[:, 0])
+        forward = overlaps.place[:, 1] > overlaps.place[:, 0]
+        cut_length = np.zeros((3, len(self.edges)))
+        for row, counted in enumerate((follows & forward, follows & ~forward, follows)):
+            edge, begin, end = uncovered_edges(
+                overlaps.edge[counted].astype(np.int64), low[counted], high[counted], self.size
+            )
+            cut_length[row] = self.size - np.bincount(edge, end - begin, minlength=len(self.edges))
+        both = cut_length[0] + cut_length[1] - cut_length[2]
+        for row in np.flatnonzero(both > self.tolerance + self.slack)[:MAX_FINDINGS]:
+            message = Message("verify.cut-both-ways", length=both[row])
+            self.add_finding("overcut", int(row), message, float(both[row]))
 
     def _report_short_cuts(
         self, overlaps: Overlaps, solid_rows: I64, ends: KnifeEnds, lead: float

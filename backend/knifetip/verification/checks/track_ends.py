@@ -15,7 +15,7 @@ from knifetip.verification.checks.closed_runs import (
     TrackEnds,
     closes_at_corner,
     closing_vertices,
-    overruns_corner,
+    stops_at_own_corner,
 )
 from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import azimuth_at, point_at
@@ -131,7 +131,9 @@ def check_track_ends(
     planned, distance = _nearest_stops(ends, stop[closes], ahead[closes], closed, check.slack)
     right = (distance <= check.slack) & (~closed | (distance < gap))
     near = np.flatnonzero(right)
-    right[near] = ~overruns_corner(tracks, opens[near], solid_edges.ends[planned[near]])
+    right[near] = ~stops_at_own_corner(
+        tracks, opens[near], closes[near], solid_edges.ends[planned[near]]
+    )
 
     # Without a near end ``planned`` is -1, which selects the appended False.
     ran = right & np.append(ends.meets, False)[planned]
