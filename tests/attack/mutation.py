@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Callable, Sequence
+from itertools import pairwise
 from pathlib import Path
 from random import Random
 
@@ -324,7 +325,7 @@ def _track_returned(lines: Lines, row: int, rng: Random) -> bool:
     """Cut a straight track again after it, or after the whole path, in the opposite direction."""
     begins = [*_tracks(lines), len(lines)]
     straight = []
-    for a, b in zip(begins, begins[1:], strict=False):
+    for a, b in pairwise(begins):
         cuts = [at for at in range(a + 1, b) if re.match(r"G[0123] .*[XY]", lines[at])]
         places = [dict(_WORD.findall(lines[at])) for at in (a, *cuts)]
         if len(cuts) == 1 and lines[cuts[0]].startswith("G1") and {"X", "Y"} <= places[0].keys():

@@ -262,10 +262,89 @@ def test_an_edge_must_not_be_cut_in_both_directions() -> None:
     drawn = dieline(*SQUARE, *AROUND_SQUARE)
     text = cut_lines((40, 0, 0, 0, 180), *sides, *outer)
     findings = verify(text, drawn, (0.0, 0.0), MACHINE, BOARD).findings
-    assert [(found.message.code, found.edge) for found in findings] == [
-        ("verify.cut-both-ways", 0)
-    ]
+    assert [(found.message.code, found.edge) for found in findings] == [("verify.cut-both-ways", 0)]
     assert findings[0].measure == pytest.approx(40.0, abs=1e-3)
+
+
+def test_a_contour_may_start_where_a_slit_from_the_waste_ends_on_its_side() -> None:
+    # The slit ends on the right side, behind which lies the panel, so the tip stops there.
+    drawn = dieline(*SQUARE, (CUT, 60, 20, 40, 20, 0.0))
+    sides = ((40, 20, 40, 40, 90), (40, 40, 0, 40, 180), (0, 40, 0, 0, 270), (0, 0, 40, 0, 360))
+
+    def kinds(slit: float, end: float) -> set[str]:
+        text = cut_lines((60, 20, slit, 20, 180), *sides, (40, 0, 40, end, 450))
+        return {f.kind for f in verify(text, drawn, (0.0, 0.0), MACHINE, BOARD).findings}
+
+    assert kinds(40, 20.3527) == set()
+    assert kinds(40, 20.2527) == {"uncut"}
+    assert kinds(40.1, 20.3527) == {"uncut"}
+
+
+def test_a_cut_stops_at_its_own_end_even_if_another_cut_ends_near_it() -> None:
+    # The planned stop of the second slit lies on the first one, 0.3944 mm before the stop of that.
+    drawn = dieline((CUT, 20, 15, 40, 15, 0.0), (CUT, 39.2, 5, 39.2, 15, 0.0))
+
+    def codes(end: float) -> set[str]:
+        text = cut_lines((20, 15, end, 15, 0), (39.2, 5, 39.2, 15, 90))
+        found = verify(text, drawn, (0.0, 0.0), MACHINE, BOARD).findings
+        return {finding.message.code for finding in found}
+
+    assert codes(39.5944) == set()
+    assert "verify.comes-out-short" in codes(39.2)
+
+
+def test_a_cut_must_begin_at_an_end_even_if_its_edge_is_cut_already() -> None:
+    drawn = dieline((CUT, 20, 15, 40, 15, 0.0))
+    text = cut_lines((20, 15, 39.5944, 15, 0), (30, 15, 39.5944, 15, 0))
+    found = verify(text, drawn, (0.0, 0.0), MACHINE, BOARD).findings
+    assert "verify.goes-in-anywhere" in {finding.message.code for finding in found}
+
+
+def findings_by_severity(text: bytes, drawn: Dieline) -> set[tuple[int, Severity, str]]:
+    """Return the edge, the severity and the message code of each finding about a program."""
+    found = verify(text, drawn, (0.0, 0.0), MACHINE, BOARD).findings
+    return {(finding.edge, finding.severity, finding.message.code) for finding in found}
+
+
+def test_only_a_cut_with_both_ends_inside_a_panel_may_be_too_short_for_the_knife() -> None:
+    # The blade cuts the top face 0.4056 mm ahead of its tip.
+    contour = cut_lines(
+        (0, 0, 40, 0, 0), (40, 0, 40, 40, 90), (40, 40, 0, 40, 180), (0, 40, 0, 0, 270)
+    )
+
+    def found(*edges: tuple[LineType, float, float, float, float, float]) -> set[str]:
+        said = findings_by_severity(contour, dieline(*SQUARE, *edges))
+        assert all(edge >= 4 for edge, _, _ in said)
+        return {severity.value for _, severity, _ in said}
+
+    inside = (CUT, 20, 20, 20.3, 20, 0.0)
+    assert found(inside) == {"shortfall"}
+    assert found((CUT, 39.7, 20, 40, 20, 0.0)) == {"fault"}  # ends on the contour
+    round_hole = ((CUT, 9.95, 10, 10.05, 10, 1.0), (CUT, 10.05, 10, 9.95, 10, 1.0))
+    assert found(*round_hole) == {"fault"}
+    assert found(*round_hole, inside) == {"fault", "shortfall"}
+
+
+def test_a_short_cut_that_is_begun_is_no_shortfall() -> None:
+    drawn = dieline((CUT, 20, 20, 20.3, 20, 0.0))
+    found = findings_by_severity(cut_lines((20, 20, 20.1, 20, 0)), drawn)
+    assert {severity for _, severity, _ in found} == {Severity.FAULT}
+
+
+def test_a_short_groove_that_another_one_continues_must_be_made() -> None:
+    kind = LineType.V_GROOVE
+    drawn = dieline((kind, 20, 30, 59.2, 30, 0.0), (kind, 59.2, 30, 60, 30, 0.0))
+    text = cutter_program("G0 X0 Y0 Z20 C0")
+    assert {edge for edge, severity, _ in findings_by_severity(text, drawn)
+            if severity is Severity.FAULT} == {0, 1}  # fmt: skip
+
+
+def test_a_short_groove_that_is_begun_is_no_shortfall() -> None:
+    # The blade is 3 mm wide.  Only the pass to the right is made.
+    drawn = dieline((LineType.V_GROOVE, 20, 30, 22, 30, 0.0))
+    right = ("G0 X21.5 Y20.7 Z4 C0", "G1 Y24 Z0.7 F3000", "G1 X23.5 F12000", "G1 Y20.7 Z4 F3000")
+    found = findings_by_severity(cutter_program(*right), drawn)
+    assert {severity for _, severity, _ in found} == {Severity.FAULT}
 
 
 def test_a_groove_needs_both_its_passes() -> None:

@@ -122,7 +122,9 @@ class KnifeCheck(StationCheck):
             Overlaps of the tip paths with the edges, without overruns.
         """
         low, high = overlaps.place_range()
-        follows = overlaps.best & (high - low >= 0.5 * np.diff(overlaps.along)[:, 0])
+        # The ends of two drawn edges may lie side by side for a short length.
+        shorter = np.minimum(self.size[overlaps.edge], self.curve[overlaps.curve, 5])
+        follows = overlaps.best & (high - low >= 0.5 * shorter)
         forward = overlaps.place[:, 1] > overlaps.place[:, 0]
         cut_length = np.zeros((3, len(self.edges)))
         for row, counted in enumerate((follows & forward, follows & ~forward, follows)):
