@@ -122,14 +122,20 @@ class KnifeCheck(StationCheck):
             Overlaps of the tip paths with the edges, without overruns.
         """
         low, high = overlaps.place_range()
-        # The ends of two drawn edges may lie side by side for a short length.
-        shorter = np.minimum(self.size[overlaps.edge], self.curve[overlaps.curve, 5])
-        follows = overlaps.best & (high - low >= 0.5 * shorter)
+        edges, track = overlaps.edge.astype(np.int64), self.track[overlaps.curve]
+        # Edges that meet at a flat angle lie side by side for a short length.  A track that only
+        # passes an edge there does not cut it.
+        pair = np.unique(edges * (1 + self.track.max(initial=0)) + track, return_inverse=True)[1]
+        passed = np.bincount(pair, np.where(overlaps.best, high - low, 0.0))[pair]
+        track_length = np.bincount(self.track, self.curve[:, 5])
+        follows = overlaps.best & (
+            passed >= 0.5 * np.minimum(self.size[edges], track_length[track])
+        )
         forward = overlaps.place[:, 1] > overlaps.place[:, 0]
         cut_length = np.zeros((3, len(self.edges)))
         for row, counted in enumerate((follows & forward, follows & ~forward, follows)):
             edge, begin, end = uncovered_edges(
-                overlaps.edge[counted].astype(np.int64), low[counted], high[counted], self.size
+                edges[counted], low[counted], high[counted], self.size
             )
             cut_length[row] = self.size - np.bincount(edge, end - begin, minlength=len(self.edges))
         both = cut_length[0] + cut_length[1] - cut_length[2]
