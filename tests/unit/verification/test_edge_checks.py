@@ -293,6 +293,27 @@ def test_a_cut_stops_at_its_own_end_even_if_another_cut_ends_near_it() -> None:
     assert "verify.comes-out-short" in codes(39.2)
 
 
+def test_the_knife_may_turn_at_a_corner_just_before_the_end_of_a_cut() -> None:
+    # The last edge of the cut from the left side to the slit is 0.042 mm long.
+    drawn = dieline(
+        *SQUARE, (CUT, 30, 10, 30, 40, 0.0), (CUT, 0, 20, 29.97, 20, 0.0),
+        (CUT, 29.97, 20, 30, 20.03, 0.0),
+    )  # fmt: skip
+    sides = ((0, 0, 40, 0, 0), (40, 0, 40, 40, 90), (40, 40, 0, 40, 180), (0, 40, 0, 0, 270))
+    slit = (30, 40, 30, 10.4056, 270)
+
+    def codes(*last: tuple[float, float, float, float, float]) -> set[str]:
+        text = cut_lines(slit, (0, 20, 29.97, 20, 0), *last, *sides)
+        found = verify(text, drawn, (0.0, 0.0), MACHINE, BOARD).findings
+        return {finding.message.code for finding in found}
+
+    there, back = (29.97, 20, 30, 20.03, 45), (30, 20.03, 29.97, 20, 225)
+    assert codes(there) == set()
+    # An end at which an edge continues is not the end of the cut.
+    assert "verify.comes-out-short" in codes(there, back)
+    assert "verify.comes-out-short" in codes(back)
+
+
 def test_a_cut_must_begin_at_an_end_even_if_its_edge_is_cut_already() -> None:
     drawn = dieline((CUT, 20, 15, 40, 15, 0.0))
     text = cut_lines((20, 15, 39.5944, 15, 0), (30, 15, 39.5944, 15, 0))

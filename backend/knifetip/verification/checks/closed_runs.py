@@ -15,6 +15,7 @@ import numpy as np
 from knifetip.model.tool import Knife
 from knifetip.verification.checks.check_base import StationCheck
 from knifetip.verification.columns import F64, I64, Bool
+from knifetip.verification.curves.near_points import pair_distances
 from knifetip.verification.expectation.edge_paths import count_joined_ends
 from knifetip.verification.expectation.edges import (
     TOUCH_DISTANCE,
@@ -123,22 +124,29 @@ def _drawn_direction(edges: Edges, point: F64, outward: F64) -> F64:
     return result
 
 
-def stops_at_own_corner(tracks: TrackEnds, first: I64, last: I64, vertex: F64) -> Bool:
+def stops_at_own_corner(tracks: TrackEnds, first: I64, last: I64, edges: Edges, end: I64) -> Bool:
     """Return the mask of the k runs that end beside a vertex of two edges at which one of their own
     tracks begins, (k,).
 
     Such a run closes a path or returns along it, so it must not stop where an open path that ends
-    there would stop.
+    there would stop.  If no edge continues the run's last edge, a track that begins at the other
+    end of that edge, however short the edge is, begins at another vertex.
 
     Parameters
     ----------
     first, last : (k,)
         First and last track of each run.
-    vertex : (k, 2) mm
+    edges
+        Edges that are cuts or half-cuts, without perforations.
+    end : (k,)
         End of the edge at whose planned stop each run ends.
     """
     result = np.zeros(len(first), np.bool_)
-    run, track = pairs_within(vertex, tracks.start, TOUCH_DISTANCE)
+    run, track = pairs_within(edges.ends[end], tracks.start, TOUCH_DISTANCE)
     own = (track >= first[run]) & (track <= last[run]) & tracks.plain[track]
-    result[run[own]] = True
+    run, track = run[own], track[own]
+    to_stop, to_start = (
+        pair_distances(tracks.start, track, edges.ends, side[run]) for side in (end, end ^ 1)
+    )
+    result[run[(to_stop <= to_start) | (count_joined_ends(edges)[end[run]] > 0)]] = True
     return result

@@ -132,7 +132,7 @@ def check_track_ends(
     right = (distance <= check.slack) & (~closed | (distance < gap))
     near = np.flatnonzero(right)
     right[near] = ~stops_at_own_corner(
-        tracks, opens[near], closes[near], solid_edges.ends[planned[near]]
+        tracks, opens[near], closes[near], solid_edges, planned[near]
     )
 
     # Without a near end ``planned`` is -1, which selects the appended False.
