@@ -148,9 +148,15 @@ def gateway(
     server: Annotated[
         str, typer.Option(help="URL of the knifetip server.")
     ] = "http://127.0.0.1:8080",
-    machine: MachineName = "demo-table",
+    machine: Annotated[
+        str, typer.Option(help="Name of a machine of the library, or path of its TOML file.")
+    ] = "demo-table",
     controller: Annotated[
-        str, typer.Option(help="Network address of the controller, as HOST:PORT.")
+        str,
+        typer.Option(
+            help="Address of the controller: HOST:PORT, tcp://HOST:PORT, telnet://HOST, "
+            "ws://HOST:PORT/PATH, or a serial port as serial:///dev/ttyUSB0 or serial://COM3."
+        ),
     ] = "127.0.0.1:2323",
     name: Annotated[
         str, typer.Option(help="Name of this gateway, which the server shows.")

@@ -220,7 +220,7 @@ class Driver(Protocol):
         Parameters
         ----------
         address
-            HOST:PORT of the controller.
+            Address of the controller, such as ``HOST:PORT`` or a URL.
         safe
             Safe state of the machine.  If None, the tool is not raised, and no output is switched
             off.

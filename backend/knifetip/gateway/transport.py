@@ -1,21 +1,28 @@
-"""transport: byte connections to controllers.
+"""transport: byte connections to controllers, found by the scheme of an address.
 
-An address is ``tcp://192.168.1.20:23`` or ``192.168.1.20:23``.  A transport does not interpret the
-bytes.  Other kinds of connection can be added as classes with the members of ``Transport``; the
-function ``connect`` selects the class by the scheme of the address, such as ``tcp``.
+An address is a URL such as ``tcp://192.168.1.20:23`` or ``serial:///dev/ttyUSB0?baud=115200``;
+``192.168.1.20:23`` stands for ``tcp://192.168.1.20:23``.  A transport does not interpret the bytes.
+
+Each module of the package ``transports`` is a kind of transport, and its name is the scheme.  Other
+packages register transports as entry points of the group ``knifetip.transports``, named by scheme.
 """
 
 from __future__ import annotations
 
-import asyncio
-from contextlib import suppress
-from typing import Protocol
-from urllib.parse import urlsplit
+import importlib
+import pkgutil
+from collections.abc import Awaitable, Callable
+from functools import cache
+from importlib.metadata import entry_points
+from typing import Protocol, TypeAlias
+from urllib.parse import SplitResult, urlsplit
 
 from knifetip.errors import ControllerError
 
-#: Most bytes that one ``read`` returns.
-CHUNK = 4096
+#: Group of the entry points of transports.
+GROUP = "knifetip.transports"
+#: Package whose modules are transports.
+_PACKAGE = "knifetip.gateway.transports"
 
 
 class Transport(Protocol):
@@ -23,7 +30,7 @@ class Transport(Protocol):
 
     @property
     def address(self) -> str:
-        """Address of the controller, as the operator entered it."""
+        """Address of the controller, for messages."""
         ...
 
     async def read(self) -> bytes:
@@ -31,7 +38,13 @@ class Transport(Protocol):
         ...
 
     async def write(self, data: bytes) -> None:
-        """Send bytes; return when the operating system has accepted them."""
+        """Send bytes after those of earlier calls; return when the operating system has them.
+
+        Raises
+        ------
+        ControllerError
+            The connection is lost.
+        """
         ...
 
     async def close(self) -> None:
@@ -39,63 +52,9 @@ class Transport(Protocol):
         ...
 
 
-class Tcp:
-    """A transport over a TCP connection."""
-
-    def __init__(
-        self, address: str, reader: asyncio.StreamReader, writer: asyncio.StreamWriter
-    ) -> None:
-        self.address = address
-        self._reader = reader
-        self._writer = writer
-
-    @classmethod
-    async def open(cls, host: str, port: int, *, timeout: float = 5.0) -> Tcp:
-        """Return an open TCP connection to a host and port.
-
-        Raises
-        ------
-        ControllerError
-            There is no answer within ``timeout`` seconds.
-        """
-        address = f"{host}:{port}"
-        try:
-            async with asyncio.timeout(timeout):
-                reader, writer = await asyncio.open_connection(host, port)
-        except (OSError, TimeoutError) as error:
-            raise ControllerError(
-                "controller.unreachable", address=address, reason=error or "timed out"
-            ) from error
-        return cls(address, reader, writer)
-
-    async def read(self) -> bytes:
-        """Wait for bytes and return them; return ``b""`` if the connection is closed."""
-        try:
-            return await self._reader.read(CHUNK)
-        except OSError:
-            return b""
-
-    async def write(self, data: bytes) -> None:
-        """Send bytes; return when the operating system has accepted them.
-
-        Raises
-        ------
-        ControllerError
-            The connection is lost.
-        """
-        try:
-            self._writer.write(data)
-            await self._writer.drain()
-        except OSError as error:
-            raise ControllerError(
-                "controller.connection-failed", address=self.address, reason=error
-            ) from error
-
-    async def close(self) -> None:
-        """Close the connection."""
-        self._writer.close()
-        with suppress(OSError):
-            await self._writer.wait_closed()
+#: Function that opens a connection to the address in a URL.  It raises ``ControllerError`` if the
+#: URL is not an address, or if the connection cannot be opened.
+Opener: TypeAlias = Callable[[SplitResult], Awaitable[Transport]]
 
 
 async def connect(address: str) -> Transport:
@@ -104,13 +63,33 @@ async def connect(address: str) -> Transport:
     Raises
     ------
     ControllerError
-        The address is invalid, or there is no answer.
+        The address is invalid, or the connection cannot be opened.
     """
-    parts = urlsplit(address if "//" in address else f"//{address}", scheme="tcp")
     try:
-        host, port = parts.hostname, parts.port
+        url = urlsplit(address if "//" in address else f"tcp://{address}")
     except ValueError:
-        host = port = None
-    if parts.scheme != "tcp" or not host or not port:
-        raise ControllerError("controller.bad-address", address=address)
-    return await Tcp.open(host, port)
+        url = SplitResult("", "", "", "", "")
+    opener = find_opener(url.scheme)
+    if opener is None:
+        raise ControllerError("controller.bad-address", address=address, schemes=schemes())
+    return await opener(url)
+
+
+def schemes() -> list[str]:
+    """Return the schemes of all transports, of this package and of entry points."""
+    return sorted({*_own_schemes(), *entry_points(group=GROUP).names})
+
+
+def find_opener(scheme: str) -> Opener | None:
+    """Return the function that opens connections to addresses of a scheme; None if unknown."""
+    if scheme in _own_schemes():
+        opener: Opener = importlib.import_module(f"{_PACKAGE}.{scheme}").open_transport
+        return opener
+    candidates = tuple(entry_points(group=GROUP, name=scheme))
+    return candidates[0].load() if candidates else None
+
+
+@cache
+def _own_schemes() -> frozenset[str]:
+    package = importlib.import_module(_PACKAGE)
+    return frozenset(module.name for module in pkgutil.iter_modules(package.__path__))

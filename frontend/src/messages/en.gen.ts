@@ -460,8 +460,12 @@ export const TEXTS = {
     "hint": "Check the cable to the controller, then check the board on the table."
   },
   "controller.bad-address": {
-    "text": "{address!r} is not the network address of a controller.",
-    "hint": "Write the address as HOST:PORT, for example 127.0.0.1:2323."
+    "text": "{address!r} is not the address of a controller.",
+    "hint": "Write the address as HOST:PORT, for example 127.0.0.1:2323, or as a URL. Known schemes: {schemes:, }."
+  },
+  "controller.bad-serial-address": {
+    "text": "{address!r} is not the address of a serial port.",
+    "hint": "Write it as serial:///dev/ttyUSB0 or serial://COM3; ?baud=250000 at its end sets another speed than 115200 bits per second."
   },
   "controller.busy": {
     "text": "{name} is busy: it reports the state {state}. Nothing was sent.",
@@ -503,6 +507,10 @@ export const TEXTS = {
     "text": "The connection to {name} is lost. The controller may still execute the program lines in its buffer.",
     "hint": "Keep clear of the table until the machine has stopped, then check the table."
   },
+  "controller.no-host-and-port": {
+    "text": "The address {address!r} of the controller has no host or no port.",
+    "hint": "Write the address as HOST:PORT, for example 127.0.0.1:2323."
+  },
   "controller.not-in-laser-mode": {
     "text": "{name} is not in laser mode, so the laser beam would stay on during a feed hold. Nothing was sent.",
     "hint": "Set $32=1 at the controller and connect again."
@@ -530,6 +538,26 @@ export const TEXTS = {
   "controller.one-carriage": {
     "text": "The machine {machine} has {count} carriages, and the gateway and the simulated table can only drive a machine with one.",
     "hint": "Download the program and open it in the controller of the machine."
+  },
+  "controller.port-busy": {
+    "text": "Another program uses the serial port {port}.",
+    "hint": "Close the other program, then start the gateway again."
+  },
+  "controller.port-missing": {
+    "text": "There is no serial port {port}{found}.",
+    "hint": "Plug in the controller and switch it on, or correct the name of the port."
+  },
+  "controller.port-not-permitted": {
+    "text": "The user of this gateway may not open the serial port {port}.",
+    "hint": "On Linux, add the user to the group of the port, usually dialout (sudo usermod -aG dialout USER), then log in again."
+  },
+  "controller.port-unusable": {
+    "text": "The serial port {port} cannot be opened ({reason}).",
+    "hint": "Correct the name of the port or its speed."
+  },
+  "controller.ports-found": {
+    "text": "; this computer has {ports:, }",
+    "hint": ""
   },
   "controller.refused-safe-state": {
     "text": "{refusals: }",

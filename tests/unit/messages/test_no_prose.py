@@ -23,7 +23,7 @@ BUILTINS = {
 }
 #: Modules with English in arguments of messages, and the reason.
 JUSTIFIED = {
-    "gateway/transport.py": "the operating system has no reason for a connection that times out",
+    "gateway/transports/tcp.py": "the system has no reason for a connection that times out",
     "sequencing/travel.py": "symbols of units are the same in all languages",
 }
 #: Modules whose errors of Python have sentences, and the reason why users do not see them.

@@ -351,7 +351,7 @@ async def dial(
     Parameters
     ----------
     address
-        HOST:PORT of the controller.
+        Address of the controller (see ``transport``).
     safe
         Safe state of the machine; if None, the tool is not raised and no output is switched off.
     stop_motion

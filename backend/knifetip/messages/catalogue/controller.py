@@ -35,8 +35,16 @@ MESSAGES: Final[Entries] = {
         due="message?",
     ),
     "controller.bad-address": entry(
-        "{address!r} is not the network address of a controller.",
-        "Write the address as HOST:PORT, for example 127.0.0.1:2323.",
+        "{address!r} is not the address of a controller.",
+        "Write the address as HOST:PORT, for example 127.0.0.1:2323, or as a URL. Known schemes: "
+        "{schemes:, }.",
+        address="text",
+        schemes="texts",
+    ),
+    "controller.bad-serial-address": entry(
+        "{address!r} is not the address of a serial port.",
+        "Write it as serial:///dev/ttyUSB0 or serial://COM3; ?baud=250000 at its end sets another "
+        "speed than 115200 bits per second.",
         address="text",
     ),
     "controller.busy": entry(
@@ -98,6 +106,11 @@ MESSAGES: Final[Entries] = {
         "Keep clear of the table until the machine has stopped, then check the table.",
         name="text",
     ),
+    "controller.no-host-and-port": entry(
+        "The address {address!r} of the controller has no host or no port.",
+        "Write the address as HOST:PORT, for example 127.0.0.1:2323.",
+        address="text",
+    ),
     "controller.not-in-laser-mode": entry(
         "{name} is not in laser mode, so the laser beam would stay on during a feed hold. "
         "Nothing was sent.",
@@ -141,6 +154,30 @@ MESSAGES: Final[Entries] = {
         distance="number",
         line="count",
     ),
+    "controller.port-busy": entry(
+        "Another program uses the serial port {port}.",
+        "Close the other program, then start the gateway again.",
+        port="text",
+    ),
+    "controller.port-missing": entry(
+        "There is no serial port {port}{found}.",
+        "Plug in the controller and switch it on, or correct the name of the port.",
+        port="text",
+        found="message?",
+    ),
+    "controller.port-not-permitted": entry(
+        "The user of this gateway may not open the serial port {port}.",
+        "On Linux, add the user to the group of the port, usually dialout (sudo usermod -aG "
+        "dialout USER), then log in again.",
+        port="text",
+    ),
+    "controller.port-unusable": entry(
+        "The serial port {port} cannot be opened ({reason}).",
+        "Correct the name of the port or its speed.",
+        port="text",
+        reason="text",
+    ),
+    "controller.ports-found": entry("; this computer has {ports:, }", ports="texts"),
     "controller.refused-safe-state": entry(
         "{refusals: }",
         "Lift the tool and raise the stations at the table. Then compare the outputs in the "

@@ -1,0 +1,145 @@
+"""serial: a transport over a serial or USB port, ``serial:///dev/ttyUSB0`` or ``serial://COM3``.
+
+``?baud=250000`` sets the speed.  The line DTR stays active from the first opening on, also while
+the port is closed, because many boards reset when it becomes active.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import errno
+import os
+import threading
+from contextlib import suppress
+from urllib.parse import SplitResult, parse_qsl
+
+import serial
+from serial.tools.list_ports import comports
+
+from knifetip.errors import ControllerError
+from knifetip.messages import Message
+
+#: Speed of a port whose address states none (bits per second), as in grbl.
+BAUD = 115200
+#: Longest time until the operating system accepts the bytes of a write (s).
+PATIENCE = 2.0
+
+_MISSING = frozenset({errno.ENOENT, errno.ENODEV, errno.ENXIO})
+_BUSY = frozenset({errno.EAGAIN, errno.EBUSY})
+
+
+class SerialPort:
+    """An open serial port.
+
+    A thread waits for received bytes, because asyncio cannot wait for a serial port on Windows.
+    """
+
+    def __init__(self, address: str, port: serial.Serial) -> None:
+        self.address = address
+        self._port = port
+        self._received: asyncio.Queue[bytes] = asyncio.Queue()
+        self._writing = asyncio.Lock()
+        self._closed = False
+        self._loop = asyncio.get_running_loop()
+        self._thread = threading.Thread(target=self._receive, name=address, daemon=True)
+        self._thread.start()
+
+    async def read(self) -> bytes:
+        """Wait for bytes and return them; return ``b""`` if the port is closed or unplugged."""
+        if data := await self._received.get():
+            return data
+        self._received.put_nowait(b"")  # for the next call
+        return b""
+
+    async def write(self, data: bytes) -> None:
+        """Send bytes after those of earlier calls; return when the operating system has them.
+
+        Raises
+        ------
+        ControllerError
+            The port is closed or unplugged, or accepts no bytes.
+        """
+        async with self._writing:
+            try:
+                await asyncio.to_thread(self._port.write, data)
+            except OSError as error:
+                raise ControllerError(
+                    "controller.connection-failed", address=self.address, reason=error
+                ) from error
+
+    async def close(self) -> None:
+        """Close the port."""
+        if not self._closed:
+            self._closed = True
+            self._port.cancel_read()
+            await asyncio.to_thread(self._thread.join)
+            self._port.close()
+
+    def _receive(self) -> None:
+        """Pass received bytes to ``read`` until the port is closed or unplugged."""
+        data = b""
+        with suppress(OSError, RuntimeError):  # RuntimeError: the event loop has ended
+            while not self._closed:
+                if data := self._port.read():
+                    data += self._port.read(self._port.in_waiting)
+                    self._loop.call_soon_threadsafe(self._received.put_nowait, data)
+        with suppress(RuntimeError):
+            self._loop.call_soon_threadsafe(self._received.put_nowait, b"")
+
+
+async def open_transport(url: SplitResult) -> SerialPort:
+    """Return the open serial port of a URL, locked against other programs.
+
+    Raises
+    ------
+    ControllerError
+        The URL is invalid; or the port does not exist, is in use, is not permitted or cannot be
+        configured.
+    """
+    name, baud = _port_and_speed(url)
+    port = serial.Serial(baudrate=baud, write_timeout=PATIENCE, timeout=PATIENCE, exclusive=True)
+    port.port = name
+    try:
+        await asyncio.to_thread(port.open)
+    except (OSError, ValueError) as error:
+        raise _explain(name, error) from error
+    _keep_dtr(port)
+    return SerialPort(f"serial://{name}", port)
+
+
+def _port_and_speed(url: SplitResult) -> tuple[str, int]:
+    """Return the name of the port in a URL, and its speed in bits per second."""
+    options = dict(parse_qsl(url.query, keep_blank_values=True))
+    baud = options.pop("baud", str(BAUD))
+    name = url.netloc + url.path
+    if not name.strip("/") or options or not baud.isdecimal() or not int(baud):
+        raise ControllerError("controller.bad-serial-address", address=url.geturl())
+    return name, int(baud)
+
+
+def _keep_dtr(port: serial.Serial) -> None:
+    """Keep DTR active when the port is closed, so that the next opening does not reset the board.
+
+    Windows does not offer this setting, and some devices do not have it.
+    """
+    if os.name == "posix":
+        import termios
+
+        with suppress(termios.error):
+            settings = termios.tcgetattr(port.fileno())
+            settings[2] &= ~termios.HUPCL
+            termios.tcsetattr(port.fileno(), termios.TCSANOW, settings)
+
+
+def _explain(name: str, error: OSError | ValueError) -> ControllerError:
+    """Return the error for a port that cannot be opened."""
+    code = getattr(error, "errno", None)
+    known = sorted(port.device for port in comports())
+    if code in _MISSING or (os.name == "nt" and name not in known):
+        found = Message("controller.ports-found", ports=known) if known else None
+        return ControllerError("controller.port-missing", port=name, found=found)
+    if code in _BUSY:
+        return ControllerError("controller.port-busy", port=name)
+    if code in (errno.EACCES, errno.EPERM):
+        return ControllerError("controller.port-not-permitted", port=name)
+    return ControllerError("controller.port-unusable", port=name, reason=error)

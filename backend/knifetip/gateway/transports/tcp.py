@@ -1,0 +1,110 @@
+"""tcp: a transport over a TCP connection, ``tcp://HOST:PORT``."""
+
+from __future__ import annotations
+
+import asyncio
+from contextlib import suppress
+from urllib.parse import SplitResult
+
+from knifetip.errors import ControllerError
+
+#: Most bytes that one ``read`` returns.
+CHUNK = 4096
+#: Longest time until a connection is open (s).
+PATIENCE = 5.0
+
+
+class Tcp:
+    """An open TCP connection."""
+
+    def __init__(
+        self, address: str, reader: asyncio.StreamReader, writer: asyncio.StreamWriter
+    ) -> None:
+        self.address = address
+        self._reader = reader
+        self._writer = writer
+
+    async def read(self) -> bytes:
+        """Wait for bytes and return them; return ``b""`` if the connection is closed."""
+        try:
+            return await self._reader.read(CHUNK)
+        except OSError:
+            return b""
+
+    async def write(self, data: bytes) -> None:
+        """Send bytes; return when the operating system has accepted them.
+
+        Raises
+        ------
+        ControllerError
+            The connection is lost.
+        """
+        try:
+            self._writer.write(data)
+            await self._writer.drain()
+        except OSError as error:
+            raise ControllerError(
+                "controller.connection-failed", address=self.address, reason=error
+            ) from error
+
+    async def close(self) -> None:
+        """Close the connection."""
+        self._writer.close()
+        with suppress(OSError):
+            await self._writer.wait_closed()
+
+
+def host_and_port(url: SplitResult, default: int = 0) -> tuple[str, int]:
+    """Return host and port of a URL.
+
+    Parameters
+    ----------
+    url
+        The address of a controller.
+    default
+        Port of a URL without port; 0 if the URL must contain one.
+
+    Raises
+    ------
+    ControllerError
+        The URL has no host or no port.
+    """
+    try:
+        host, port = url.hostname, url.port or default
+    except ValueError:
+        host, port = None, 0
+    if not host or not port:
+        raise ControllerError("controller.no-host-and-port", address=url.geturl())
+    return host, port
+
+
+async def connect_socket(host: str, port: int) -> tuple[asyncio.StreamReader, asyncio.StreamWriter]:
+    """Return reader and writer of a new TCP connection.
+
+    Raises
+    ------
+    ControllerError
+        There is no answer within ``PATIENCE`` seconds.
+    """
+    try:
+        async with asyncio.timeout(PATIENCE):
+            return await asyncio.open_connection(host, port)
+    except (OSError, TimeoutError) as error:
+        raise unreachable(f"{host}:{port}", error) from error
+
+
+def unreachable(address: str, error: Exception) -> ControllerError:
+    """Return the error for a controller to which no connection can be opened."""
+    return ControllerError("controller.unreachable", address=address, reason=error or "timed out")
+
+
+async def open_transport(url: SplitResult) -> Tcp:
+    """Return an open connection to ``tcp://HOST:PORT``.
+
+    Raises
+    ------
+    ControllerError
+        The URL has no host or no port, or there is no answer.
+    """
+    host, port = host_and_port(url)
+    return Tcp(f"{host}:{port}", *await connect_socket(host, port))
