@@ -25,6 +25,12 @@ ROOT = Path(__file__).resolve().parents[1]
 CORPUS = Path(os.environ.get("KNIFETIP_CORPUS", ROOT.parent / "shared" / "corpus"))
 
 
+@pytest.fixture(scope="session", autouse=True)
+def _state_folder(tmp_path_factory: pytest.TempPathFactory) -> None:
+    """Let gateways, also those in other processes, keep their journals in a temporary folder."""
+    os.environ["XDG_STATE_HOME"] = str(tmp_path_factory.mktemp("state"))
+
+
 @pytest.fixture(scope="session")
 def corpus() -> Path:
     """Return the folder of drawings by other authors; skip the test if it does not exist."""

@@ -24,7 +24,7 @@ class Clock:
 
 
 @contextmanager
-def migrated_store(url: str, clock: Callable[[], float] = time.time) -> Iterator[Store]:
+def migrated_store(url: str, clock: Callable[[], float] | None = time.time) -> Iterator[Store]:
     """Return a context with a store whose database has all tables."""
     store = Store(url, clock)
     store.migrate()

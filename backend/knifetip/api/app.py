@@ -80,7 +80,9 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             warm_up=warm_up,
         )
         # One thread more than processes, so that none is idle while a request is parsed.
-        work = WorkQueue(chosen.processes + 1, chosen.waiting)
+        work = WorkQueue(
+            chosen.processes + 1, chosen.waiting, per_client=max(1, chosen.processes - 1)
+        )
         service = Service(chosen, store, pool, work, warm_up)
         app.state.service = service
         app.state.stream = events.Stream(service)

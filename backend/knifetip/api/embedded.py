@@ -34,6 +34,7 @@ from knifetip.api.service import Service, Settings
 from knifetip.errors import KnifetipError, StoreError
 from knifetip.gateway import claim, simulator
 from knifetip.gateway.job_server import GatewaySettings
+from knifetip.gateway.journal import default_path
 from knifetip.jobs.process_pool import TaskCancelled
 from knifetip.languages.registry import find_language
 from knifetip.library import load
@@ -198,11 +199,11 @@ def _how_to_open(port: int, key: str, key_file: Path | None) -> str:
     return f"Open http://localhost:{port}/?key={key}"
 
 
-def _journal_path(database: str) -> Path | None:
-    """Return the path of the gateway's journal, a file beside the database file.
+def _journal_path(database: str) -> Path:
+    """Return the path of the embedded gateway's journal.
 
-    In the journal the gateway records the progress and the end of each job.  The path is None if
-    the database is not a SQLite file.
+    In the journal the gateway records the progress and the end of each job.  It lies beside the
+    file of a SQLite database; otherwise at the default path of a gateway.
 
     Parameters
     ----------
@@ -210,9 +211,9 @@ def _journal_path(database: str) -> Path | None:
         SQLAlchemy URL of the database.
     """
     url = sa.make_url(database)
-    if url.get_backend_name() != "sqlite" or not url.database:
-        return None
-    return Path(url.database + ".gateway.jsonl")
+    if url.get_backend_name() == "sqlite" and url.database:
+        return Path(url.database + ".gateway.jsonl")
+    return default_path(MACHINE, f"{url.host} {url.port or ''} {url.database}")
 
 
 class _SimulatedMachine(threading.Thread):
@@ -222,7 +223,7 @@ class _SimulatedMachine(threading.Thread):
     updates do not delay the server.
     """
 
-    def __init__(self, host: str, port: int, speed: float, journal: Path | None) -> None:
+    def __init__(self, host: str, port: int, speed: float, journal: Path) -> None:
         super().__init__(name="simulated table", daemon=True)
         self._api = f"http://{host}:{port}"
         self._speed = speed

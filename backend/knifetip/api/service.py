@@ -13,7 +13,7 @@ from typing import Annotated, Any, TypeVar
 from fastapi import Depends, Request, Response
 
 from knifetip.api.access import AccessRules
-from knifetip.api.queue import WAITING, WorkQueue
+from knifetip.api.queue import WAITING, WorkQueue, is_client_gone
 from knifetip.api.threads import GatewayThreads
 from knifetip.errors import LibraryError, WrongState
 from knifetip.jobs.compile_service import LIMIT
@@ -69,12 +69,17 @@ class Service:
             The task raised this error, the task exceeded its time limit or memory limit, or the
             worker process died.
         TaskCancelled
-            The server was stopped.
+            The server was stopped, or the client of the request has gone.
         TaskFailed
             The task raised an exception that is not a KnifetipError.
         """
         self.warm_up.wait("drawings")
-        return self.pool.run(task, *arguments, limit=self.settings.limit)
+        return self.pool.run(
+            task,
+            *arguments,
+            limit=self.settings.limit,
+            watch=lambda _stage, _fraction: not is_client_gone(),
+        )
 
 
 # A coroutine: FastAPI would run a plain function on a thread of the shared pool.

@@ -165,7 +165,8 @@ def gateway(
         Path | None,
         typer.Option(
             help="File that records the program lines sent and executed, so that the gateway can "
-            "report them after a power failure. Default: no file."
+            "report them after a power failure. Default: a file for this machine and server in "
+            "~/.local/state/knifetip."
         ),
     ] = None,
     key: Annotated[
@@ -175,15 +176,17 @@ def gateway(
     """Fetch the jobs of a machine from the server and send them to its controller."""
     from knifetip.gateway import claim
     from knifetip.gateway.job_server import GatewaySettings
+    from knifetip.gateway.journal import default_path
     from knifetip.languages.registry import find_language
 
     table = load.machine(machine)
     dial = find_language(table.dialect).load_driver(table)
     print_stderr(f"{table.title}: controller {controller}, server {server}")
     headers = {"Authorization": f"Bearer {key}"} if key else {}
+    record = journal or default_path(machine, server)
     asyncio.run(
         claim.run_gateway(
-            GatewaySettings(server, table, name, headers=headers, journal=journal),
+            GatewaySettings(server, table, name, headers=headers, journal=record),
             lambda safe, stop_motion: dial(controller, safe, stop_motion=stop_motion),
         )
     )

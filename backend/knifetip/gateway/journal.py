@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import time
 from dataclasses import dataclass
 from pathlib import Path
@@ -37,14 +38,35 @@ class Unfinished:
     cause: Message | None = None  #: cause of the end; None if none was recorded
 
 
+def default_path(machine: str, server: str) -> Path:
+    """Return the path of the journal of a gateway for which no path is given.
+
+    It lies in ``$XDG_STATE_HOME/knifetip``, by default ``~/.local/state/knifetip``, and has a name
+    of its own for each machine and server.
+
+    Parameters
+    ----------
+    machine
+        Name of the machine.
+    server
+        Address of the server or of its database, without a password.
+    """
+    state = os.environ.get("XDG_STATE_HOME")
+    folder = Path(state) if state else Path.home() / ".local" / "state"
+    name = re.sub(r"[^A-Za-z0-9._-]+", "-", f"{machine} {server}").strip("-.")[-120:]
+    return folder / "knifetip" / f"{name}.gateway.jsonl"
+
+
 class Journal:
     """A file to which events of jobs are appended; if its path is None, nothing is stored."""
 
     def __init__(self, path: Path | None) -> None:
         self._path = path
         self._last: tuple[object, ...] = ()
-        if path is not None and path.exists():
-            _end_last_line(path)
+        if path is not None:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            if path.exists():
+                _end_last_line(path)
 
     def begin(self, job: str, epoch: int, sha256: str, lines: int, copies: int = 1) -> None:
         """Record that a job starts, before any line is sent.

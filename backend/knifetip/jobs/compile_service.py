@@ -132,9 +132,9 @@ class CompileService:
     def _sweep(self) -> None:
         grace = Grace()
         while not self._stopping.is_set():
-            listened = grace.is_over(self.store.database.clock())
             leased = True
             try:
+                listened = grace.is_over(self.store.database.clock())
                 leased = self.store.leases.run(gateways=self.gateways and listened)
                 self.pool.trim()
             except Exception:

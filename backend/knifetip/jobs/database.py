@@ -16,6 +16,7 @@ from sqlalchemy.orm import Session
 
 from knifetip.errors import NoSuchJob, StoreError, WrongState
 from knifetip.jobs.changes import Changes
+from knifetip.jobs.shared_clock import SharedClock
 from knifetip.jobs.tables import Drawing, Job
 from knifetip.jobs.turns import NoTurns, Turns
 
@@ -67,11 +68,19 @@ def dialect_url(url: str) -> str:
 
 
 class Database:
-    """Connections to one database; safe to use from several threads and processes."""
+    """Connections to one database; safe to use from several threads and processes.
 
-    def __init__(self, url: str, clock: Callable[[], float] = time.time) -> None:
+    Parameters
+    ----------
+    url
+        ``sqlite:///FILE`` or ``postgresql://USER@HOST/NAME``.
+    clock
+        Returns the seconds since 1970.  None for the one clock that all processes with this
+        database share: that of the PostgreSQL server, or of the computer with the SQLite file.
+    """
+
+    def __init__(self, url: str, clock: Callable[[], float] | None = None) -> None:
         self.url = dialect_url(url)
-        self.clock = clock
         self.changes = Changes()
         _check(self.url)
         self._engine = sa.create_engine(self.url, pool_size=10, max_overflow=40)
@@ -79,6 +88,9 @@ class Database:
         if self._engine.dialect.name == "sqlite":
             _sqlite(self._engine)
             self._turns = Turns()
+            self.clock = clock or time.time
+        else:
+            self.clock = clock or SharedClock(self._server_time)
         self._writer = self._engine.execution_options(writes=True)
 
     def migrate(self) -> None:
@@ -90,6 +102,12 @@ class Database:
                 connection.execute(sa.select(sa.func.pg_advisory_xact_lock(_MIGRATING)))
             settings.attributes["connection"] = connection
             command.upgrade(settings, "head")
+
+    def _server_time(self) -> float:
+        """Return the time of the PostgreSQL server: seconds since 1970."""
+        now = sa.select(sa.func.extract("epoch", sa.func.clock_timestamp()))
+        with self.reading() as session:
+            return float(session.scalar(now) or 0.0)
 
     def close(self) -> None:
         """Close all connections."""

@@ -28,7 +28,7 @@ class Grace:
         Parameters
         ----------
         now
-            Wall-clock time (s).
+            Time of the database's clock (s).
         """
         if not 0.0 <= now - self._last < LEASE / 2.0:
             self._began = now

@@ -8,7 +8,6 @@ by a unique index that permits one job on the table of each machine.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable
 
 from knifetip.jobs.changes import Changes
@@ -33,10 +32,10 @@ class Store:
     url
         ``sqlite:///FILE`` or ``postgresql://USER@HOST/NAME``.
     clock
-        Returns the seconds since 1970.
+        Returns the seconds since 1970; None for the clock of the database, see ``Database``.
     """
 
-    def __init__(self, url: str, clock: Callable[[], float] = time.time) -> None:
+    def __init__(self, url: str, clock: Callable[[], float] | None = None) -> None:
         self.database = Database(url, clock)
         transitions = Transitions(self.database)
         self.drawings = DrawingStore(self.database, transitions)

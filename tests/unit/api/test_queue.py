@@ -15,8 +15,11 @@ import httpx
 import pytest
 
 from knifetip.api import queue
-from knifetip.api.queue import WorkQueue
+from knifetip.api.queue import Client, WorkQueue, is_client_gone
 from knifetip.errors import ServerBusy
+from knifetip.jobs import tasks
+from knifetip.jobs.process_pool import TaskCancelled
+from knifetip.model.stage import Stage
 from tests.support.serving.server import (
     LocalClient,
     order_job,
@@ -91,6 +94,93 @@ async def test_the_time_to_retry_follows_the_duration_of_calls() -> None:
     gate.set()
     await asyncio.gather(*waiting)
     work.close()
+
+
+async def test_one_client_does_not_hold_all_threads_or_places() -> None:
+    work = WorkQueue(3, 8, per_client=2)
+    gate = threading.Event()
+    made: list[str] = []
+
+    def call(name: str) -> None:
+        made.append(name)
+        gate.wait(10.0)
+
+    def ask(name: str) -> asyncio.Task[None]:
+        return asyncio.create_task(work.run(partial(call, name), Client(name)))
+
+    # Two of eight calls are executed, and six wait: two places remain for other clients.
+    many = [ask("many") for _ in range(8)]
+    await asyncio.sleep(0.05)
+    assert made == ["many", "many"]
+    with pytest.raises(ServerBusy):
+        await ask("many")
+    few = [ask("few") for _ in range(2)]
+    await asyncio.sleep(0.05)
+    assert made == ["many", "many", "few"]
+    gate.set()
+    await asyncio.gather(*many, *few)
+    assert sorted(made) == ["few"] * 2 + ["many"] * 8
+    # The second client waits for a call of the first one, not for all of them.
+    assert made.index("few", 3) <= 5
+    work.close()
+
+
+async def test_a_waiting_call_is_dropped_when_its_client_has_gone() -> None:
+    work = WorkQueue(1, 8)
+    gate, left, made = threading.Event(), asyncio.Event(), []
+
+    async def has_left() -> bool:
+        return left.is_set()
+
+    first = asyncio.create_task(work.run(lambda: gate.wait(10.0)))
+    dropped = asyncio.create_task(work.run(lambda: made.append(1), Client("gone", has_left)))
+    last = asyncio.create_task(work.run(lambda: made.append(2), Client("stays")))
+    await asyncio.sleep(0.05)
+    left.set()
+    with pytest.raises(TaskCancelled):
+        await dropped
+    gate.set()
+    await asyncio.gather(first, last)
+    assert made == [2]
+    work.close()
+
+
+async def test_a_running_call_learns_that_its_client_has_gone() -> None:
+    work = WorkQueue(1, 8)
+
+    async def has_gone() -> bool:
+        return True
+
+    def call() -> float:
+        began = time.monotonic()
+        while not is_client_gone() and time.monotonic() - began < 10.0:
+            time.sleep(0.01)
+        return time.monotonic() - began
+
+    assert await work.run(call, Client("gone", has_gone)) < 5.0
+    assert not await work.run(is_client_gone, Client("stays"))
+    work.close()
+
+
+def _endless(progress: Callable[[Stage, float], None], *_arguments: object) -> None:
+    """Run in a worker process until it is killed."""
+    while True:
+        progress(Stage.READ, 0.0)
+        time.sleep(0.05)
+
+
+def test_a_worker_is_free_again_when_its_client_has_gone(
+    client: LocalClient, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    busy = client.service.pool._busy
+    monkeypatch.setattr(tasks, "read", _endless)
+    with pytest.raises(httpx.ReadTimeout):
+        client.post("/api/drawings", files={"file": ("large.dxf", square())}, timeout=3.0)
+    assert busy
+    began = time.monotonic()
+    while busy and time.monotonic() - began < 20.0:
+        time.sleep(0.05)
+    assert not busy
 
 
 @contextmanager
