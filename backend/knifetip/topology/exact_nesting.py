@@ -30,7 +30,7 @@ from knifetip.kernels import F64_1, F64_2, I32_1, I64_1, Bool_1, OutF64_2, OutI6
 #: Columns of a span: x and y of its left and right end, centre (x, y) and radius of its circle, and
 #: 1 for a span on the upper half of the circle, -1 on the lower half, 0 for a straight span.
 _SPAN: Final = 8
-#: By how much boxes are enlarged, for rounding (mm).
+#: By how much boxes are enlarged, for rounding; heights that differ by less are equal (mm).
 _MARGIN: Final = 1e-6
 
 
@@ -249,19 +249,17 @@ def _height_at(span: F64_1, x: float) -> float:
 
 
 @kernel(checks_division=True)
-def _slope_at(span: F64_1, x: float) -> float:
-    """Return the slope dy/dx of a span at x = ``x`` (mm); infinite at the end of a half circle.
+def _is_above(spans: F64_2, one: int, other: int) -> bool:
+    """Return whether span ``one`` runs above span ``other``, which does not cross it.
 
-    ``span`` (8,) is a part of a line or a circle: x and y of its left end and of its right end, x
-    and y of the centre and the radius of the circle, and 1 (upper half), -1 (lower half) or 0
-    (line).
+    They are compared in the middle between the ends of their common range along X.  Spans that
+    meet at an end differ by less than a rounding error beside it.  Of coincident spans, the one
+    with the higher index is above.
     """
-    if span[7] == 0.0:
-        return float((span[3] - span[1]) / (span[2] - span[0]))
-    rise = math.sqrt(max(span[6] ** 2 - (x - span[4]) ** 2, 0.0))
-    if rise == 0.0:
-        return math.inf if (x < span[4]) == (span[7] > 0.0) else -math.inf
-    return float(-span[7] * (x - span[4]) / rise)
+    left, right = max(spans[one, 0], spans[other, 0]), min(spans[one, 2], spans[other, 2])
+    x = 0.5 * (left + right)
+    rise = _height_at(spans[one], x) - _height_at(spans[other], x)
+    return rise > 0.0 or (rise == 0.0 and one > other)
 
 
 @kernel
@@ -322,9 +320,7 @@ def _first_below(
     from above.
 
     A span is a part of an edge that runs from left to right; a span contains its left end but not
-    its right end.  If several spans are at the same height below a point, the one with the greatest
-    slope is returned, because it is the upper one immediately to the right of the point.  Of spans
-    with equal height and slope, the one with the highest index is returned.
+    its right end.  Of several spans at the same height below a point, the upper one is returned.
 
     Parameters
     ----------
@@ -351,7 +347,7 @@ def _first_below(
     tree, stack = build_tree(boxes), new_stack()
     for c in range(len(lowest)):
         x, y = lowest[c, 0], lowest[c, 1]
-        best, steep = -math.inf, -math.inf
+        best = -math.inf
         depth = start_query(tree, stack)
         while True:
             at, depth = next_overlap(
@@ -363,13 +359,11 @@ def _first_below(
             if owner[i] == c or not spans[i, 0] <= x < spans[i, 2]:
                 continue
             height = _height_at(spans[i], x)
-            if height > y + touch or height < best:
+            if height > y + touch or height < best - _MARGIN:
                 continue
             # Of two components that touch, only the one with the lower lowest point is below.
             if height >= y and owner[i] >= 0 and lowest[owner[i], 1] >= y:
                 continue
-            slope = _slope_at(spans[i], x)
-            if height > best or slope > steep or (slope == steep and i > hit[c]):
-                best, steep = height, slope
-                hit[c] = i
+            if height > best + _MARGIN or _is_above(spans, i, hit[c]):
+                best, hit[c] = height, i
     return hit
