@@ -13,7 +13,8 @@ hole.  Two kinds of pieces in the waste are dropped:
 
 A piece stays if there is doubt whether it lies in the waste.  Folds in the waste that no cut
 divides, and cuts in the waste that enclose nothing, are signs of a panel whose outline is open or
-not drawn.  All pieces in the smallest upright rectangle around these signs stay.
+not drawn.  All pieces in the smallest upright rectangle around these signs stay.  A piece stays
+also if a cut that does not divide it touches it between its ends.
 
 The rule is in ``docs/contacts.md``.
 """
@@ -34,7 +35,7 @@ from knifetip.geometry.columns import F64, I64, U8, Bool
 from knifetip.geometry.intersect import MAX_POINTS, intersect_rows
 from knifetip.geometry.points_on_segments import find_points_on_segments
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
-from knifetip.geometry.tolerance import ANGLE, CONTOUR_GAP, JOIN
+from knifetip.geometry.tolerance import ANGLE, CONTOUR_GAP, GAP, JOIN
 from knifetip.kernels import F64_1, F64_2, I64_1, kernel
 from knifetip.model.dieline import LineType
 from knifetip.topology.contour_gaps import closing_links, find_dangling_ends
@@ -109,6 +110,7 @@ def trim_folds(ends: F64, bulge: F64, kind: U8) -> Pieces | None:
         0.5 * (parts.begin + parts.end),
     )
     on_panel, in_waste = _classify(middle, *contours)
+    in_waste &= ~_are_touched(ends, bulge, parts, np.flatnonzero(in_waste), cuts)
     parts, on_panel, in_waste = _join_panel_parts(parts, on_panel, in_waste)
     dropped = _find_dropped(ends, bulge, parts, on_panel, in_waste)
     return _remaining_pieces(ends, bulge, parts, dropped) if dropped.any() else None
@@ -130,7 +132,7 @@ def _divide_at_cuts(ends: F64, bulge: F64, folds: I64, cuts: I64) -> _Parts:
     one, other = box_pairs(boxes[folds], boxes[cuts], JOIN)
     edges = np.column_stack([ends.reshape(-1, 4), bulge])
     lengths = arc.length(ends[:, 0], ends[:, 1], bulge)
-    (edge, cut), (fraction, on_cut) = _inner_contacts(edges, lengths, folds[one], cuts[other])
+    (edge, cut), (fraction, on_cut) = _inner_contacts(edges, lengths, folds[one], cuts[other], JOIN)
     ahead = unit_vectors(arc.tangent_at(ends[edge, 0], ends[edge, 1], bulge[edge], fraction))
     along = unit_vectors(arc.tangent_at(ends[cut, 0], ends[cut, 1], bulge[cut], on_cut))
     length = lengths[edge]
@@ -158,9 +160,9 @@ def _divide_at_cuts(ends: F64, bulge: F64, folds: I64, cuts: I64) -> _Parts:
 
 
 @kernel
-def _inner_contacts(edges: F64_2, size: F64_1, fold: I64_1, cut: I64_1) -> Any:
-    """Return the c contacts of folds with cuts that are more than ``JOIN`` from the ends of the
-    fold.
+def _inner_contacts(edges: F64_2, size: F64_1, fold: I64_1, cut: I64_1, margin: float) -> Any:
+    """Return the c contacts of folds with cuts that are more than ``margin`` mm from the ends of
+    the fold.
 
     Parameters
     ----------
@@ -181,7 +183,7 @@ def _inner_contacts(edges: F64_2, size: F64_1, fold: I64_1, cut: I64_1) -> Any:
         length = size[fold[k]]
         for at in range(intersect_rows(edges, fold[k], edges, cut[k], JOIN, common)):
             first = common[at, 2]
-            if not (first * length > JOIN and (1.0 - first) * length > JOIN):
+            if not (first * length > margin and (1.0 - first) * length > margin):
                 continue
             if found == pair.shape[1]:
                 pair = np.concatenate((pair, np.empty_like(pair)), axis=1)
@@ -280,6 +282,43 @@ def _classify(points: F64, linked: _Contours, exact: _Contours) -> tuple[Bool, B
     in_hole = (exact.subdivision.count_enclosing(points) % 2 == 0) & ~exact.is_doubtful(points)
     outside = (count == 0) & ~linked.is_doubtful(points)
     return on_panel, outside | (in_hole & (count > 0) & ~on_panel)
+
+
+def _are_touched(ends: F64, bulge: F64, parts: _Parts, rows: I64, cuts: I64) -> Bool:
+    """Return the mask of the pieces that a cut touches more than ``GAP`` from their ends, (q,).
+
+    A cut does not divide a fold if it crosses it at less than 1°, or ends beside it and would meet
+    it only farther on.  Either side of such a cut may be a panel.
+
+    Parameters
+    ----------
+    ends, bulge : (k, 2, 2) mm and (k,)
+        All edges.
+    parts
+        The q pieces of folds.
+    rows
+        Indices of the pieces that are searched.
+    cuts
+        Indices of the cuts among the edges.
+    """
+    owner = parts.edge[rows]
+    start, end, bent = arc.sub_arc(
+        ends[owner, 0], ends[owner, 1], bulge[owner], parts.begin[rows], parts.end[rows]
+    )
+    size = arc.length(start, end, bent)
+    pieces = np.column_stack([start, end, bent])
+    edges = np.concatenate([pieces, np.column_stack([ends[cuts].reshape(-1, 4), bulge[cuts]])])
+    boxes = arc.bounding_boxes(edges[:, :2], edges[:, 2:4], edges[:, 4])
+    one, other = box_pairs(boxes[: len(rows)], boxes[len(rows) :], JOIN)
+    touched = _inner_contacts(edges, size, one, other + len(rows), GAP)[0][0]
+    tips, piece = ends[cuts[other]].reshape(-1, 2), np.repeat(one, 2)
+    along = arc.nearest_fraction(start[piece], end[piece], bent[piece], tips)
+    away = np.hypot(*(tips - arc.point_at(start[piece], end[piece], bent[piece], along)).T)
+    near = (away <= JOIN) & (np.minimum(along, 1.0 - along) * size[piece] > GAP)
+    result = np.zeros(len(parts.edge), np.bool_)
+    result[rows[touched]] = True
+    result[rows[piece[near]]] = True
+    return result
 
 
 def _join_panel_parts(parts: _Parts, on_panel: Bool, in_waste: Bool) -> tuple[_Parts, Bool, Bool]:

@@ -47,6 +47,29 @@ def test_a_groove_past_the_outline_ends_on_it() -> None:
     assert check_cleaning(drawn, made) == []
 
 
+@pytest.mark.parametrize(
+    ("cut", "ends"),
+    [
+        # It begins 0.001 mm beside the groove and would meet it 0.08 mm or 0.01 mm farther on.
+        (((20.001, 80.2), (20.3, 99.5)), [[20, 0], [20, 84]]),
+        (((20.001, 80.2), (21.3, 88.0)), [[20, 0], [20, 84]]),
+        # It crosses the groove at 0.6°.
+        (((19.99, 80.1), (20.07, 87.9)), [[20, 0], [20, 84]]),
+        # It begins where the groove leaves the panel.
+        (((20.001, 80.04), (20.3, 99.5)), [[20, 0], [20, 80]]),
+    ],
+)
+def test_a_piece_that_a_cut_touches_without_dividing_it_stays(
+    cut: tuple[tuple[float, float], tuple[float, float]], ends: list[list[float]]
+) -> None:
+    # The cut is the left side of a second panel, with a gap between it and the first panel.
+    sides = edges(cut, (cut[1], (60, 99)), ((60, 99), (60, 80)))
+    drawn = dieline((CUT, PANEL), (CUT, sides), (GROOVE, edges(((20, 0), (20, 84)))))
+    made = clean(drawn)
+    assert grooves_of(made) == [ends]
+    assert check_cleaning(drawn, made) == []
+
+
 def test_a_groove_through_a_window_becomes_two() -> None:
     drawn = grooved(((0, 40), (100, 40)))
     made = clean(drawn)
