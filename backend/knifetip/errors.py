@@ -27,7 +27,8 @@
     │   ├── ControllerAlarm       the controller reported an alarm
     │   ├── ControllerRejected    the controller reported an error for a line
     │   ├── ControllerReset       the controller was reset during a job
-    │   └── ControllerSilent      the controller does not answer
+    │   ├── ControllerSilent      the controller does not answer
+    │   └── OperationExpired      an operation of a person was not carried out in time
     ├── RequestError              a valid request that cannot be applied
     ├── ServerBusy                too many requests are waiting for a process
     ├── SettingsError             a server cannot be started with these settings
@@ -245,6 +246,10 @@ class ControllerReset(ControllerError):
 
 class ControllerSilent(ControllerError):
     """Raised when the controller does not answer."""
+
+
+class OperationExpired(ControllerError):
+    """An operation of a person at the machine was not carried out in time, and was dropped."""
 
 
 class RequestError(KnifetipError):

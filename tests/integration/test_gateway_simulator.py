@@ -248,10 +248,11 @@ async def test_a_reset_within_an_arc_stops_everything() -> None:
 async def test_after_an_alarm_only_the_operator_can_continue() -> None:
     async with await simulator.serve(MACHINE, speed=50.0) as server:
         server.table.receive(b"G0 X5000\n\x18")
+        controller = await driver.dial(server.address, silence=0.4)
         with pytest.raises(ControllerAlarm, match="locked"):
-            await driver.dial(server.address, silence=0.4)
+            await stream_to_end(slots(1), controller)
         assert server.table.state == "Alarm"
-        controller = await driver.dial(server.address, silence=0.4, unlock=True)
+        await controller.unlock()
         assert (await stream_to_end(slots(1), controller))[-1].state is State.IDLE
         await controller.close()
 

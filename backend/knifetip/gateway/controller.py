@@ -47,21 +47,27 @@ class Status:
 
 @dataclass(frozen=True, slots=True)
 class SafeState:
-    """The safe state of a machine: tool raised, spindle off, all outputs off."""
+    """The safe state of a machine: tool raised, spindle off, all outputs off.
+
+    It also contains the position at which the machine parks.
+    """
 
     outputs: tuple[int, ...]  #: digital outputs that must be off
     lift: float  #: least Z (program coordinates, mm)
     #: whether the controller itself must switch a beam off at every hold and every rapid move
     beam: bool = False
+    park: tuple[float, float] = (0.0, 0.0)  #: X and Y at which the head is out of the way (mm)
 
     @classmethod
     def of(cls, machine: Machine) -> SafeState:
         """Return the safe state of a machine: all its outputs off, Z at travel height.
 
-        If the travel height is above the upper limit of Z, the upper limit is used.
+        If the travel height is above the upper limit of Z, the upper limit is used.  The machine
+        parks at the position of X that is nearest to 0, with its carriage parked.
         """
         lift = min(machine.travel_z, machine.z.high)
-        return cls(machine.outputs, lift, machine.has_beam)
+        park = (min(max(0.0, machine.x.low), machine.x.high), machine.carriages[0].park)
+        return cls(machine.outputs, lift, machine.has_beam, park)
 
 
 class Observer(Protocol):
@@ -231,6 +237,7 @@ class Driver(Protocol):
         Raises
         ------
         ControllerError
-            The controller does not answer, is busy or is in alarm.
+            The controller does not answer or is busy; or an alarm locks it, and the driver has no
+            operations (``operations.Operable``) with which a person could clear the alarm.
         """
         ...

@@ -15,9 +15,10 @@ table dwells.
 from __future__ import annotations
 
 import asyncio
+import re
 from array import array
 from collections import deque
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -45,6 +46,8 @@ PAST = 1e-4
 BLOCKS = 15
 #: Samples that a trace keeps at most.
 SAMPLES = 500_000
+#: Stores the present position as the work zero of some axes.
+_SET_ZERO = re.compile(rb"G10L20P1((?:[XYZC]0(?:\.0*)?)+)")
 BANNER = "GrblHAL 1.1f ['$' or '$HELP' for help]"
 
 
@@ -140,7 +143,8 @@ class Table:
         self.answer: Callable[[str], None] = discard_answer
         self.hang_up: Callable[[], None] = lambda: None
         self.awake = asyncio.Event()
-        self._limits = Limits.of(machine)
+        self._limits = Limits.of(machine)  # in work coordinates
+        self._offset: Pose = (0.0, 0.0, 0.0, 0.0)  # machine position of the work zero
         rest: Pose = (0.0, 0.0, machine.travel_z, 0.0)
         self._planner = Planner(self._limits, BLOCKS, rest)
         self._interpreter = Interpreter(rest)
@@ -158,7 +162,7 @@ class Table:
 
     @property
     def position(self) -> Pose:
-        """Position of the axes: x, y, z (mm) and c (degrees)."""
+        """Position of the axes in work coordinates: x, y, z (mm) and c (degrees)."""
         return self._planner.position
 
     @property
@@ -235,7 +239,8 @@ class Table:
         if self._critical:
             return
         self._reports += 1
-        figures = ",".join(f"{axis:.3f}" for axis in self.position)
+        machine_position = map(sum, zip(self.position, self._offset, strict=True))
+        figures = ",".join(f"{axis:.3f}" for axis in machine_position)
         free = BLOCKS - len(self._planner)
         fields = [
             self.state,
@@ -246,7 +251,7 @@ class Table:
         if self._planner.tag:
             fields.append(f"Ln:{self._planner.tag}")
         if self._reports % 10 == 1:
-            fields.append("WCO:0.000,0.000,0.000,0.000")
+            fields.append("WCO:" + ",".join(f"{axis:.3f}" for axis in self._offset))
         self.answer(f"<{'|'.join(fields)}>")
 
     # -- program lines --------------------------------------------------------------------------
@@ -281,6 +286,11 @@ class Table:
             if order in self.faults.errors:
                 self.answer(f"error:{self.faults.errors[order]}")
                 return
+        if zeroed := _SET_ZERO.fullmatch(text.replace(b" ", b"")):
+            if not self._check:
+                self._set_zero(zeroed[1].decode())
+            self.answer("ok")
+            return
         try:
             block = self._interpreter.read(line)
         except LineRefused as refused:
@@ -360,6 +370,39 @@ class Table:
         self.answer(f"ALARM:{code}")
         self.answer("[MSG:Reset to continue]")
 
+    def trip_limit(self) -> None:
+        """Enter the alarm that a limit switch causes."""
+        self._alarm(1)
+
+    def _set_zero(self, words: str) -> None:
+        """Store the present position as the work zero of the axes named in ``words``."""
+        shift = tuple(
+            value if axis in words else 0.0
+            for axis, value in zip("XYZC", self.position, strict=True)
+        )
+        self._move_zero(shift)
+
+    def _move_zero(self, shift: Sequence[float]) -> None:
+        """Move the work zero; the axes do not move, so their work coordinates change.
+
+        Parameters
+        ----------
+        shift
+            Distance along each axis (mm or degrees).
+        """
+
+        def shifted(pose: Pose) -> Pose:
+            x, y, z, c = (value - by for value, by in zip(pose, shift, strict=True))
+            return x, y, z, c
+
+        limits = self._limits
+        x, y, z, c = (value + by for value, by in zip(self._offset, shift, strict=True))
+        self._offset = (x, y, z, c)
+        self._limits = replace(limits, low=shifted(limits.low), high=shifted(limits.high))
+        self._planner.position = shifted(self.position)
+        self._interpreter.reset(self._planner.position)
+        self._reports = 0  # the next report contains the new offset
+
     def _execute_command(self, text: bytes) -> None:
         idle = self.state == "Idle" and self._waiting is None
         if text == b"$X":
@@ -381,7 +424,8 @@ class Table:
             self.answer("[MSG:Enabled]")
         elif text == b"$H" and (idle or self._state == "Alarm"):
             self._discard_motion()
-            self._planner.position = (0.0, 0.0, self.machine.travel_z, 0.0)
+            zero_x, zero_y, zero_z, zero_c = self._offset
+            self._planner.position = (-zero_x, -zero_y, self.machine.travel_z - zero_z, -zero_c)
             self._interpreter.reset(self._planner.position)
             self._state = "Idle"
         elif text == b"$$":

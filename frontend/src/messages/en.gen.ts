@@ -447,6 +447,10 @@ export const TEXTS = {
     "text": "ALARM:{code} ({alarm})",
     "hint": ""
   },
+  "controller.alarm-of-unknown-cause": {
+    "text": "{name} is locked by an alarm whose code was not received.",
+    "hint": "Check the table, then home the machine. If it has no limit switches, unlock it."
+  },
   "controller.alarm-state": {
     "text": "{name} has stopped and reports an alarm{due}.",
     "hint": "Check the table, then home the machine ($H) or unlock it ($X)."
@@ -486,6 +490,10 @@ export const TEXTS = {
   "controller.due": {
     "text": "; no response to program line {line} ({text}) was received",
     "hint": ""
+  },
+  "controller.in-alarm": {
+    "text": "{name} is locked by alarm {code}: {alarm}.",
+    "hint": "{alarm:hint}"
   },
   "controller.lift-not-finished": {
     "text": "{name} did not finish lifting the tool within {seconds:g} s.",
@@ -1173,59 +1181,59 @@ export const TEXTS = {
   },
   "grbl.alarm-1": {
     "text": "a limit switch was hit, so the position of the machine is lost",
-    "hint": ""
+    "hint": "Check what the head has hit. Home the machine, or unlock it and jog it away from the switch."
   },
   "grbl.alarm-10": {
     "text": "an emergency stop button is pressed",
-    "hint": ""
+    "hint": "Release the emergency stop button when the table is safe, then home the machine."
   },
   "grbl.alarm-11": {
     "text": "the machine must be homed first",
-    "hint": ""
+    "hint": "Clear the table, then home the machine."
   },
   "grbl.alarm-12": {
     "text": "a limit switch is triggered",
-    "hint": ""
+    "hint": "Unlock the machine, jog it away from the switch, then home it."
   },
   "grbl.alarm-14": {
     "text": "the spindle did not reach its speed",
-    "hint": ""
+    "hint": "Check the spindle and its cable, then unlock the machine."
   },
   "grbl.alarm-17": {
     "text": "a motor driver reports a fault",
-    "hint": ""
+    "hint": "Check the motor drivers and their supply, then home the machine."
   },
   "grbl.alarm-2": {
     "text": "a move would have gone beyond the travel range of the machine",
-    "hint": ""
+    "hint": "Check the work zero and the placement of the job, then unlock the machine."
   },
   "grbl.alarm-3": {
     "text": "the controller was reset during a move, so the position of the machine may be lost",
-    "hint": ""
+    "hint": "Check the table, then home the machine."
   },
   "grbl.alarm-4": {
     "text": "the probe was not in the expected state before probing",
-    "hint": ""
+    "hint": "Check the probe and its cable, then unlock the machine."
   },
   "grbl.alarm-5": {
     "text": "the probe did not touch the workpiece",
-    "hint": ""
+    "hint": "Check the probe and the board, then unlock the machine."
   },
   "grbl.alarm-6": {
     "text": "the controller was reset during homing",
-    "hint": ""
+    "hint": "Clear the table, then home the machine again."
   },
   "grbl.alarm-7": {
     "text": "the safety door was opened during homing",
-    "hint": ""
+    "hint": "Close the safety door, then home the machine again."
   },
   "grbl.alarm-8": {
     "text": "the limit switch stayed triggered when the machine moved away from it during homing",
-    "hint": ""
+    "hint": "Check the limit switches and their cables, then home the machine."
   },
   "grbl.alarm-9": {
     "text": "homing did not reach the limit switch",
-    "hint": ""
+    "hint": "Check the limit switches and their cables, then home the machine."
   },
   "grbl.error-1": {
     "text": "a number has no letter before it",
@@ -1389,7 +1397,7 @@ export const TEXTS = {
   },
   "grbl.unknown-alarm": {
     "text": "the alarm code is not documented by Grbl",
-    "hint": ""
+    "hint": "Read the manual of the controller and check the table, then home the machine."
   },
   "grbl.unknown-error": {
     "text": "the error code is not documented by Grbl",
@@ -2498,6 +2506,42 @@ export const TEXTS = {
   "offset.self-contact": {
     "text": "The offset curve at a distance of {radius:g} mm from path {path} is not closed, because the contour touches itself at ({x:.4f}, {y:.4f}) mm in segments {one} and {two}.",
     "hint": "Trim the two segments at their intersection, or move one of the segments."
+  },
+  "operation.bad-feed": {
+    "text": "A feed of {feed:g} per minute is not possible on this axis.",
+    "hint": "Give a feed greater than 0 and not greater than {fastest:g} per minute."
+  },
+  "operation.beyond-travel": {
+    "text": "The move would end at {axis} {target:.3f}, beyond the travel of the axis from {low:g} to {high:g}. Nothing has moved.",
+    "hint": "Jog a shorter distance, or in the other direction."
+  },
+  "operation.expired": {
+    "text": "The operation was not carried out within {seconds:g} s and was dropped. Nothing was sent to the machine.",
+    "hint": "Check the connection of the gateway to the server and to the machine, then try again."
+  },
+  "operation.not-at-rest": {
+    "text": "{name} is not at rest: it reports the state {state}. Nothing was sent.",
+    "hint": "Wait until the machine has stopped. If it is in alarm, unlock or home it."
+  },
+  "operation.not-lifted": {
+    "text": "The tool is not lifted: Z is below {height:g}. Nothing was sent.",
+    "hint": "Park the machine, or jog Z up first."
+  },
+  "operation.not-locked": {
+    "text": "{name} is not locked by an alarm, so there is nothing to unlock.",
+    "hint": ""
+  },
+  "operation.unknown-axis": {
+    "text": "The machine has no axis {axis!r}.",
+    "hint": "Use letters of {axes}."
+  },
+  "operation.unknown-output": {
+    "text": "The machine has no output {output}.",
+    "hint": "Use one of its outputs: {outputs}."
+  },
+  "operation.unsupported": {
+    "text": "{name} cannot carry out the operation {request}.",
+    "hint": "Carry it out at the machine."
   },
   "override.ambiguous": {
     "text": "The request changes the line type of edges, but does not select these edges in exactly one way.",

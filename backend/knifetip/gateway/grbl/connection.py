@@ -167,13 +167,15 @@ class GrblConnection:
         """Wait until the controller has answered every line that was sent."""
         await self.wait_until(lambda: self.buffer.first is None)
 
-    async def command(self, text: bytes) -> list[str]:
+    async def command(self, text: bytes, patience: float | None = None) -> list[str]:
         """Send a command of the driver, which is not a program line, and wait until it is answered.
 
         Parameters
         ----------
         text
             The command without newline, such as ``$I``.
+        patience
+            Seconds to wait for the answer; None for the limit of silence of the connection.
 
         Returns
         -------
@@ -193,7 +195,7 @@ class GrblConnection:
         answer = asyncio.get_running_loop().create_future()
         await self.send_line(PendingLine(text, answer=answer))
         try:
-            async with asyncio.timeout(self.silence):
+            async with asyncio.timeout(self.silence if patience is None else patience):
                 code, info = await answer
         except TimeoutError:
             raise self.fail(self.silent()) from None

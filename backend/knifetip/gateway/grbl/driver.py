@@ -22,6 +22,7 @@ from knifetip.errors import ControllerAlarm, ControllerError, ControllerSilent, 
 from knifetip.gateway.controller import Observer, SafeState, State, Status
 from knifetip.gateway.grbl import answers, recovery
 from knifetip.gateway.grbl.connection import GrblConnection
+from knifetip.gateway.grbl.operating import GrblOperations
 from knifetip.gateway.grbl.receive_buffer import PendingLine
 from knifetip.gateway.interpreter import switches_output
 from knifetip.gateway.transport import Transport, connect
@@ -36,8 +37,8 @@ _OPTIONS = re.compile(r"\[OPT:[^,\]]*,(\d+),(\d+)")
 _AXES = re.compile(r"\[AXS:\d+:([A-Z]+)")
 
 
-class Grbl:
-    """A controller with grbl's protocol; the methods are those of ``Controller``.
+class Grbl(GrblOperations):
+    """A controller with grbl's protocol; the methods are those of ``Controller`` and ``Operable``.
 
     Parameters
     ----------
@@ -113,19 +114,16 @@ class Grbl:
 
     # -- opening and closing ----------------------------------------------------------------------
 
-    async def open(self, *, unlock: bool = False, stop_motion: bool = False) -> None:
+    async def open(self, *, stop_motion: bool = False) -> None:
         """Take control of the controller, and bring the machine into its safe state.
 
         The controller is reset, which is harmless at rest; then Z is raised and all outputs are
         switched off, because a reset does not change them.  Afterwards the machine is at rest and
-        the buffers of the controller are empty.  If an alarm locks the controller and ``unlock`` is
-        False, nothing moves, and an error is raised.
+        the buffers of the controller are empty.  If an alarm locks the controller, nothing moves,
+        and an error is raised; then a person at the machine can call ``unlock`` or ``home``.
 
         Parameters
         ----------
-        unlock
-            Whether to clear an alarm without homing (``$X``); True only if the operator has
-            confirmed the position of the machine.
         stop_motion
             Whether to stop a machine that moves or is held, because it executes a program of this
             gateway.  If False, such a machine is left as it is, and an error is raised.
@@ -150,15 +148,16 @@ class Grbl:
         else:
             await connection.reset()
         status = await self.status()
-        if status.state is State.ALARM and unlock:
-            await connection.command(b"$X")
-            status = await self.status()
         if status.state is State.ALARM:
             raise connection.fail(ControllerAlarm("controller.locked-by-alarm", name=self.name))
+        await self._read_settings()
+        await recovery.secure(connection, self._safe, self._silence)
+
+    async def _read_settings(self) -> None:
+        """Request the options of the controller, and check its settings."""
         await self._read_options()
         if self._safe is not None and self._safe.beam:
             await self._require_laser_mode()
-        await recovery.secure(connection, self._safe, self._silence)
 
     async def _read_options(self) -> None:
         """Request the options of the controller (``$I``); store buffer sizes and rotary axis."""
@@ -327,6 +326,7 @@ class Grbl:
         try:
             status = await recovery.make_safe(connection, self._safe, self._silence)
             done = True
+            self._switched_on = frozenset()
         except ControllerError as unsafe:
             connection.fault = None  # the present fault matters more than the first one
             raise connection.fail(unsafe) from None
@@ -344,9 +344,11 @@ async def dial(
     stop_motion: bool = False,
     silence: float = 5.0,
     poll: float = 0.1,
-    unlock: bool = False,
 ) -> Grbl:
     """Connect to a grbl controller, take control of it and bring its machine into the safe state.
+
+    A controller that an alarm locks is returned with this alarm as its ``fault``: a person at the
+    machine can then call ``unlock`` or ``home``.
 
     Parameters
     ----------
@@ -361,14 +363,11 @@ async def dial(
         Seconds after which the controller counts as silent.
     poll
         Longest time between two status requests while the machine moves (s).
-    unlock
-        Whether to clear an alarm without homing (``$X``); True only if the operator has confirmed
-        the position of the machine.
 
     Raises
     ------
     ControllerError
-        The controller does not answer, is busy or is in alarm.
+        The controller does not answer or is busy.
     """
     controller = Grbl(
         await connect(address),
@@ -378,7 +377,9 @@ async def dial(
         poll=poll,
     )
     try:
-        await controller.open(unlock=unlock, stop_motion=stop_motion)
+        await controller.open(stop_motion=stop_motion)
+    except ControllerAlarm as locked:
+        controller.lock(locked)
     except BaseException:
         await controller.close()
         raise

@@ -7,6 +7,7 @@ spindle off, switch the outputs off.  The reasons for this order are in docs/dec
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Sequence
 from contextlib import suppress
 from typing import Protocol
 
@@ -153,23 +154,50 @@ async def secure(machine: Recoverable, safe: SafeState | None, silence: float) -
         return status
     if status.state is not State.IDLE:
         raise ControllerError("controller.not-secured", name=machine.name, state=status.state.value)
-    refusals = []
+    refused_lift = []
     if status.position[2] < safe.lift - LEVEL:
         try:
             await machine.command(b"$J=G90 G21 Z%.4f F%.0f" % (safe.lift, LIFT_FEED))
         except ControllerRejected as refused:
-            refusals.append(refused)
+            refused_lift.append(refused)
         status = await _wait_until_idle(machine, silence + LIFT_SECONDS)
+    await release(machine, safe, refused_lift)
+    return status
+
+
+async def release(
+    machine: Recoverable, safe: SafeState | None, refused: Sequence[ControllerRejected] = ()
+) -> None:
+    """Stop the spindle and switch off every output of a machine at rest; nothing moves.
+
+    Parameters
+    ----------
+    machine
+        Connection to the controller of the machine.
+    safe
+        Safe state of the machine; with None nothing is changed.
+    refused
+        Refusals of earlier steps, which the raised error contains too.
+
+    Raises
+    ------
+    ControllerRejected
+        The controller refuses a step, or has refused an earlier one; the other steps were done.
+    ControllerError
+        The controller did not answer.
+    """
+    if safe is None:
+        return
+    refusals = [*refused]
     for line in (b"M5", *(b"M65 P%d" % output for output in safe.outputs)):
         try:
             await machine.command(line)
-        except ControllerRejected as refused:
-            refusals.append(refused)
+        except ControllerRejected as refusal:
+            refusals.append(refusal)
     if refusals:
         raise ControllerRejected(
-            "controller.refused-safe-state", refusals=[refused.message for refused in refusals]
+            "controller.refused-safe-state", refusals=[refusal.message for refusal in refusals]
         )
-    return status
 
 
 async def _hold(machine: Recoverable, silence: float) -> None:

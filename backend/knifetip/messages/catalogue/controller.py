@@ -16,6 +16,11 @@ MESSAGES: Final[Entries] = {
         due="message?",
     ),
     "controller.alarm-code": entry("ALARM:{code} ({alarm})", code="count", alarm="message"),
+    "controller.alarm-of-unknown-cause": entry(
+        "{name} is locked by an alarm whose code was not received.",
+        "Check the table, then home the machine. If it has no limit switches, unlock it.",
+        name="text",
+    ),
     "controller.alarm-state": entry(
         "{name} has stopped and reports an alarm{due}.",
         "Check the table, then home the machine ($H) or unlock it ($X).",
@@ -75,6 +80,13 @@ MESSAGES: Final[Entries] = {
         "; no response to program line {line} ({text}) was received",
         line="count",
         text="text",
+    ),
+    "controller.in-alarm": entry(
+        "{name} is locked by alarm {code}: {alarm}.",
+        "{alarm:hint}",
+        name="text",
+        code="count",
+        alarm="message",
     ),
     "controller.lift-not-finished": entry(
         "{name} did not finish lifting the tool within {seconds:g} s.",

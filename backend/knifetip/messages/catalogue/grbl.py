@@ -9,45 +9,60 @@ from knifetip.messages.entry import Entries, entry
 MESSAGES: Final[Entries] = {
     "grbl.alarm-1": entry(
         "a limit switch was hit, so the position of the machine is lost",
+        "Check what the head has hit. Home the machine, or unlock it and jog it away from the "
+        "switch.",
     ),
     "grbl.alarm-10": entry(
         "an emergency stop button is pressed",
+        "Release the emergency stop button when the table is safe, then home the machine.",
     ),
     "grbl.alarm-11": entry(
         "the machine must be homed first",
+        "Clear the table, then home the machine.",
     ),
     "grbl.alarm-12": entry(
         "a limit switch is triggered",
+        "Unlock the machine, jog it away from the switch, then home it.",
     ),
     "grbl.alarm-14": entry(
         "the spindle did not reach its speed",
+        "Check the spindle and its cable, then unlock the machine.",
     ),
     "grbl.alarm-17": entry(
         "a motor driver reports a fault",
+        "Check the motor drivers and their supply, then home the machine.",
     ),
     "grbl.alarm-2": entry(
         "a move would have gone beyond the travel range of the machine",
+        "Check the work zero and the placement of the job, then unlock the machine.",
     ),
     "grbl.alarm-3": entry(
         "the controller was reset during a move, so the position of the machine may be lost",
+        "Check the table, then home the machine.",
     ),
     "grbl.alarm-4": entry(
         "the probe was not in the expected state before probing",
+        "Check the probe and its cable, then unlock the machine.",
     ),
     "grbl.alarm-5": entry(
         "the probe did not touch the workpiece",
+        "Check the probe and the board, then unlock the machine.",
     ),
     "grbl.alarm-6": entry(
         "the controller was reset during homing",
+        "Clear the table, then home the machine again.",
     ),
     "grbl.alarm-7": entry(
         "the safety door was opened during homing",
+        "Close the safety door, then home the machine again.",
     ),
     "grbl.alarm-8": entry(
         "the limit switch stayed triggered when the machine moved away from it during homing",
+        "Check the limit switches and their cables, then home the machine.",
     ),
     "grbl.alarm-9": entry(
         "homing did not reach the limit switch",
+        "Check the limit switches and their cables, then home the machine.",
     ),
     "grbl.error-1": entry(
         "a number has no letter before it",
@@ -171,6 +186,7 @@ MESSAGES: Final[Entries] = {
     ),
     "grbl.unknown-alarm": entry(
         "the alarm code is not documented by Grbl",
+        "Read the manual of the controller and check the table, then home the machine.",
     ),
     "grbl.unknown-error": entry(
         "the error code is not documented by Grbl",

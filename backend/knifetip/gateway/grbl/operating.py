@@ -1,0 +1,140 @@
+"""operating: operations of a person at a machine with grbl's protocol, such as unlock and jog.
+
+- ``home`` is ``$H``.  ``unlock`` is ``$X``, after a reset, because a critical alarm ends only with
+  a reset.
+- Jogs are ``$J=`` commands: the controller refuses those that leave its travel, and the realtime
+  command 0x85 stops them.
+- ``zero`` is ``G10 L20 P1``: it stores the present position as the zero of G54, in which the
+  programs of knifetip run.  ``G92`` would not do: the programs cancel it in their first line.
+- ``switch`` is M64 or M65.
+"""
+
+from __future__ import annotations
+
+from knifetip.errors import ControllerAlarm
+from knifetip.gateway.controller import SafeState, State, Status
+from knifetip.gateway.grbl import answers, recovery
+from knifetip.gateway.grbl.connection import GrblConnection
+from knifetip.gateway.operations import OperationName
+from knifetip.messages import Message
+
+#: Longest time of a homing cycle (s).
+HOMING_SECONDS = 180.0
+#: Speed of the move to the park position (mm/min).
+PARK_FEED = 6000.0
+_CANCEL_JOG = b"\x85"
+
+
+class GrblOperations:
+    """The methods of ``operations.Operable`` for a controller with grbl's protocol."""
+
+    _connection: GrblConnection
+    _safe: SafeState | None
+    _silence: float
+    _switched_on: frozenset[int] = frozenset()
+
+    @property
+    def operations(self) -> frozenset[str]:
+        """Names of the operations that the controller can do: all."""
+        return frozenset(OperationName)
+
+    @property
+    def alarm(self) -> Message | None:
+        """Meaning of the alarm that locks the controller, with what to do; None for no alarm."""
+        # After a critical alarm grbl sends no report until it is reset.
+        status, code = self._connection.status, self._connection.last_alarm
+        if code == 0 and (status is None or status.state is not State.ALARM):
+            return None
+        if code <= 0:
+            return Message("controller.alarm-of-unknown-cause", name=self._connection.name)
+        return Message(
+            "controller.in-alarm",
+            name=self._connection.name,
+            code=code,
+            alarm=answers.alarm_meaning(code),
+        )
+
+    @property
+    def last_status(self) -> Status | None:
+        """Last status report, also after a failure; None if there is none since connecting."""
+        return self._connection.status
+
+    @property
+    def switched_on(self) -> frozenset[int]:
+        """Numbers of the digital outputs that ``switch`` has switched on."""
+        return self._switched_on
+
+    def lock(self, alarm: ControllerAlarm) -> None:
+        """Record an alarm as the fault of the controller, until ``unlock`` or ``home``."""
+        self._connection.fail(alarm)
+
+    async def _read_settings(self) -> None:
+        """Request the options of the controller, and check its settings."""
+        raise NotImplementedError
+
+    async def unlock(self) -> None:
+        """Clear an alarm without homing, and switch all outputs off.
+
+        The tool is lifted only if the alarm leaves the position of the axes true; after any other
+        alarm a lift could drive Z into its end stop, so nothing moves.
+        """
+        connection = self._connection
+        code = connection.last_alarm
+        await connection.reach()
+        connection.recovering = True
+        try:
+            await connection.reset()
+            await connection.command(b"$X")
+            await self._read_settings()
+            if code in recovery.UNLOCKABLE:
+                await recovery.secure(connection, self._safe, self._silence)
+            else:
+                await recovery.release(connection, self._safe)
+        finally:
+            connection.recovering = False
+        self._switched_on = frozenset()
+
+    async def home(self) -> None:
+        """Home all axes, lift the tool and switch all outputs off."""
+        connection, locked = self._connection, self.alarm is not None
+        await connection.reach()
+        # grbl answers no status request during homing; this must not count as silence.
+        connection.recovering = True
+        try:
+            if locked:
+                await connection.reset()
+            await connection.command(b"$H", HOMING_SECONDS)
+            await self._read_settings()
+            await recovery.secure(connection, self._safe, self._silence)
+        finally:
+            connection.recovering = False
+        self._switched_on = frozenset()
+
+    async def jog(self, axis: str, distance: float, feed: float) -> None:
+        """Begin to move one axis by a distance (mm or degrees) at a feed (per minute)."""
+        await self._connection.command(
+            b"$J=G91 G21 %s%.4f F%.0f" % (axis.encode(), distance, max(feed, 1.0))
+        )
+
+    async def stop_jog(self) -> None:
+        """Decelerate the running jog to a stop and discard the rest of it."""
+        await self._connection.realtime(_CANCEL_JOG)
+
+    async def zero(self, axes: str) -> None:
+        """Store the present position of axes as their zero in G54."""
+        words = " ".join(f"{axis}0" for axis in axes)
+        await self._connection.command(b"G10 L20 P1 " + words.encode())
+
+    async def park(self) -> None:
+        """Lift the tool, then begin to move X and Y to the park position of the machine."""
+        connection, safe = self._connection, self._safe
+        await recovery.secure(connection, safe, self._silence)
+        self._switched_on = frozenset()
+        if safe is not None:
+            x, y = safe.park
+            await connection.command(b"$J=G90 G21 X%.4f Y%.4f F%.0f" % (x, y, PARK_FEED))
+
+    async def switch(self, output: int, on: bool) -> None:
+        """Switch a digital output on or off."""
+        await self._connection.command(b"M64 P%d" % output if on else b"M65 P%d" % output)
+        self._switched_on = self._switched_on | {output} if on else self._switched_on - {output}

@@ -1,0 +1,275 @@
+"""operations: what a person at the machine can ask of it between two jobs.
+
+``Operable`` is the interface of a controller that can be unlocked, homed and jogged.  A driver
+implements it in addition to ``Controller``, as far as its controller can do it.
+
+An ``Operation`` is one request of a person.  ``perform`` carries it out, but only if it is not too
+late, if the machine is at rest, and if the operation stays within the travel of the machine.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Protocol, runtime_checkable
+
+from knifetip.errors import ControllerError, OperationExpired
+from knifetip.gateway.controller import Controller, SafeState, State, Status
+from knifetip.gateway.motion import Limits
+from knifetip.messages import Message
+from knifetip.model.machine import Machine
+
+#: Seconds after which an operation that was not carried out yet expires.
+EXPIRY = 3.0
+#: Letters of the axes of a head, in the order of a pose.
+AXES = "XYZC"
+#: Z may be this much below the lift, and a target this much beyond the travel: rounding of reports.
+_TOLERANCE = 1e-3
+
+
+class OperationName(StrEnum):
+    """Operations that a person at the machine can ask for."""
+
+    UNLOCK = "unlock"  #: clear an alarm without motion
+    HOME = "home"  #: find the zero of all axes by their switches
+    JOG = "jog"  #: move one axis by a distance
+    STOP_JOG = "stop_jog"  #: stop the jog that is running
+    ZERO = "zero"  #: set the work coordinates of axes to zero at the present position
+    PARK = "park"  #: lift the tool, then move it to the corner of the table
+    SWITCH = "switch"  #: switch a digital output on or off
+
+
+#: Operations that an alarm does not prevent.
+_IN_ALARM = frozenset({OperationName.UNLOCK, OperationName.HOME})
+
+
+@dataclass(frozen=True, slots=True)
+class Operation:
+    """One operation that a person at the machine has asked for, with its arguments."""
+
+    name: OperationName
+    axis: str = ""  #: letter of the axis to jog
+    distance: float = 0.0  #: signed distance of the jog (mm or degrees)
+    feed: float = 0.0  #: speed of the jog (mm/min or degrees/min)
+    axes: str = ""  #: letters of the axes to set to zero
+    output: int = -1  #: number of the output to switch
+    on: bool = False
+
+
+@runtime_checkable
+class Operable(Protocol):
+    """Interface of a controller that can do operations of a person at the machine.
+
+    A controller implements it in addition to ``Controller``.  A driver whose controller is locked
+    by an alarm returns the controller instead of raising an error: ``fault`` is then the alarm, and
+    ``unlock`` or ``home`` clears it.
+
+    Operations are called by ``perform``, which checks the state of the machine and the travel of
+    its axes first.
+    """
+
+    @property
+    def operations(self) -> frozenset[str]:
+        """Names of the operations that the controller can do (``OperationName``)."""
+        ...
+
+    @property
+    def alarm(self) -> Message | None:
+        """Meaning of the alarm that locks the controller, with what to do; None for no alarm."""
+        ...
+
+    @property
+    def last_status(self) -> Status | None:
+        """Last status report, also after a failure; None if there is none since connecting."""
+        ...
+
+    @property
+    def switched_on(self) -> frozenset[int]:
+        """Numbers of the digital outputs that ``switch`` has switched on."""
+        ...
+
+    async def unlock(self) -> None:
+        """Clear an alarm without homing, then lift the tool and switch all outputs off.
+
+        The position of the axes may be wrong afterwards.
+
+        Raises
+        ------
+        ControllerError
+            The controller refuses, for example because an emergency stop button is pressed.
+        """
+        ...
+
+    async def home(self) -> None:
+        """Home all axes, which also clears an alarm; return when the axes are at rest.
+
+        Raises
+        ------
+        ControllerError
+            The controller cannot home, or did not find a switch; an alarm then locks it.
+        """
+        ...
+
+    async def jog(self, axis: str, distance: float, feed: float) -> None:
+        """Begin to move one axis; return when the controller has accepted the move.
+
+        Parameters
+        ----------
+        axis
+            Letter of the axis: X, Y, Z or C.
+        distance
+            Signed distance from the present position (mm or degrees).
+        feed
+            Speed (mm/min or degrees/min).
+
+        Raises
+        ------
+        ControllerError
+            The controller refuses the move.
+        """
+        ...
+
+    async def stop_jog(self) -> None:
+        """Decelerate the running jog to a stop and discard the rest of it."""
+        ...
+
+    async def zero(self, axes: str) -> None:
+        """Set the work coordinates of some axes to zero at the present position.
+
+        The work coordinates are those in which programs run.
+
+        Parameters
+        ----------
+        axes
+            Letters of the axes, for example ``XY``.
+        """
+        ...
+
+    async def park(self) -> None:
+        """Lift the tool, then begin to move X and Y to the park position of the machine."""
+        ...
+
+    async def switch(self, output: int, on: bool) -> None:
+        """Switch a digital output of the machine on or off.
+
+        Parameters
+        ----------
+        output
+            Number of the output.
+        on
+            Whether the output is switched on.
+        """
+        ...
+
+
+@runtime_checkable
+class OperableController(Controller, Operable, Protocol):
+    """A ``Controller`` that can also do operations of a person at the machine."""
+
+
+async def perform(
+    operation: Operation,
+    controller: OperableController,
+    machine: Machine,
+    is_late: Callable[[], bool],
+) -> None:
+    """Carry out an operation of a person at the machine.
+
+    Parameters
+    ----------
+    operation
+        The operation.
+    controller
+        Controller of the machine.
+    machine
+        The machine, for the travel of its axes.
+    is_late
+        Returns whether the operation has expired.  It is called last before anything is sent.
+
+    Raises
+    ------
+    OperationExpired
+        The operation has expired; nothing was sent.
+    ControllerError
+        The operation is not permitted now, or the controller refuses it.
+    """
+    if operation.name not in controller.operations:
+        raise ControllerError("operation.unsupported", name=controller.name, request=operation.name)
+    if operation.name is OperationName.UNLOCK and controller.alarm is None:
+        raise ControllerError("operation.not-locked", name=controller.name)
+    if controller.alarm is None or operation.name not in _IN_ALARM:
+        _check(operation, controller.name, await controller.status(), machine)
+    if is_late():
+        raise OperationExpired("operation.expired", seconds=EXPIRY)
+    match operation.name:
+        case OperationName.UNLOCK:
+            await controller.unlock()
+        case OperationName.HOME:
+            await controller.home()
+        case OperationName.JOG:
+            await controller.jog(operation.axis, operation.distance, operation.feed)
+        case OperationName.STOP_JOG:
+            await controller.stop_jog()
+        case OperationName.ZERO:
+            await controller.zero(operation.axes)
+        case OperationName.PARK:
+            await controller.park()
+        case OperationName.SWITCH:
+            await controller.switch(operation.output, operation.on)
+
+
+def _check(operation: Operation, name: str, status: Status, machine: Machine) -> None:
+    """Raise ``ControllerError`` if the machine cannot do an operation in its present state.
+
+    Parameters
+    ----------
+    operation
+        The operation.
+    name
+        Address of the controller, for messages.
+    status
+        Status of the controller.
+    machine
+        The machine.
+    """
+    if operation.name is OperationName.STOP_JOG:
+        return
+    if status.state is not State.IDLE:
+        raise ControllerError("operation.not-at-rest", name=name, state=status.state.value)
+    lift = SafeState.of(machine).lift
+    lifted = status.position[2] >= lift - _TOLERANCE
+    match operation.name:
+        case OperationName.JOG:
+            if operation.axis != "Z" and not lifted:
+                raise ControllerError("operation.not-lifted", height=lift)
+            _check_jog(operation, status, machine)
+        case OperationName.SWITCH:
+            if not lifted:
+                raise ControllerError("operation.not-lifted", height=lift)
+            if operation.output not in machine.outputs:
+                raise ControllerError(
+                    "operation.unknown-output",
+                    output=operation.output,
+                    outputs=[str(output) for output in machine.outputs],
+                )
+        case OperationName.ZERO:
+            if not operation.axes or not set(operation.axes) <= set(AXES):
+                raise ControllerError("operation.unknown-axis", axis=operation.axes, axes=AXES)
+
+
+def _check_jog(operation: Operation, status: Status, machine: Machine) -> None:
+    """Raise ``ControllerError`` if a jog leaves the travel of its axis, or is too fast."""
+    if len(operation.axis) != 1 or operation.axis not in AXES:
+        raise ControllerError("operation.unknown-axis", axis=operation.axis, axes=AXES)
+    index = AXES.index(operation.axis)
+    limits = Limits.of(machine)
+    low, high = limits.low[index], limits.high[index]
+    target = status.position[index] + operation.distance
+    if not low - _TOLERANCE <= target <= high + _TOLERANCE:
+        raise ControllerError(
+            "operation.beyond-travel", axis=operation.axis, target=target, low=low, high=high
+        )
+    fastest = limits.velocity[index] * 60.0
+    if not 0.0 < operation.feed <= fastest:
+        raise ControllerError("operation.bad-feed", feed=operation.feed, fastest=fastest)
