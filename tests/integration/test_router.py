@@ -347,15 +347,27 @@ def test_a_round_hole_as_wide_as_the_cutter_is_made(excess: float, dialect: str)
     assert {one.edge for one in verify(text, line, (0.0, 0.0), ROUTER, BOARD).findings} >= {4, 5}
 
 
-def test_a_round_hole_beside_which_the_cutter_plunges_is_refused(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    hole = edges(((150, 150), (156, 150)), ((156, 150), (150, 150)))
+@pytest.mark.parametrize("shift", [-1e-5, 0.0, 1e-5])
+def test_a_round_hole_is_made_if_the_centre_crosses_it_on_a_line(shift: float) -> None:
+    # The circle of the centre is written as lines.  One of them goes through its middle, so
+    # rounding decides on which half of the circle its points are.
+    y = 150.0 + shift
+    hole = edges(((150, y), (156.003, y)), ((156.003, y), (150, y)))
     line = dieline(FRAME, (CUT, hole), bulge={4: 1.0, 5: 1.0})
-    right = original(centre_paths, "_widen_round_holes")
+    assert not verdict_of(line, dialect="linuxcnc").findings
+
+
+@pytest.mark.parametrize("excess", [0.0, 0.0015])
+def test_a_round_hole_beside_which_the_cutter_plunges_is_refused(
+    monkeypatch: pytest.MonkeyPatch, excess: float
+) -> None:
+    right = 156.0 + 2.0 * excess
+    hole = edges(((150, 150), (right, 150)), ((right, 150), (150, 150)))
+    line = dieline(FRAME, (CUT, hole), bulge={4: 1.0, 5: 1.0})
+    widened = original(centre_paths, "_widen_round_holes")
 
     def moved(paths: Paths, distance: float, side: int) -> Paths:
-        paths = right(paths, distance, side)
+        paths = widened(paths, distance, side)
         shift = np.where((np.abs(paths.bulge) > 0.5)[:, None], (0.012, 0.0), 0.0)
         return replace(paths, start=paths.start + shift, end=paths.end + shift)
 

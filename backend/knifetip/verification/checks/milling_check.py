@@ -50,9 +50,11 @@ from knifetip.verification.tools import expected_tool
 #: Greatest distance of an arc's printed centre from the corner that it goes round, and difference
 #: between its radius and that of the disc (mm).
 _CORNER_ERROR: Final = 5e-4
-#: Greatest difference between the radius of an arc and that of the disc, if they count as equal
-#: (mm): that of a hole whose circle was drawn with three digits.
-_SAME_WIDTH: Final = 0.0011
+#: Greatest lengths by which the radius of an arc is smaller and larger than that of the disc, if
+#: they count as equal (mm): that of a hole whose circle was drawn with three digits, and the
+#: smallest radius with which a program has arcs of the centre.
+_SMALLER_ARC: Final = 0.0011
+_LARGER_ARC: Final = 0.0021
 
 
 def check_milling(
@@ -301,16 +303,18 @@ class _MillingCheck(MillingWork):
     def _filled_arcs(self, centres: F64) -> I64:
         """Return the indices of the arcs that are as wide as the disc, and along which it lies.
 
-        Beside such an arc the centre stays at one point, so it has no path to follow.  The disc
-        lies along the arc if no point of the arc is farther from it than half the tolerance; the
-        other half is left to the rounding of corners by the controller.
+        Beside such an arc the centre stays at one point, or crosses from side to side on a line, so
+        it has no path to follow.  The disc lies along the arc if no point of the arc is farther
+        from it than half the tolerance; the other half is left to the rounding of corners by the
+        controller.
 
         ``centres`` are the paths of the disc's centre through the board, (n, 6).
         """
         curve = self.edges.curve
         is_bent = (curve[:, 0] != 0.0) & self.bounds.closing
         is_inside = (curve[:, 0] > 0.0) != self.bounds.board_left
-        as_wide = np.abs(curve[:, 3] - self.reach[0]) <= _SAME_WIDTH
+        excess = curve[:, 3] - self.reach[0]
+        as_wide = (excess >= -_SMALLER_ARC) & (excess <= _LARGER_ARC)
         arcs = np.flatnonzero(is_bent & is_inside & as_wide)
         if len(arcs) == 0 or len(centres) == 0 or not self.disc_is_round:
             return np.zeros(0, np.int64)
