@@ -385,6 +385,21 @@ def test_an_arc_round_a_corner_beside_another_edge_is_no_deviation_from_it() -> 
     assert not has_faults(result), result.findings[:3]
 
 
+def test_a_panel_between_open_ones_ends_beside_the_sheet() -> None:
+    # Gaps of 0.3 mm make the outlines of the outer panels slits, which are made before the middle
+    # panel.  If its path ended between two panels, the sheet would hold neither of them.
+    outline = edges(
+        ((160, 100), (160, 120)), ((160, 120.3), (160, 200)), ((160, 200.3), (160, 260)),
+        ((160, 260), (100, 260)), ((100, 260), (100, 100)), ((100, 100), (160, 100)),
+    )  # fmt: skip
+    folds = edges(((100, 150), (160, 150)), ((160, 170), (100, 170)))
+    line, laser = dieline((CUT, outline), (CUT, folds)), load.machine("laser-table")
+    (contour,) = (each for each in plan(line, laser, BOARD) if each.side)
+    assert sorted(contour.source[contour.endable].tolist()) == [1, 4]
+    result = verdict_of(line, dialect="grblhal", machine=laser)
+    assert not has_faults(result), result.findings[:3]
+
+
 @pytest.mark.parametrize("name", ["router-table", "laser-table"])
 def test_a_slit_on_which_other_slits_end_is_accepted(name: str) -> None:
     # Each piece between the ends is shorter than half of the slit.

@@ -15,6 +15,7 @@ from typing import Final
 
 import numpy as np
 
+from knifetip.compensation.contour_starts import segments_before
 from knifetip.compensation.corner import (
     list_places,
     replaced_corner_notes,
@@ -95,7 +96,7 @@ def centre_paths(operation: Operation) -> CentrePaths:
     approach = np.where(found | ~paths.closed, cutter.approach, 90.0)
     notes += _replaced_lead_notes(paths.start[paths.first[:-1]][paths.closed & ~found], cutter)
     paths, turned = start_at(paths, np.where(found, behind, paths.first[:-1]))
-    longest = longest_segments(paths, on_hole[turned])
+    longest = longest_segments(paths, on_hole[turned], operation.endable[segment[turned]])
     paths, rows = start_in_middle(paths, paths.closed & ~found, longest)
     return CentrePaths(paths, segment[turned][rows], unreached, approach, notes)
 
@@ -230,8 +231,9 @@ def _starts_in_segments(operation: Operation, cutter: DiscTool, paths: Paths, se
     """Return for each closed centre path the segment in whose middle it should start, (q,).
 
     It is the longest one beside the segment with which the operation begins the path.  If there is
-    none, or the leads must be shorter there, it is the longest segment of the centre path.  A path
-    beside a part and its hole starts on the hole.  For an open path the result has no meaning.
+    none, or the leads must be shorter there, it is the longest segment of the centre path in which
+    the operation may end.  A path beside a part and its hole starts on the hole.  For an open path
+    the result has no meaning.
 
     Parameters
     ----------
@@ -241,9 +243,11 @@ def _starts_in_segments(operation: Operation, cutter: DiscTool, paths: Paths, se
         Segment of the operation that each segment belongs to.
     """
     owner, on_hole = paths.path_of, _beside_holes(operation, segment)
-    longest = longest_segments(paths, on_hole)
+    endable = operation.endable[segment]
+    longest = longest_segments(paths, on_hole, endable)
     stated = np.isin(segment, operation.begin) & paths.closed[owner]
     stated &= on_hole == on_hole[longest][owner]
+    stated &= endable == endable[longest][owner]
     rows: I32 = np.flatnonzero(stated).astype(np.int32)
     size = arc.length(paths.start[rows], paths.end[rows], paths.bulge[rows])
     rows = rows[np.lexsort((rows, -size, owner[rows]))]
@@ -298,6 +302,7 @@ def _starts_behind_corners(
     suited = paths.closed[paths.path_of] & ~inserted & inserted[before]
     on_hole = _beside_holes(operation, segment)
     suited &= on_hole | (np.bincount(paths.path_of, on_hole, len(paths)) == 0.0)[paths.path_of]
+    suited &= operation.endable[segments_before(operation.paths)[segment]]
     suited &= (segment[before] == segment) & (turn >= -cutter.approach - _ANGLE_TOLERANCE)
     rows = np.flatnonzero(suited).astype(np.int32)
     ahead, _ = arc.tangents(paths.start[rows], paths.end[rows], paths.bulge[rows])

@@ -46,13 +46,13 @@ def lifting_corners(operation: Operation, blade: Knife) -> Bool:
     """
     paths = operation.paths
     ahead, arriving = end_azimuths(paths)
-    turn = turn_angle(arriving[_segments_before(paths)], ahead)
+    turn = turn_angle(arriving[segments_before(paths)], ahead)
     closed = (operation.finish == End.CLOSED)[paths.path_of]
     result: Bool = closed & (np.abs(turn) > blade.swivel)
     return result
 
 
-def _segments_before(paths: Paths) -> I32:
+def segments_before(paths: Paths) -> I32:
     """Return the segment before each of n segments, (n,); before the first of a path is the last
     one.
     """
@@ -73,7 +73,7 @@ def _knife_starts(operation: Operation, closed: Bool) -> ContourStarts:
     smooth = closed & (np.bincount(owner[corner], minlength=len(paths)) == 0)
     depth = np.minimum(operation.depth[:, 0], operation.caliper)
     shortest = np.maximum(_SHORTEST, _OVERRUN_FACTOR * blade.lead(1.0) * depth)
-    allowed = corner | (smooth[owner] & _long_segments(paths, shortest, smooth))
+    allowed = corner | (smooth[owner] & _long_segments(paths, shortest, smooth, operation.endable))
     allowed[paths.first[:-1]] |= ~closed
     rows = _limited(allowed, paths)
     entry, leave = np.empty((len(rows), 3)), np.empty((len(rows), 3))
@@ -86,7 +86,7 @@ def _knife_starts(operation: Operation, closed: Bool) -> ContourStarts:
     entry[at_start, :2], entry[at_start, 2] = paths.start[first], azimuth(ahead)
     # A closed path ends with the segment before its first one.
     finish = paths.first[1:][owner[first]] - 1
-    last = np.where(closed[owner[first]], _segments_before(paths)[first], finish)
+    last = np.where(closed[owner[first]], segments_before(paths)[first], finish)
     _, arriving = arc.tangents(paths.start[last], paths.end[last], paths.bulge[last])
     leave[at_start, :2], leave[at_start, 2] = paths.end[last], azimuth(arriving)
     return _starts(paths, rows, entry, leave)
@@ -105,10 +105,11 @@ def _disc_starts(operation: Operation, cutter: DiscTool, closed: Bool) -> Contou
     if operation.side != 0 and cutter.approach < 0.0:
         turn = np.degrees(turn_angles(paths, operation.side))
         corner = closed[owner] & (turn >= -cutter.approach - ANGLE)
+        corner &= operation.endable[segments_before(paths)]
     # At an inner corner the centre path is shorter than the contour.
     shortest = np.full(len(owner), max(_SHORTEST, 4.0 * cutter.radius))
     smooth = closed & (np.bincount(owner[corner], minlength=len(paths)) == 0)
-    allowed = corner | (smooth[owner] & _long_segments(paths, shortest, smooth))
+    allowed = corner | (smooth[owner] & _long_segments(paths, shortest, smooth, operation.endable))
     allowed[paths.first[:-1]] |= ~closed
     rows = _limited(allowed, paths)
     last = paths.first[1:][owner[rows]] - 1
@@ -127,16 +128,16 @@ def _disc_starts(operation: Operation, cutter: DiscTool, closed: Bool) -> Contou
     return _starts(paths, rows, entry, leave)
 
 
-def _long_segments(paths: Paths, shortest: F64, mask: Bool) -> Bool:
+def _long_segments(paths: Paths, shortest: F64, mask: Bool, endable: Bool) -> Bool:
     """Return the mask of the n segments in whose middle a path may start, (n,).
 
     These are the lines of at least ``shortest``, (n,) mm, and the longest segment of each path in
-    ``mask``, (p,).
+    ``mask``, (p,).  ``endable`` is the mask of the segments in which the paths may begin, (n,).
     """
     long: Bool = arc.length(paths.start, paths.end, paths.bulge) >= shortest
-    long &= np.abs(paths.bulge) < BULGE
+    long &= (np.abs(paths.bulge) < BULGE) & endable
     if mask.any():
-        long[longest_segments(paths)[mask]] = True
+        long[longest_segments(paths, endable)[mask]] = True
     return long
 
 

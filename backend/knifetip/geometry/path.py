@@ -263,7 +263,7 @@ def start_at(paths: Paths, row: I32) -> tuple[Paths, I32]:
     return Paths(paths.start[rows], paths.end[rows], paths.bulge[rows], paths.first), rows
 
 
-def longest_segments(paths: Paths, preferred: Bool | None = None) -> I32:
+def longest_segments(paths: Paths, *preferred: Bool) -> I32:
     """Return the longest line of each path, or its longest arc if the path has no line, (p,).
 
     The first one is returned if several are equally long.
@@ -271,18 +271,17 @@ def longest_segments(paths: Paths, preferred: Bool | None = None) -> I32:
     Parameters
     ----------
     preferred : (n,)
-        Mask of the n segments of which one is returned, for paths that have such segments; None for
-        all segments.
+        Masks of the n segments of which one is returned, for paths that have such segments.  A
+        later mask counts only among the segments that the masks before it leave.
     """
     if len(paths) == 0:
         return np.zeros(0, np.int32)
     owner, first = paths.path_of, paths.first[:-1]
     along = arc.length(paths.start, paths.end, paths.bulge)
     eligible = np.ones(len(owner), np.bool_)
-    for better in (preferred, np.abs(paths.bulge) < BULGE):
-        if better is not None:
-            both = eligible & better
-            eligible &= both | ~np.logical_or.reduceat(both, first)[owner]
+    for better in (*preferred, np.abs(paths.bulge) < BULGE):
+        both = eligible & better
+        eligible &= both | ~np.logical_or.reduceat(both, first)[owner]
     size = np.where(eligible, along, -1.0)
     longest = np.flatnonzero(size == np.maximum.reduceat(size, first)[owner])
     result: I32 = longest[np.searchsorted(longest, first)].astype(np.int32)

@@ -8,7 +8,7 @@ from enum import IntEnum
 
 import numpy as np
 
-from knifetip.geometry.columns import F64, I32, U8, freeze
+from knifetip.geometry.columns import F64, I32, U8, Bool, freeze
 from knifetip.geometry.path import Paths, select_paths
 from knifetip.model.corners import AS_OTHERS
 from knifetip.model.dieline import LineType
@@ -79,11 +79,14 @@ class Operation:
     obstacles: Paths = NO_PATHS
     #: (p,) segment with which a closed path should begin (``ContourStarts``); (0,) for any
     begin: I32 = field(default_factory=lambda: np.zeros(0, np.int32))
+    #: (n,) whether a cutter may begin and end a closed path in each segment; default all
+    endable: Bool = field(default_factory=lambda: np.zeros(0, np.bool_))
 
     def __post_init__(self) -> None:
         put, count = object.__setattr__, len(self.paths.bulge)
         corner_parameters = self.k_at if len(self.k_at) else np.full(count, np.nan)
         corner_types = self.corner_at if len(self.corner_at) else np.full(count, AS_OTHERS)
+        endable = self.endable if len(self.endable) else np.ones(count, np.bool_)
         run_out = self.run_out if len(self.run_out) else np.zeros((len(self.paths), 2))
         put(self, "depth", freeze(self.depth, np.float64, count, -1))
         put(self, "end_depth", freeze(self.end_depth, np.float64, -1, 2))
@@ -95,6 +98,7 @@ class Operation:
         put(self, "bridges", freeze(self.bridges, np.float64, -1, 2))
         put(self, "source", freeze(self.source, np.int32, count))
         put(self, "begin", freeze(self.begin, np.int32, -1))
+        put(self, "endable", freeze(endable, np.bool_, count))
 
     def with_paths(self, kept: I32) -> Operation:
         """Return the operation with selected paths only; ``kept`` are their indices, ascending.
@@ -117,4 +121,5 @@ class Operation:
             k_at=self.k_at[rows],
             corner_at=self.corner_at[rows],
             begin=begin,
+            endable=self.endable[rows],
         )

@@ -126,6 +126,7 @@ def _split_by_rank(operation: Operation, rank: I64) -> list[tuple[int, Operation
             source=operation.source[segment],
             run_out=operation.run_out[path_rows],
             k_at=operation.k_at[segment],
+            endable=operation.endable[segment],
             corner_at=operation.corner_at[segment],
         )
         parts.append((int(number), part))

@@ -4,6 +4,10 @@ Several tracks may release a piece of board together, such as the stretches of a
 nicks, or lines that cross each other.  Until the last of them begins, board holds the piece in at
 least two places.  So the last one should be short: a track that is more than ``LONG`` times as long
 as the shortest track round a piece comes before that shortest track.
+
+A track that goes round a piece may lie between this piece and others, which earlier cuts have
+separated from the sheet.  It should end where the sheet itself lies beside it: elsewhere the cutter
+would divide two pieces of which the sheet holds neither.
 """
 
 from __future__ import annotations
@@ -12,7 +16,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.geometry.columns import F64, I64
+from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.union_find import find, union
 from knifetip.kernels import I64_1, I64_2, kernel
 from knifetip.planning.stretches import Stretches
@@ -59,6 +63,27 @@ def track_levels(layer: I64, stretches: Stretches, track: I64, length: F64) -> I
     while (level[after] <= level[before]).any():
         np.maximum.at(level, after, level[before] + 1)
     return level
+
+
+def releasing_cuts(rank: I64, stretches: Stretches) -> Bool:
+    """Return the mask of the cuts along whose whole length a piece of board lies on one side, and
+    board that the sheet holds on the other side, when they are made, (n,).
+
+    Parameters
+    ----------
+    rank : (n,)
+        Place of each cut in the order of the cuts; the cuts of higher ranks are made first.
+    stretches
+        Stretches of the n cuts and of links.
+    """
+    own = np.flatnonzero(stretches.row < len(rank))
+    row = stretches.row[own]
+    order = np.argsort(rank[row], kind="stable")
+    own, row = own[order], row[order]
+    piece, _ = _released_pieces(rank[row], stretches.face[own])
+    result = np.ones(len(rank), np.bool_)
+    result[row[(piece >= 0).sum(axis=1) != 1]] = False
+    return result
 
 
 @kernel

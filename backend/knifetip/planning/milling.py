@@ -29,7 +29,7 @@ from knifetip.planning.contour_crossings import check_contour_crossings
 from knifetip.planning.corners import choices_at_bends, distances_to_corners, find_bends
 from knifetip.planning.cut_sides import cut_sides
 from knifetip.planning.facing_contours import merge_facing_layers, slit_layers
-from knifetip.planning.last_cuts import track_levels
+from knifetip.planning.last_cuts import releasing_cuts, track_levels
 from knifetip.planning.layers import cut_layers
 from knifetip.planning.path_ends import close_joints
 from knifetip.planning.reachable import reachable_by_disc
@@ -97,6 +97,9 @@ def plan_milling(
     level[milled] = 0
     # Levels are less than the number of cuts.
     path_rank = (2 * (number.max(initial=0) - number) + np.abs(side)) * len(layer) + level
+    # The tracks of lower ranks are made first.
+    releasing = releasing_cuts(-path_rank[track], layers.stretches)[chains.order][order]
+    endable = releasing | ~np.logical_or.reduceat(releasing, paths.first[:-1])[paths.path_of]
     for rank in np.unique(path_rank):
         path_rows = np.flatnonzero(path_rank == rank).astype(np.int32)
         subset, segment_rows = select_paths(paths, path_rows)
@@ -114,6 +117,7 @@ def plan_milling(
                 clearance=cutter.clearance(machine.clearance),
                 side=int(rank // len(layer) % 2),
                 bridges=bridges,
+                endable=endable[segment_rows],
                 bridge_width=board.bridge_width,
                 obstacles=obstacles,
                 corner=corners.type,

@@ -51,6 +51,7 @@ def open_cut(
         depth=np.tile(depth, (count, 1)), start=np.array([End.FREE], np.uint8),
         finish=np.array([End.FREE], np.uint8),
         source=np.arange(count, dtype=np.int32), k_at=np.zeros(0), corner_at=np.zeros(0, np.uint8),
+        endable=np.zeros(0, np.bool_),
         run_out=np.zeros((0, 2)), **changes,
     )  # fmt: skip
 

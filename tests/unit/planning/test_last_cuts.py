@@ -11,7 +11,7 @@ from knifetip.library import load
 from knifetip.model.dieline import LineType
 from knifetip.model.machine import Machine
 from knifetip.planning.cut_sides import cut_sides
-from knifetip.planning.last_cuts import LONG, track_levels
+from knifetip.planning.last_cuts import LONG, releasing_cuts, track_levels
 from knifetip.planning.layers import cut_layers
 from tests.support.shapes import dieline, edges
 
@@ -97,3 +97,16 @@ def test_blanks_with_nicks_are_released_by_a_short_cut(machine: Machine) -> None
         assert last <= LONG * length.min() + 1e-9
         different += length.max() > LONG * length.min()
     assert different >= 12, "in half of the blanks the order is not free"
+
+
+def test_a_cut_between_two_loose_pieces_releases_none() -> None:
+    # A square, and to the right of it a rectangle that shares the line 0.
+    shared = edges(((10, 0), (10, 10)))
+    square = edges(((10, 0), (0, 0)), ((0, 0), (0, 10)), ((0, 10), (10, 10)))
+    rectangle = edges(((10, 0), (40, 0)), ((40, 0), (40, 10)), ((40, 10), (10, 10)))
+    ends = np.concatenate([shared, square, rectangle])
+    found = cut_layers(ends, np.zeros(7), np.full(7, -1))
+    rank: I64 = np.array([0, 0, 0, 0, 1, 1, 1])
+    assert releasing_cuts(rank, found.stretches).tolist() == [False] + [True] * 3 + [False] * 3
+    # If the rectangle is cut later, the sheet still holds it.
+    assert releasing_cuts(-rank, found.stretches)[:4].tolist() == [True] * 4
