@@ -219,7 +219,8 @@ def find_cut_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
     Returns the index of the segment of each point (k,), and the parameter of the point on the
     segment, 0 … 1 (k,).  A cut crosses a segment if their common point is an inner point
     of the path and of the cut.  Two cuts also cross a segment if they end at the same point of the
-    segment, one on the left and one on the right of the segment.
+    segment, one on the left and one on the right of the segment.  A cut at no more than 1° to a
+    segment does not cross it.
 
     Parameters
     ----------
@@ -238,9 +239,24 @@ def _all_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
     """
     if len(paths) == 0 or len(bulge) == 0:
         return np.zeros(0, np.int64), np.zeros(0)
-    segment, _, fraction = _crossings_inside_cuts(paths, ends, bulge)
+    segment, cut, fraction = _crossings_inside_cuts(paths, ends, bulge)
+    across = ~_are_along(paths, ends, bulge, segment, cut)
+    segment, fraction = segment[across], fraction[across]
     at_vertex, vertex_fraction = _crossings_at_cut_ends(paths, ends, bulge)
     return np.concatenate([segment, at_vertex]), np.concatenate([fraction, vertex_fraction])
+
+
+def _are_along(paths: Paths, ends: F64, bulge: F64, segment: I64, cut: I64) -> Bool:
+    """Return the mask of the k pairs of a straight segment and a straight cut along it, (k,).
+
+    A cut along a crease, such as the end of a slot, crosses it only by rounding.  ``segment`` and
+    ``cut`` are the indices of the two, (k,) each; ``ends`` and ``bulge`` are those of the cuts.
+    """
+    ahead = unit_vectors(paths.end[segment] - paths.start[segment])
+    along = unit_vectors(ends[cut, 1] - ends[cut, 0])
+    straight = (np.abs(paths.bulge[segment]) < BULGE) & (np.abs(bulge[cut]) < BULGE)
+    result: Bool = straight & (np.abs((left_normal(ahead) * along).sum(axis=1)) <= _ACROSS)
+    return result
 
 
 def _is_inner(paths: Paths, segment: I64, fraction: F64) -> Bool:

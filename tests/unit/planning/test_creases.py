@@ -47,13 +47,24 @@ def test_a_crease_crossed_by_a_cut_becomes_two_with_free_ends() -> None:
 
 @pytest.mark.parametrize(
     "cut",
-    [((40, 0), (40, 10)), ((0, -10), (0, 10)), ((40, 1), (40, 10)), ((20, 0), (80, 0))],
-    ids=["ends on it", "runs through its end", "stops before it", "runs along it"],
-)
+    [
+        ((40, 0), (40, 10)), ((0, -10), (0, 10)), ((40, 1), (40, 10)), ((20, 0), (80, 0)),
+        ((20, -1e-5), (80, 2e-5)), ((20, -0.47), (80, 0.47)),
+    ],
+    ids=[
+        "ends on it", "runs through its end", "stops before it", "runs along it",
+        "runs along it but for rounding", "at 0.9°",
+    ],
+)  # fmt: skip
 def test_a_cut_that_does_not_cross_does_not_split(
-    cut: tuple[tuple[int, int], tuple[int, int]],
+    cut: tuple[tuple[float, float], tuple[float, float]],
 ) -> None:
     assert len(rolled(ACROSS, edges(cut)).paths) == 1
+
+
+def test_a_cut_at_a_little_more_than_one_degree_splits() -> None:
+    # 1.08°
+    assert len(rolled(ACROSS, edges(((20, -0.57), (80, 0.57)))).paths) == 2
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,7 @@ import pytest
 from knifetip.errors import GeometryError
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import CreaseWheel
+from knifetip.verification.expectation.crease_lines import split_at_cuts
 from knifetip.verification.expectation.edges import pairs_within, place_edges
 from knifetip.verification.expectation.expected_work import (
     ExpectedCreases,
@@ -45,6 +46,17 @@ def test_a_free_crease_is_set_back_by_its_contact_and_the_clearance() -> None:
     # √(0.6 (30 - 0.6)) + 0.2 = 4.4
     np.testing.assert_allclose([found.low[0], found.high[0]], [4.4, 45.6])
     assert np.isnan(found.press_depth[0])
+
+
+@pytest.mark.parametrize(("rise", "pieces"), [(1e-5, 1), (0.47, 1), (0.57, 2), (20.0, 2)])
+def test_a_cut_splits_a_crease_that_it_crosses_at_more_than_one_degree(
+    rise: float, pieces: int
+) -> None:
+    # 0.47 is 0.9°, and 0.57 is 1.08°.
+    drawn = dieline((CREASE, 0, 0, 100, 0, 0.0), (CUT, 20, -rise, 80, rise, 0.0))
+    placed = place_edges(drawn, (0.0, 0.0))
+    split, _ = split_at_cuts(placed.with_types(CREASE), placed.with_types(CUT))
+    assert len(split) == pieces
 
 
 def test_the_setback_of_a_curved_crease_follows_from_the_tangent_at_its_end() -> None:

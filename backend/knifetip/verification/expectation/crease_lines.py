@@ -37,7 +37,7 @@ MAX_GAP_RATIO: Final = 1.5
 #: Greatest distance of a cut that lies on a crease, and greatest overlap of a cut that crosses it
 #: (mm).
 ON_DISTANCE: Final = 1e-4
-CROSSING_LENGTH: Final = 0.01
+CROSSING_LENGTH: Final = 2.0 * ON_DISTANCE / math.sin(math.radians(STRAIGHT_ANGLE))
 
 
 class CutCrossings(NamedTuple):
