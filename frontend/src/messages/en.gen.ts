@@ -463,6 +463,10 @@ export const TEXTS = {
     "text": "{name} has been in the state {state} for {seconds:g} s{due}. This means that a response of the controller was lost.",
     "hint": "Check the cable to the controller, then check the board on the table."
   },
+  "controller.answer-missing": {
+    "text": "The receive buffer of {name} contains fewer bytes than were sent{due}. This means that a response of the controller was lost, or bytes on their way to it.",
+    "hint": "Check the cable to the controller, then check the board on the table."
+  },
   "controller.bad-address": {
     "text": "{address!r} is not the address of a controller.",
     "hint": "Write the address as HOST:PORT, for example 127.0.0.1:2323, or as a URL. Known schemes: {schemes:, }."

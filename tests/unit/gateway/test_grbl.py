@@ -65,7 +65,7 @@ class Wire:
         elif data == b"?":
             self.asked += 1
             if not self.mute:
-                self.say(f"<{self.state}|MPos:{self.position}|Bf:15,128>")
+                self.say(f"<{self.state}|MPos:{self.position}|Bf:15,{128 - self._due}>")
         elif data in (b"!", b"~"):
             self.realtime += data
             if self.state != "Idle":

@@ -122,9 +122,9 @@ class Bench:
         self.wire = Wire(self.table)
         return self.wire
 
-    async def run(self) -> Progress:
-        """Stream the program; return the last report of progress."""
-        course = stream(PROGRAM, self.controller, limits=Limits.of(MACHINE), interval=0.001)
+    async def run(self, program: bytes = PROGRAM) -> Progress:
+        """Stream a program; return the last report of progress."""
+        course = stream(program, self.controller, limits=Limits.of(MACHINE), interval=0.001)
         async with asyncio.timeout(30.0), aclosing(course) as steps:
             return [progress async for progress in steps][-1]
 
@@ -243,6 +243,26 @@ async def test_a_doubled_answer_is_noticed_wherever_it_comes_and_overruns_nothin
     bench.at_answer(lambda line: [line, line], number)
     with pytest.raises(ControllerError, match="was sent twice"):
         await bench.run()
+    bench.assert_safe()
+
+
+@pytest.mark.parametrize("spoil", [[], ["\xfe\x81ok"], ["okok"]], ids=["lost", "garbled", "glued"])
+async def test_a_lost_answer_is_noticed_while_the_machine_moves(
+    bench: Bench, spoil: list[str]
+) -> None:
+    rows = "".join(f"G1 X{100 + row % 2 * 50} Y{100 + row} F20000\n" for row in range(300))
+    program = f"G21 G90\nG0 Z20\n{rows}M30\n".encode()
+    times: list[float] = []
+
+    def spoil_answer(line: str) -> list[str]:
+        times.append(bench.table.time)
+        return spoil
+
+    bench.at_answer(spoil_answer, 30)
+    with pytest.raises(ControllerSilent, match="contains fewer bytes than were sent"):
+        await bench.run(program)
+    assert bench.controller.acknowledged < 60
+    assert bench.table.time - times[0] < 1.0
     bench.assert_safe()
 
 

@@ -20,7 +20,7 @@ from knifetip.errors import (
 )
 from knifetip.gateway.controller import Observer, State, Status
 from knifetip.gateway.grbl import answers
-from knifetip.gateway.grbl.receive_buffer import PendingLine, ReceiveBuffer
+from knifetip.gateway.grbl.receive_buffer import Count, PendingLine, ReceiveBuffer
 from knifetip.gateway.grbl.watchdog import Watchdog
 from knifetip.gateway.motion import Pose
 from knifetip.gateway.transport import Transport
@@ -29,8 +29,8 @@ from knifetip.gateway.transport import Transport
 _LONGEST_ANSWER = 8192
 #: Most lines between two answers that are kept.
 _MOST_LINES = 1000
-#: Consecutive status reports that must contradict the byte count before it counts as wrong.
-_CONTRADICTIONS = 2
+#: Consecutive status reports that must show the same contradiction before it counts as a fault.
+_CONTRADICTIONS = {Count.SURPLUS: 2, Count.MISSING: 3}
 
 _BANNER = re.compile(r"grbl", re.IGNORECASE)
 
@@ -240,6 +240,7 @@ class GrblConnection:
 
     async def request_report(self) -> None:
         """Send a status request (``?``); return before its report arrives."""
+        self.buffer.note_request(asyncio.get_running_loop().time())
         await self._transport.write(b"?")
 
     async def report(self, patience: float | None = None) -> Status:
@@ -299,6 +300,10 @@ class GrblConnection:
     def surplus_answer(self) -> ControllerError:
         """Return (not raise) a new error for an answer that belongs to no line."""
         return ControllerError("controller.unexpected-answer", name=self.name)
+
+    def missing_answer(self) -> ControllerSilent:
+        """Return (not raise) a new error for a line whose answer was lost."""
+        return ControllerSilent("controller.answer-missing", name=self.name, due=self.buffer.due())
 
     async def wait_until(self, condition: Callable[[], bool], code: str = "") -> None:
         """Wait until ``condition()`` is true; raise the fault of the connection if one is recorded.
@@ -409,12 +414,13 @@ class GrblConnection:
             self._offset = report.offset
         if report.state is not State.ALARM:
             self.last_alarm = 0
-        self._watchdog.note_report()
         self._reports += 1
         self.status = self._status_of(report)
+        self._watchdog.note_report()
+        count, repeats = self.buffer.compare(report.room)
         if self.fault is not None or self.recovering:
             return
-        self._compare_buffer(report.room)
+        self._judge_count(count, repeats)
         if self.observer is not None:
             if (error := self.observer.observe(self.status)) is not None:
                 self.fail(error)
@@ -445,24 +451,22 @@ class GrblConnection:
             located=report.work is not None or self._offset is not None,
         )
 
-    def _compare_buffer(self, free: int | None) -> None:
-        """Record a fault if the receive buffer contains more bytes than all unanswered lines have.
-
-        The fault is recorded only if ``_CONTRADICTIONS`` consecutive status reports show this.
+    def _judge_count(self, count: Count, repeats: int) -> None:
+        """Record a fault if status reports contradict the number of bytes in the receive buffer.
 
         Parameters
         ----------
-        free
-            Free bytes of the receive buffer according to a status report; None if the report does
-            not contain this number.
+        count
+            Result for the last report.
+        repeats
+            Number of consecutive reports with this result.
         """
-        if free is None or self._banner_due:
+        if count is Count.POSSIBLE or self._banner_due:
             return
-        contradictions = self.buffer.count_contradictions(free)
-        if contradictions:
-            self._watchdog.request_at_once()
-        if contradictions >= _CONTRADICTIONS:
-            self.fail(self.surplus_answer())
+        self._watchdog.request_at_once()
+        if repeats >= _CONTRADICTIONS[count]:
+            lost = count is Count.MISSING
+            self.fail(self.missing_answer() if lost else self.surplus_answer())
 
     def _handle_alarm(self, code: int) -> None:
         self.last_alarm = code

@@ -6,7 +6,9 @@ without waiting for answers, if the buffer has room for the line.  The buffer th
 overflows, and the controller does not run out of lines.
 
 If the controller answers a line twice, the sum of the sender becomes too small.  The buffer still
-does not overflow, because room for the longest line is always kept free.
+does not overflow, because room for the longest line is always kept free.  If an answer is lost, the
+sum becomes too large.  Both are detected by comparing the sum with the free bytes that the
+controller reports.
 """
 
 from __future__ import annotations
@@ -14,6 +16,7 @@ from __future__ import annotations
 import asyncio
 from collections import deque
 from dataclasses import dataclass
+from enum import Enum, auto
 
 from knifetip.errors import ControllerError
 from knifetip.messages import Message
@@ -22,6 +25,16 @@ from knifetip.messages import Message
 DEFAULT_SIZE = 128
 #: Most characters of a line that a message contains.
 _EXCERPT = 60
+#: Seconds after which a status request counts as ignored; controllers answer several at once.
+_IGNORED = 5.0
+
+
+class Count(Enum):
+    """Result of comparing the sum of the sender with the bytes in the controller's buffer."""
+
+    POSSIBLE = auto()
+    SURPLUS = auto()  #: more bytes than the unanswered lines have: a line was answered twice
+    MISSING = auto()  #: fewer bytes than the unanswered lines must have: an answer was lost
 
 
 @dataclass(slots=True)
@@ -59,7 +72,11 @@ class ReceiveBuffer:
         self._used = 0
         self._longest = 0  # program line since all answers were assigned to lines
         self._most_free = 0  # most bytes that the controller ever reported as free
-        self._contradictions = 0
+        self._sent = 0  # bytes of all lines sent so far
+        self._requests: deque[tuple[float, int]] = deque()  # time, and bytes sent before
+        self._unrequested = False  # the controller sends reports without a request
+        self._last = Count.POSSIBLE
+        self._repeats = 0  # consecutive reports with the result ``_last``
 
     def set_size(self, size: int) -> None:
         """Set the size of the buffer (bytes), as the controller reports it."""
@@ -108,6 +125,7 @@ class ReceiveBuffer:
         """Add a line that is being sent to the unanswered lines."""
         self._lines.append(line)
         self._used += line.size
+        self._sent += line.size
 
     def remove_first(self) -> PendingLine:
         """Remove the oldest unanswered line, which has just been answered, and return it."""
@@ -123,22 +141,64 @@ class ReceiveBuffer:
     def clear(self) -> None:
         """Remove all unanswered lines, because a reset empties the buffer of the controller."""
         self._lines.clear()
-        self._used = self._longest = self._contradictions = 0
+        self._used = self._longest = self._repeats = 0
 
-    def count_contradictions(self, free: int) -> int:
-        """Return the number of consecutive status reports that contradict the byte count.
+    def note_request(self, now: float) -> None:
+        """Store how many bytes were sent before the status request that is being sent.
 
-        The present report is the last one counted; if it does not contradict the byte count, the
-        number is 0.  A report contradicts the byte count if the buffer of the controller contains
-        more bytes than the unanswered lines have.  It may contain fewer bytes, because a line
-        leaves the buffer before it is answered.
+        Parameters
+        ----------
+        now
+            Present time (s).
+        """
+        while self._requests and now - self._requests[0][0] > _IGNORED:
+            self._requests.popleft()
+        self._requests.append((now, self._sent))
+
+    def compare(self, free: int | None) -> tuple[Count, int]:
+        """Compare a status report with the sum of the unanswered lines.
+
+        Must be called for every status report, because it is also matched to its request.  The
+        result is exact if reports arrive in the order of their requests.  A controller that also
+        sends reports without a request is not checked for missing bytes.
 
         Parameters
         ----------
         free
-            Free bytes of the buffer according to the present status report.
+            Free bytes of the buffer according to the report; None if the report does not state it.
+
+        Returns
+        -------
+        result
+            Result for this report.
+        repeats
+            Number of consecutive reports with this result; a single one may be damaged.
+        """
+        self._unrequested = self._unrequested or not self._requests
+        before = self._requests.popleft()[1] if self._requests else 0
+        if free is None:
+            return Count.POSSIBLE, 0
+        result = self._compare_bytes(free, before)
+        self._repeats = self._repeats + 1 if result is self._last else 1
+        self._last = result
+        return result, self._repeats
+
+    def _compare_bytes(self, free: int, before: int) -> Count:
+        """Compare the free bytes of the controller's buffer with the unanswered lines.
+
+        Parameters
+        ----------
+        free
+            Free bytes of the buffer.
+        before
+            Bytes sent before the status request; those sent later may not have arrived.
         """
         self._most_free = max(self._most_free, min(free, self.capacity + 1))
         occupied = self._most_free - free
-        self._contradictions = self._contradictions + 1 if occupied > self._used else 0
-        return self._contradictions
+        if occupied > self._used:
+            return Count.SURPLUS
+        if self.first is None or self._unrequested:
+            return Count.POSSIBLE
+        # The controller takes a line out of the buffer before it answers it, but only one.
+        least = self._used - (self._sent - before) - self.first.size
+        return Count.MISSING if occupied < least else Count.POSSIBLE

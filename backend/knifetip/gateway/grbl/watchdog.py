@@ -13,7 +13,13 @@ from knifetip.gateway.grbl.receive_buffer import ReceiveBuffer
 
 #: Shortest time between two status requests that are sent after answers (s).
 _SOON = 0.02
+#: Longest time in which an idle controller answers a line that only moves axes (s).
+_PROMPT = 1.0
+#: Reports of an idle machine that must follow the last answer before an answer counts as lost.
+_IDLE_REPORTS = 5
 
+#: Commands for which a controller may wait although it is idle: spindle, tool, coolant, pause.
+_WAITS = re.compile(rb"M0?[013-9](?!\d)|^\$", re.IGNORECASE)
 _DWELL = re.compile(rb"G0?4(?!\d)[^P]*P\s*(\d+\.?\d*)", re.IGNORECASE)
 
 
@@ -55,7 +61,8 @@ class Watchdog:
         Connection to the controller.
     silence
         Seconds after which the controller counts as silent if no status report arrives, or if a
-        line has no answer although the machine is idle.
+        line has no answer although the machine is idle.  For lines that only move axes, the second
+        limit is at most ``_PROMPT``.
     poll
         Longest time between two status requests while the machine moves (s).  If the machine is
         idle and no line is unanswered, this time is a fifth of ``silence``, but at least ``poll``.
@@ -70,26 +77,33 @@ class Watchdog:
         self._at_once = False  # a report was doubtful: request another one at once
         self._last_report = 0.0  # time of the last status report (s, clock of the event loop)
         self._last_progress = 0.0  # last event that explains a missing answer (s, same clock)
+        self._idle_reports = 0  # reports since then, all of an idle machine
 
     def restart(self) -> None:
         """Restart the time limits for the next status report and for the next answer to a line."""
-        self._last_report = self._last_progress = _now()
+        self._last_report = _now()
+        self._note_progress()
 
     def expect_answer(self) -> None:
         """Restart the time limit for an answer.
 
         Called when a line is sent while no other line is unanswered.
         """
-        self._last_progress = _now()
+        self._note_progress()
         self._wake.set()
 
     def note_answer(self) -> None:
         """Restart the time limit for an answer; called when a line was answered."""
-        self._last_progress = _now()
+        self._note_progress()
 
     def note_report(self) -> None:
         """Restart the time limit for a status report; called when a report was received."""
         self._last_report = _now()
+        status = self._connection.status
+        if status is not None and status.state in (State.IDLE, State.CHECK):
+            self._idle_reports += 1
+        else:
+            self._note_progress()
 
     def request_soon(self) -> None:
         """Make the running watchdog send a status request ``_SOON`` seconds after the last one.
@@ -129,7 +143,7 @@ class Watchdog:
             return
         if now > expected + self._silence / 2.0:
             # This process was busy and did not read the connection: it cannot detect silence.
-            self._last_report = self._last_progress = now
+            self.restart()
         first = connection.buffer.first
         if now - self._last_report > self._silence:
             connection.fail(connection.silent())
@@ -137,18 +151,32 @@ class Watchdog:
             connection.fail(
                 ControllerAlarm("controller.alarm-state", name=connection.name, due=due)
             )
-        elif first is None or status.state not in (State.IDLE, State.CHECK):
-            self._last_progress = now
-        elif now - self._last_progress > self._silence + _dwell_seconds(first.text):
+        elif first is None:
+            self._note_progress()
+        elif self._is_answer_lost(first.text):
             connection.fail(
                 ControllerSilent(
                     "controller.answer-lost",
                     name=connection.name,
                     state=status.state.value,
-                    seconds=self._silence,
+                    seconds=self._last_report - self._last_progress,
                     due=connection.buffer.due(),
                 )
             )
+
+    def _is_answer_lost(self, line: bytes) -> bool:
+        """Return whether the answer to a line was lost: an idle machine should have answered it.
+
+        Only the time up to the last report counts, because a connection that stalls delays answers
+        too.
+        """
+        limit = self._silence if _WAITS.search(line) else min(self._silence, _PROMPT)
+        waited = self._last_report - self._last_progress
+        return self._idle_reports >= _IDLE_REPORTS and waited > limit + _dwell_seconds(line)
+
+    def _note_progress(self) -> None:
+        self._last_progress = _now()
+        self._idle_reports = 0
 
     def _interval(self) -> float:
         """Return the longest time until the next status request is sent (s).

@@ -39,6 +39,13 @@ MESSAGES: Final[Entries] = {
         seconds="number",
         due="message?",
     ),
+    "controller.answer-missing": entry(
+        "The receive buffer of {name} contains fewer bytes than were sent{due}. This means that a "
+        "response of the controller was lost, or bytes on their way to it.",
+        "Check the cable to the controller, then check the board on the table.",
+        name="text",
+        due="message?",
+    ),
     "controller.bad-address": entry(
         "{address!r} is not the address of a controller.",
         "Write the address as HOST:PORT, for example 127.0.0.1:2323, or as a URL. Known schemes: "
