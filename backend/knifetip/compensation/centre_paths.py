@@ -15,7 +15,7 @@ from typing import Final
 
 import numpy as np
 
-from knifetip.compensation.contour_starts import segments_before
+from knifetip.compensation.contour_starts import SHORTEST_START, segments_before
 from knifetip.compensation.corner import (
     list_places,
     replaced_corner_notes,
@@ -231,9 +231,9 @@ def _starts_in_segments(operation: Operation, cutter: DiscTool, paths: Paths, se
     """Return for each closed centre path the segment in whose middle it should start, (q,).
 
     It is the longest one beside the segment with which the operation begins the path.  If there is
-    none, or the leads must be shorter there, it is the longest segment of the centre path in which
-    the operation may end.  A path beside a part and its hole starts on the hole.  For an open path
-    the result has no meaning.
+    none of at least ``SHORTEST_START``, or the leads must be shorter there, it is the longest
+    segment of the centre path in which the operation may end.  A path beside a part and its hole
+    starts on the hole.  For an open path the result has no meaning.
 
     Parameters
     ----------
@@ -250,6 +250,8 @@ def _starts_in_segments(operation: Operation, cutter: DiscTool, paths: Paths, se
     stated &= endable == endable[longest][owner]
     rows: I32 = np.flatnonzero(stated).astype(np.int32)
     size = arc.length(paths.start[rows], paths.end[rows], paths.bulge[rows])
+    # Where the cutter hardly reaches a segment, a lead would run along the one before or after it.
+    rows, size = rows[size >= SHORTEST_START], size[size >= SHORTEST_START]
     rows = rows[np.lexsort((rows, -size, owner[rows]))]
     rows = rows[np.diff(owner[rows], prepend=-1) > 0]
     if operation.side != 0:

@@ -25,7 +25,7 @@ from knifetip.model.tool import DiscTool, Knife
 #: Greatest number of starts per path, to limit time and memory.
 _MOST_STARTS: Final = 12
 #: A segment in whose middle a path starts is at least this long (mm), unless it is the longest one.
-_SHORTEST: Final = 2.0
+SHORTEST_START: Final = 2.0
 #: A knife starts only in segments that are longer than the overrun by this factor.
 _OVERRUN_FACTOR: Final = 4.0
 
@@ -72,7 +72,7 @@ def _knife_starts(operation: Operation, closed: Bool) -> ContourStarts:
     owner = paths.path_of
     smooth = closed & (np.bincount(owner[corner], minlength=len(paths)) == 0)
     depth = np.minimum(operation.depth[:, 0], operation.caliper)
-    shortest = np.maximum(_SHORTEST, _OVERRUN_FACTOR * blade.lead(1.0) * depth)
+    shortest = np.maximum(SHORTEST_START, _OVERRUN_FACTOR * blade.lead(1.0) * depth)
     allowed = corner | (smooth[owner] & _long_segments(paths, shortest, smooth, operation.endable))
     allowed[paths.first[:-1]] |= ~closed
     rows = _limited(allowed, paths)
@@ -107,7 +107,7 @@ def _disc_starts(operation: Operation, cutter: DiscTool, closed: Bool) -> Contou
         corner = closed[owner] & (turn >= -cutter.approach - ANGLE)
         corner &= operation.endable[segments_before(paths)]
     # At an inner corner the centre path is shorter than the contour.
-    shortest = np.full(len(owner), max(_SHORTEST, 4.0 * cutter.radius))
+    shortest = np.full(len(owner), max(SHORTEST_START, 4.0 * cutter.radius))
     smooth = closed & (np.bincount(owner[corner], minlength=len(paths)) == 0)
     allowed = corner | (smooth[owner] & _long_segments(paths, shortest, smooth, operation.endable))
     allowed[paths.first[:-1]] |= ~closed

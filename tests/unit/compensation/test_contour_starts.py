@@ -119,3 +119,14 @@ def test_a_cutter_starts_where_its_leads_have_room() -> None:
 
 def test_operations_without_closed_paths_have_no_choice() -> None:
     assert contour_starts(planned(edges(((0, 0), (50, 0))))) is None
+
+
+def test_no_path_starts_beside_a_stretch_that_the_cutter_hardly_reaches() -> None:
+    # In the mouth of a slot, the cutter touches only 0.03 mm of the upper side of the slot.  A lead
+    # there would run 0.01 mm beside the edge below the mouth.
+    points = (
+        (0, -50), (80, -50), (80, 40), (-40, 40), (-40, 3.9), (-3.02, 3.2), (50, 3.2), (50, 0),
+        (0, 0),
+    )  # fmt: skip
+    operation = contour(*points, side=-1, begin=np.array([5]))
+    assert centre_paths(operation).segment[0] != 5
