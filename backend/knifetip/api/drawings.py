@@ -48,9 +48,11 @@ from knifetip.messages import Message
 from knifetip.model.interpretation import Interpretation
 from knifetip.presentation.edges import EdgeTable
 from knifetip.presentation.import_report import unpack_rows
+from knifetip.presentation.picture import svg_picture
 
 router = APIRouter(prefix="/drawings", tags=["drawings"])
 
+_SVG: dict[str, Any] = {"content": {"image/svg+xml": {"schema": {"type": "string"}}}}
 _NOT_MODIFIED: dict[int | str, dict[str, Any]] = {304: {"description": "Not modified"}}
 
 
@@ -159,6 +161,14 @@ def get_edges(
         return Response(status_code=304, headers=headers)
     pieces = EdgeTable.unpack(row.edges).json_pieces()
     return StreamingResponse(pieces, media_type="application/json", headers=headers)
+
+
+@router.get("/{id}/picture", response_class=Response, responses={200: _SVG, **_NOT_MODIFIED})
+def get_picture(service: ServiceDep, request: Request, id: DrawingId) -> Response:
+    """Get a small picture of a drawing as SVG, with its edges in the colours of line types."""
+    row = service.store.drawings.get_with(id, "edges")
+    picture = svg_picture(row.edges).encode()
+    return bytes_response(request, picture, f"{row.version}-picture", "image/svg+xml")
 
 
 @router.patch("/{id}/edges")

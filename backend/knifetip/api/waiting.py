@@ -6,6 +6,7 @@ The field ``waiting_for`` is one of
 - ``sheet``: the operator must confirm the sheet of the next copy,
 - ``machine``: the job is next, but its machine has not claimed it,
 - ``turn``: other jobs of the machine come first,
+- ``hold``: an operator put the job on hold in the queue,
 - empty: the job does not wait.
 """
 
@@ -24,7 +25,7 @@ from knifetip.library import load
 from knifetip.messages import Message
 from knifetip.model.sheet import Sheet
 
-WaitingFor = Literal["", "confirmation", "sheet", "machine", "turn"]
+WaitingFor = Literal["", "confirmation", "sheet", "machine", "turn", "hold"]
 
 #: Seconds without a request after which a gateway counts as absent.
 ABSENT = 6.0
@@ -91,6 +92,8 @@ def _queued(row: Job, queue: Queue) -> Waiting:
     title = _title(row.machine)
     if row.confirmation == Confirmation.GIVEN:
         return Waiting("machine", Message("waiting.confirmed", machine=title))
+    if row.on_hold:
+        return Waiting("hold", Message("waiting.on-hold", machine=title))
     if row.id != queue.first:
         return Waiting("turn", Message("waiting.for-turn", machine=title))
     if queue.ahead:

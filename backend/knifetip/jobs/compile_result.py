@@ -25,6 +25,7 @@ class CompileResult:
     source: list[str] = field(default_factory=list)
     #: stations that the program uses, ordered by number: number, name, kind
     tools: list[dict[str, Any]] = field(default_factory=list)
+    lengths: bytes = b""  #: see ``worked_lengths``
 
 
 @dataclass(frozen=True, slots=True)

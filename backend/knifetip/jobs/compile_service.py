@@ -43,7 +43,7 @@ _WORKER_POLL = 0.5  # the same of a worker, all of whose jobs are received by an
 _log = logging.getLogger("knifetip.jobs")
 
 
-def _kernels_for(machine: str) -> tuple[str, ...]:
+def kernels_for(machine: str) -> tuple[str, ...]:
     """Return the names of the groups of kernels that are needed to compile jobs for a machine.
 
     Kernels are functions that numba compiles to machine code.
@@ -55,6 +55,31 @@ def _kernels_for(machine: str) -> tuple[str, ...]:
     """
     engines = {kind_of(station.tool).engine for station in load.machine(machine).stations}
     return ("drawings", "jobs", "offsets") if Engine.RADIUS in engines else ("drawings", "jobs")
+
+
+def compile_arguments(store: Store, job: Job, machine: str) -> tuple[object, ...]:
+    """Return the arguments of ``tasks.compile`` that compile a job for a machine.
+
+    Parameters
+    ----------
+    store
+        Store with the drawing of the job.
+    job
+        The job.
+    machine
+        Name of the machine: that of the job, or one to which the job is to be moved.
+    """
+    drawing = store.drawings.get_with(job.drawing, "content", "edges", "overrides")
+    return (
+        StoredDrawing(
+            drawing.content, drawing.edges, interpretation_of(drawing, drawing.overrides)
+        ),
+        interpretation_of(job, store.jobs.column(job.id, "overrides")),
+        machine,
+        job.board,
+        (f"knifetip {version('knifetip')}", f"drawing {drawing.sha256[:40]}"),
+        None if job.exceptions is None else Exceptions.from_json(job.exceptions),
+    )
 
 
 @dataclass(slots=True)
@@ -110,7 +135,7 @@ class CompileService:
             Name of the machine.
         """
         try:
-            return self.warm_up.fraction_compiled(*_kernels_for(machine))
+            return self.warm_up.fraction_compiled(*kernels_for(machine))
         except LibraryError:
             return 1.0  # the compile refuses the job
 
@@ -164,20 +189,11 @@ class CompileService:
             renewed, last = now, stage
             return self.store.compiles.report_progress(id, epoch, stage, fraction)
 
-        drawing = self.store.drawings.get_with(job.drawing, "content", "edges", "overrides")
-        stored = StoredDrawing(
-            drawing.content, drawing.edges, interpretation_of(drawing, drawing.overrides)
-        )
         try:
-            self.warm_up.wait(*_kernels_for(job.machine), watch=watch)
+            self.warm_up.wait(*kernels_for(job.machine), watch=watch)
             result = self.pool.run(
                 tasks.compile,
-                stored,
-                interpretation_of(job, self.store.jobs.column(id, "overrides")),
-                job.machine,
-                job.board,
-                (f"knifetip {version('knifetip')}", f"drawing {drawing.sha256[:40]}"),
-                None if job.exceptions is None else Exceptions.from_json(job.exceptions),
+                *compile_arguments(self.store, job, job.machine),
                 limit=self.limit,
                 watch=watch,
             )

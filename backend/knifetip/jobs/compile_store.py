@@ -230,15 +230,8 @@ class CompileStore:
         StaleEpoch
             The job has another epoch, because the worker has lost the job.
         """
-        columns: dict[str, Any] = {
-            "program": result.program,
-            "program_sha256": result.sha256,
-            "lines": result.lines,
-            "toolpath": result.toolpath,
-            "verdict": result.verdict,
-            "verdict_summary": result.verdict_summary,
-            "tools": result.tools,
-            "seconds": result.verdict_summary["seconds"],
+        columns = {
+            **result_columns(result),
             "stage": "",
             "progress": 1.0,
             "owner": "",
@@ -359,3 +352,18 @@ class CompileStore:
                 owner="",
                 lease=0.0,
             )
+
+
+def result_columns(result: CompileResult) -> dict[str, Any]:
+    """Return the columns of a job that store the result of a compile, by name of the column."""
+    return {
+        "program": result.program,
+        "program_sha256": result.sha256,
+        "lines": result.lines,
+        "toolpath": result.toolpath,
+        "verdict": result.verdict,
+        "verdict_summary": result.verdict_summary,
+        "tools": result.tools,
+        "seconds": result.verdict_summary["seconds"],
+        "lengths": result.lengths,
+    }

@@ -23,7 +23,8 @@ from knifetip.jobs.job import (
     State,
     action_between,
 )
-from knifetip.jobs.machine_queues import CLAIMED, MachineQueues, next_queued
+from knifetip.jobs.machine_queues import CLAIMED, MachineQueues, lock_queue, next_queued
+from knifetip.jobs.machine_runs import end_run
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE, Transitions, stale_epoch_error
 from knifetip.messages import Message
@@ -82,6 +83,7 @@ class GatewayStore:
                 return None
         try:
             with self._db.writing() as session:
+                lock_queue(session, machine)
                 row = session.scalar(waiting.with_for_update())
                 if row is not None and row.owner != gateway:
                     if row.lease >= self._db.clock():
@@ -90,7 +92,7 @@ class GatewayStore:
                     row = None
                 if row is None:
                     following = next_queued(machine).execution_options(populate_existing=True)
-                    row = session.scalar(following.with_for_update(skip_locked=True))
+                    row = session.scalar(following.with_for_update())
                 if row is None:
                     return None
                 id = row.id
@@ -392,6 +394,7 @@ class GatewayStore:
             if late:
                 if event != row.message:
                     self._change(session, row, ended)
+                    end_run(session, row.id, self._db.clock())
                     owner = Actor(ActorKind.GATEWAY, row.owner)
                     report = Message("job.late-report", report=event)
                     self._transitions.write_event(session, "job", row.id, goal, owner, report)

@@ -81,6 +81,9 @@ class Confirmation(StrEnum):
 #: States in which a job's board is on the table; at most one job per machine.
 ON_TABLE = (State.RUNNING, State.HELD, State.INTERRUPTED)
 
+#: States in which a job is not worked on; only an operator moves it to another state.
+ENDED = (State.DONE, State.REFUSED, State.INTERRUPTED, State.SCRAPPED, State.CANCELLED)
+
 #: States in which a gateway holds a lease.
 LEASED = (State.RUNNING, State.HELD)
 

@@ -6,6 +6,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 import sqlalchemy as sa
+from sqlalchemy.orm import Session
 
 from knifetip.jobs.database import Database
 from knifetip.jobs.job import LEASED, ON_TABLE, Confirmation, State
@@ -13,8 +14,13 @@ from knifetip.jobs.tables import Gateway, Job
 
 #: A job that a gateway has claimed and that waits for the operator's confirmation.
 CLAIMED = sa.and_(Job.state == State.QUEUED, Job.confirmation != Confirmation.NONE)
-#: The order in which the jobs of a machine are claimed.
-_TURN = (Job.priority.desc(), Job.queued, Job.serial)
+#: A job in the queue of its machine that no gateway has claimed.
+WAITING = sa.and_(Job.state == State.QUEUED, Job.confirmation == Confirmation.NONE)
+#: The order in which the waiting jobs of a machine are listed and claimed.
+TURN = (Job.priority.desc(), Job.rank, Job.serial)
+
+_LOCK = 0x6B6E_6971  # class of PostgreSQL's advisory locks of queues
+_STEP = 0.001  # distance of ranks, where the clock gives none
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,13 +112,45 @@ class MachineQueues:
 
 def next_queued(machine: str) -> sa.Select[Job]:
     """Return a query for the queued job of a machine that is to be claimed next."""
-    return (
-        sa.select(Job)
-        .where(
-            Job.machine == machine,
-            Job.state == State.QUEUED,
-            Job.confirmation == Confirmation.NONE,
-        )
-        .order_by(*_TURN)
-        .limit(1)
+    return waiting_jobs(machine).where(Job.on_hold.is_(False)).limit(1)
+
+
+def waiting_jobs(machine: str) -> sa.Select[Job]:
+    """Return a query for the waiting jobs of a machine, in the order in which they are claimed.
+
+    Jobs that are on hold are included at their places.
+    """
+    return sa.select(Job).where(Job.machine == machine, WAITING).order_by(*TURN)
+
+
+def is_waiting(row: Job) -> bool:
+    """Return whether a job is in the queue of its machine and no gateway has claimed it."""
+    return row.state == State.QUEUED and row.confirmation == Confirmation.NONE
+
+
+def lock_queue(session: Session, machine: str) -> None:
+    """Wait until no other transaction claims or reorders jobs of a machine, and exclude others.
+
+    The lock ends with the transaction.  In SQLite, only one transaction writes at a time.
+    """
+    if session.get_bind().dialect.name == "postgresql":
+        key = sa.func.hashtext(machine)
+        session.execute(sa.select(sa.func.pg_advisory_xact_lock(_LOCK, key)))
+
+
+def last_rank(session: Session, machine: str, now: float) -> float:
+    """Return a rank that is greater than the ranks of all queued jobs of a machine.
+
+    Parameters
+    ----------
+    session
+        Session with the transaction of the caller.
+    machine
+        Name of the machine.
+    now
+        Present time, the least result (seconds since 1970).
+    """
+    greatest = sa.select(sa.func.max(Job.rank)).where(
+        Job.machine == machine, Job.state == State.QUEUED
     )
+    return max(now, (session.scalar(greatest) or 0.0) + _STEP)

@@ -98,14 +98,7 @@ class OperatorStore:
             The job is not ``ready``.
         """
         with self._db.writing() as session:
-            self._transitions.move(
-                session,
-                id,
-                Action.RELEASE,
-                OPERATOR,
-                Message("job.released"),
-                queued=self._db.clock(),
-            )
+            self._transitions.release(session, id, OPERATOR, Message("job.released"))
             return self._transitions.lock(session, id)
 
     def requeue(self, id: str) -> Job:

@@ -21,6 +21,7 @@ from knifetip.jobs.lease_sweep import LeaseSweep
 from knifetip.jobs.machine_queues import MachineQueues
 from knifetip.jobs.operator_store import OperatorStore
 from knifetip.jobs.profile_store import ProfileStore
+from knifetip.jobs.queue_store import QueueStore
 from knifetip.jobs.transitions import Transitions
 
 
@@ -45,6 +46,7 @@ class Store:
         self.operators = OperatorStore(self.database, transitions)
         self.machines = MachineQueues(self.database)
         self.gateways = GatewayStore(self.database, transitions, self.machines)
+        self.queues = QueueStore(self.database, transitions, self.gateways)
         self.leases = LeaseSweep(self.database, transitions, self.compiles, self.gateways)
         self.profiles = ProfileStore(self.database)
 

@@ -78,6 +78,7 @@ class Job(Base):
             postgresql_where=_RESERVES_TABLE,
         ),
         sa.Index("job_by_state", "state", "machine"),
+        sa.Index("job_by_end", "ended"),
     )
 
     serial: Mapped[int] = mapped_column(_SERIAL, primary_key=True, autoincrement=True)
@@ -97,6 +98,11 @@ class Job(Base):
     created: Mapped[float] = mapped_column(sa.Double)
     updated: Mapped[float] = mapped_column(sa.Double)
     queued: Mapped[float] = mapped_column(sa.Double)  #: time of queueing; 0 before
+    #: orders the queued jobs of equal priority, see ``machine_queues.TURN``
+    rank: Mapped[float] = mapped_column(sa.Double, default=0.0)
+    on_hold: Mapped[bool] = mapped_column(default=False)  #: not claimed while it is True
+    #: time of the last move to one of the states ``job.ENDED``; 0 before
+    ended: Mapped[float] = mapped_column(sa.Double, default=0.0)
     #: why it was refused or interrupted, or why its compile has not begun
     message: Mapped[Message | None] = mapped_column(MessageColumn)
     source: Mapped[list[str]] = mapped_column(sa.JSON)
@@ -139,6 +145,8 @@ class Job(Base):
     program: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)
     toolpath: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)
     verdict: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)
+    #: worked lengths by program line, see ``worked_lengths``
+    lengths: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)
 
 
 class Event(Base):
@@ -167,3 +175,53 @@ class Gateway(Base):
     machine: Mapped[str] = mapped_column(sa.String(200), primary_key=True)
     name: Mapped[str] = mapped_column(sa.String(200), primary_key=True)
     seen: Mapped[float] = mapped_column(sa.Double)
+
+
+class MachineRun(Base):
+    """A run of a job on a machine, from its start to its end; kept when the job is deleted."""
+
+    __tablename__ = "machine_run"
+    __table_args__ = (
+        sa.UniqueConstraint("job", "epoch", name="one_run_of_a_claim"),
+        sa.Index("run_by_end", "machine", "ended"),
+    )
+
+    id: Mapped[int] = mapped_column(_SERIAL, primary_key=True, autoincrement=True)
+    job: Mapped[str] = mapped_column(sa.String(32))  #: id of the job
+    epoch: Mapped[int]  #: epoch of the gateway's claim
+    machine: Mapped[str] = mapped_column(sa.String(200))
+    board: Mapped[str] = mapped_column(sa.String(200))
+    started: Mapped[float] = mapped_column(sa.Double)
+    ended: Mapped[float] = mapped_column(sa.Double)  #: 0 while the job is on the machine
+    outcome: Mapped[str] = mapped_column(sa.String(16))  #: state of the job at the end of the run
+    copies: Mapped[int]  #: copies completed in this run
+    sheets: Mapped[int]  #: sheets used: those of the copies, and one that was begun
+
+
+class RunLength(Base):
+    """The length that one station worked in a run, for one line type."""
+
+    __tablename__ = "run_length"
+
+    run: Mapped[int] = mapped_column(
+        sa.ForeignKey("machine_run.id", ondelete="CASCADE"), primary_key=True
+    )
+    station: Mapped[int] = mapped_column(primary_key=True)  #: number of the station
+    line_type: Mapped[str] = mapped_column(sa.String(16), primary_key=True)
+    length: Mapped[float] = mapped_column(sa.Double)  #: mm
+
+
+class ToolEvent(Base):
+    """A change of a tool or of its life by a person; rows are only appended."""
+
+    __tablename__ = "tool_event"
+    __table_args__ = (sa.Index("tool_event_by_machine", "machine", "station"),)
+
+    id: Mapped[int] = mapped_column(_SERIAL, primary_key=True, autoincrement=True)
+    machine: Mapped[str] = mapped_column(sa.String(200))
+    station: Mapped[int]  #: number of the station
+    kind: Mapped[str] = mapped_column(sa.String(8))  #: "changed" (a new tool) or "life"
+    at: Mapped[float] = mapped_column(sa.Double)
+    who: Mapped[str] = mapped_column(sa.String(200))
+    #: mm; of a changed tool the length that it had worked, otherwise the new life, 0 for no limit
+    length: Mapped[float] = mapped_column(sa.Double)

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from knifetip.errors import KnifetipError, UnitUnknown
+from knifetip.geometry.columns import U8
 from knifetip.jobs.compile_result import CompileResult
 from knifetip.jobs.readings import (
     StoredDrawing,
@@ -22,6 +23,7 @@ from knifetip.jobs.readings import (
     read_drawing,
     restore_or_read,
 )
+from knifetip.jobs.worked_lengths import pack_lengths
 from knifetip.library import load
 from knifetip.messages import finite, printable
 from knifetip.model.acceptance import Exceptions, with_ordered_exceptions
@@ -35,7 +37,7 @@ from knifetip.presentation.drawing import classified_json
 from knifetip.presentation.edges import EdgeTable, restore_drawing
 from knifetip.presentation.import_report import import_report_rows, pack_rows
 from knifetip.presentation.outcomes import edge_outcomes
-from knifetip.presentation.toolpath import pack_toolpath, used_stations
+from knifetip.presentation.toolpath import pack_toolpath, program_lines, used_stations
 from knifetip.presentation.verdict import (
     findings_json,
     pack_verdict,
@@ -227,10 +229,13 @@ def compile(
     if exceptions is not None:
         verdict = with_ordered_exceptions(compiled.verdict, exceptions)
         compiled = replace(compiled, verdict=verdict)
-    return _result(compiled, [printable(handle) for handle in drawing.handles], table)
+    handles = [printable(handle) for handle in drawing.handles]
+    return _result(compiled, handles, table, dieline.line_type)
 
 
-def _result(compiled: Compiled, handles: Sequence[str], table: Machine) -> CompileResult:
+def _result(
+    compiled: Compiled, handles: Sequence[str], table: Machine, line_type: U8
+) -> CompileResult:
     """Convert the result of a compile to the form in which it is stored, and return it.
 
     Parameters
@@ -241,6 +246,8 @@ def _result(compiled: Compiled, handles: Sequence[str], table: Machine) -> Compi
         Handles of the n edges of the drawing.
     table
         The machine for which the program was made.
+    line_type : (n,)
+        Line types of the edges.
     """
     verdict = compiled.verdict
     findings = findings_json(verdict, handles)
@@ -261,6 +268,7 @@ def _result(compiled: Compiled, handles: Sequence[str], table: Machine) -> Compi
         verdict_summary=summary,
         source=refused_handles(findings),
         tools=used_stations(compiled, table),
+        lengths=pack_lengths(compiled.toolpath, program_lines(compiled), line_type),
     )
 
 

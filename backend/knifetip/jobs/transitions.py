@@ -14,7 +14,9 @@ from sqlalchemy.orm import Session
 
 from knifetip.errors import NoSuchJob, StaleEpoch, WrongState
 from knifetip.jobs.database import Database, rows, short
-from knifetip.jobs.job import ADVICE, Action, Actor, ActorKind, State, sources, target
+from knifetip.jobs.job import ADVICE, ENDED, Action, Actor, ActorKind, State, sources, target
+from knifetip.jobs.machine_queues import last_rank
+from knifetip.jobs.machine_runs import record_run
 from knifetip.jobs.tables import Event, Job
 from knifetip.messages import Message, hint
 
@@ -75,23 +77,45 @@ class Transitions:
             statement = statement.where(Job.epoch == epoch)
         # Rows that this session has loaded keep their values; ``lock`` reloads them.
         statement = statement.execution_options(synchronize_session=False)
-        values = {"state": goal.value, "updated": self._db.clock(), **changes}
+        now = self._db.clock()
+        values = {"state": goal.value, "updated": now, **changes}
+        if goal in ENDED:
+            values["ended"] = now
         if new_epoch is not None:
             values["epoch"] = new_epoch
         if not rows(session, statement.values(**values)):
             raise self.refusal(session, id, goal, epoch)
+        record_run(session, id, action, now)
         self.write_event(session, "job", id, goal, actor, event)
+
+    def release(self, session: Session, id: str, actor: Actor, event: Message) -> None:
+        """Move a ready job to the end of the queue of its machine.
+
+        Parameters
+        ----------
+        session
+            Session with the transaction of the caller.
+        id
+            Id of the job.
+        actor
+            Person or process that releases the job.
+        event
+            Description of the release, for the log of events.
+
+        Raises
+        ------
+        WrongState
+            The job is not ``ready``.
+        """
+        now = self._db.clock()
+        machine = session.scalar(sa.select(Job.machine).where(Job.id == id)) or ""
+        rank = last_rank(session, machine, now)
+        self.move(session, id, Action.RELEASE, actor, event, queued=now, rank=rank)
 
     def release_by_order(self, session: Session, id: str) -> None:
         """Queue a ready job that was ordered with immediate release."""
-        self.move(
-            session,
-            id,
-            Action.RELEASE,
-            Actor(ActorKind.WORKER),
-            Message("job.released-by-order"),
-            queued=self._db.clock(),
-        )
+        event = Message("job.released-by-order")
+        self.release(session, id, Actor(ActorKind.WORKER), event)
 
     def refusal(
         self, session: Session, id: str, goal: str, epoch: int | None = None

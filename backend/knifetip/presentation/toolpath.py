@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from knifetip.geometry.columns import I32
 from knifetip.model.machine import Machine
 from knifetip.model.tool import kind_of
 from knifetip.presentation.columns import pack_columns
@@ -24,19 +25,26 @@ def used_stations(compiled: Compiled, machine: Machine) -> list[dict[str, Any]]:
     ]
 
 
-def pack_toolpath(compiled: Compiled, machine: Machine) -> bytes:
-    """Return the tool path as a block of bytes, with the stations of the machine as metadata.
+def program_lines(compiled: Compiled) -> I32:
+    """Return for each of the n moves of a tool path the number of its program line, (n,), from 1.
 
-    The array ``line`` contains for each move of the tool path the number (from 1) of the program
-    line that makes this move, or of the last such line if there are several.  The move is complete
-    when this line has been executed.  The number is -1 for moves without a program line.
+    It is the last line that makes the move, if there are several: the move is complete when this
+    line has been executed.  The number is -1 for moves without a program line.
     """
-    path = compiled.toolpath
     source = compiled.program.source
-    line = np.full(len(path), -1, np.int32)
+    line = np.full(len(compiled.toolpath), -1, np.int32)
     numbers = np.arange(1, len(source) + 1, dtype=np.int32)
     moving = source >= 0
     np.maximum.at(line, source[moving], numbers[moving])
+    return line
+
+
+def pack_toolpath(compiled: Compiled, machine: Machine) -> bytes:
+    """Return the tool path as a block of bytes, with the stations of the machine as metadata.
+
+    The array ``line`` is the result of ``program_lines``.
+    """
+    path = compiled.toolpath
     return pack_columns(
         {
             "pose": path.pose,
@@ -45,7 +53,7 @@ def pack_toolpath(compiled: Compiled, machine: Machine) -> bytes:
             "feed": path.feed,
             "source": path.source,
             "tool": path.tool,
-            "line": line,
+            "line": program_lines(compiled),
         },
         {
             "placement": [float(shift) for shift in compiled.placement],

@@ -923,6 +923,10 @@ export const TEXTS = {
     "text": "{path} does not state its kind: the field {field} is missing",
     "hint": ""
   },
+  "field.no-neighbour": {
+    "text": "{path} must have previous, next or both",
+    "hint": ""
+  },
   "field.no-such-carriage": {
     "text": "{path}: station {station} is on carriage {carriage}, but the machine has {count:# carriage|# carriages}",
     "hint": ""
@@ -2807,6 +2811,62 @@ export const TEXTS = {
     "text": "The unit of the drawing is not known: {evidence}.",
     "hint": "Choose the unit of the drawing."
   },
+  "queue.after": {
+    "text": " after job {job}",
+    "hint": ""
+  },
+  "queue.before": {
+    "text": " before job {job}",
+    "hint": ""
+  },
+  "queue.changed": {
+    "text": "The queue of {machine} was changed meanwhile, so the job was not moved.",
+    "hint": "Look at the present order, and move the job again if that is still necessary."
+  },
+  "queue.claimed": {
+    "text": "The machine {machine} has taken job {job} from the queue, so its place and its copies cannot be changed.",
+    "hint": "Put the job on hold to return it to the queue, as long as it is not confirmed."
+  },
+  "queue.copies-changed": {
+    "text": "The operator changed the number of copies from {former} to {copies}.",
+    "hint": ""
+  },
+  "queue.copies-done": {
+    "text": "{done:# copy|# copies} of job {job} are complete, so it cannot have fewer copies or as many.",
+    "hint": "Enter a greater number, or cancel the job."
+  },
+  "queue.does-not-fit": {
+    "text": "Job {job} was not moved to {machine}. {reason}",
+    "hint": "{reason:hint}"
+  },
+  "queue.let-go": {
+    "text": "The operator ended the hold of the job in the queue.",
+    "hint": ""
+  },
+  "queue.moved": {
+    "text": "The operator moved the job in the queue:{after}{before}.",
+    "hint": ""
+  },
+  "queue.no-neighbour": {
+    "text": "Job {job} cannot be moved next to job {neighbour}, which does not wait for {machine}.",
+    "hint": "Look at the present queue. Name jobs that wait for the machine and are not claimed."
+  },
+  "queue.not-waiting": {
+    "text": "Job {job} is {state} and does not wait, so it cannot be changed in the queue.",
+    "hint": "{advice}"
+  },
+  "queue.priority-changed": {
+    "text": "The priority of the job changed from {former} to {priority}.",
+    "hint": ""
+  },
+  "queue.put-on-hold": {
+    "text": "The operator put the job on hold in the queue.",
+    "hint": ""
+  },
+  "queue.transferred": {
+    "text": "The operator moved the job from {former} to {machine}. Its program was compiled again.",
+    "hint": ""
+  },
   "reading.crashed": {
     "text": "The file {name} cannot be read, probably because it is damaged ({reason}).",
     "hint": "Export the drawing again as DXF, CF2, SVG or PDF, if necessary from another program."
@@ -4114,6 +4174,10 @@ export const TEXTS = {
   "waiting.for-turn": {
     "text": "The job waits until {machine} has finished the jobs that come before it in the queue.",
     "hint": ""
+  },
+  "waiting.on-hold": {
+    "text": "The job is on hold in the queue of {machine}. Other jobs are taken before it.",
+    "hint": "End the hold to let the machine take the job."
   },
   "waiting.sheet-outline": {
     "text": ", cut to the outline of the drawing",

@@ -265,4 +265,4 @@ def test_a_job_waits_for_the_kernels_that_its_machine_needs(
     thread.join(20.0)
     assert store.jobs.get(job.id).state == "refused"
     assert groups == [("drawings", "jobs")]
-    assert compile_service._kernels_for("router-table") == ("drawings", "jobs", "offsets")
+    assert compile_service.kernels_for("router-table") == ("drawings", "jobs", "offsets")

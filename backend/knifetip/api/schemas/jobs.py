@@ -99,12 +99,22 @@ class JobOut(BaseModel):
     updated: float = Field(
         description="Time of the last change of the job (seconds since 1970-01-01 UTC)"
     )
-    waiting_for: Literal["", "confirmation", "sheet", "machine", "turn"] = Field(
+    waiting_for: Literal["", "confirmation", "sheet", "machine", "turn", "hold"] = Field(
         default="",
         description="What the job waits for. confirmation: the operator must confirm table, board "
         "and tools. sheet: the operator must confirm the next sheet. machine: the "
-        "machine has not claimed the job. turn: other jobs come first. Empty: it does "
-        "not wait. `message` describes the reason",
+        "machine has not claimed the job. turn: other jobs come first. hold: the job is on "
+        "hold in the queue. Empty: it does not wait. `message` describes the reason",
+    )
+    on_hold: bool = Field(
+        default=False,
+        description="Whether an operator put the job on hold in the queue; its machine then takes "
+        "other jobs first",
+    )
+    ended: float = Field(
+        default=0.0,
+        description="Time at which the job became done, refused, interrupted, scrapped or "
+        "cancelled (seconds since 1970-01-01 UTC); 0 before",
     )
     tools: list[JobTool] = Field(
         default=[], description="Stations that the program uses; empty before the job is compiled"

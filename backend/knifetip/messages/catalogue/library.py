@@ -72,6 +72,10 @@ MESSAGES: Final[Entries] = {
         path="text",
         near="text",
     ),
+    "field.no-neighbour": entry(
+        "{path} must have previous, next or both",
+        path="text",
+    ),
     "field.no-such-carriage": entry(
         "{path}: station {station} is on carriage {carriage}, but the machine has "
         "{count:# carriage|# carriages}",

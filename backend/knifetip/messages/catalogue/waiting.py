@@ -51,6 +51,11 @@ MESSAGES: Final[Entries] = {
         "The job waits until {machine} has finished the jobs that come before it in the queue.",
         machine="text",
     ),
+    "waiting.on-hold": entry(
+        "The job is on hold in the queue of {machine}. Other jobs are taken before it.",
+        "End the hold to let the machine take the job.",
+        machine="text",
+    ),
     "waiting.taken": entry(
         "The job waits, because {machine} is occupied by job {job}, which is {state}.",
         machine="text",

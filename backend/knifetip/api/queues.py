@@ -1,0 +1,158 @@
+"""Routes for the queues of machines: list a queue, and move and change waiting jobs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Annotated
+
+from fastapi import APIRouter, Header, Response
+
+from knifetip.api.jobs import job_out, jobs_out
+from knifetip.api.parameters import JobId, MachineName
+from knifetip.api.queue import queued
+from knifetip.api.schemas.jobs import JobOut
+from knifetip.api.schemas.queues import MoveIn, QueueOut, TransferIn, WaitingChangeIn
+from knifetip.api.service import ServiceDep, check_library_name
+from knifetip.errors import KnifetipError, PlanError
+from knifetip.jobs import tasks
+from knifetip.jobs.compile_service import compile_arguments, kernels_for
+from knifetip.jobs.job import Actor, ActorKind, State
+from knifetip.jobs.machine_queues import is_waiting
+from knifetip.jobs.process_pool import TaskFailed
+from knifetip.jobs.queue_store import Place, WaitingChange, check_transferable, order_version
+from knifetip.jobs.tables import Job
+from knifetip.messages import Message
+
+router = APIRouter(tags=["queues"])
+
+IfMatch = Annotated[
+    str | None,
+    Header(
+        alias="If-Match",
+        max_length=200,
+        description="ETag of the queue for which the place was chosen; 412 if the order has "
+        "changed. Without it only the neighbours are compared",
+    ),
+]
+
+
+@router.get("/machines/{name}/queue")
+def get_queue(service: ServiceDep, response: Response, name: MachineName) -> QueueOut:
+    """Get the queue of a machine in the order in which the jobs run, with estimated times."""
+    check_library_name("machines", name)
+    rows = service.store.queues.jobs(name)
+    waiting = [row for row in rows if is_waiting(row)]
+    response.headers["ETag"] = f'"{order_version(waiting)}"'
+    starts = start_times(rows)
+    first = len(rows) - len(waiting)
+    return QueueOut.model_validate(
+        {
+            "machine": name,
+            "entries": [
+                {
+                    "place": max(index - first + 1, 0),
+                    "seconds": remaining_seconds(row),
+                    "starts_in": starts[index],
+                    "picture": f"/api/drawings/{row.drawing}/picture",
+                    "job": model,
+                }
+                for index, (row, model) in enumerate(
+                    zip(rows, jobs_out(service.store, rows), strict=True)
+                )
+            ],
+        }
+    )
+
+
+def remaining_seconds(row: Job) -> float:
+    """Return the estimated machine time of the copies of a job that remain (s)."""
+    remaining = max(row.copies - row.copies_done, 0)
+    if row.seconds_left is None or row.state not in (State.RUNNING, State.HELD):
+        return remaining * row.seconds
+    return row.seconds_left + max(remaining - 1, 0) * row.seconds
+
+
+def start_times(rows: Sequence[Job]) -> list[float | None]:
+    """Return the times after which jobs start (s), None if a time cannot be estimated.
+
+    Parameters
+    ----------
+    rows
+        The jobs of a machine in the order in which they run.
+    """
+    blocked = any(row.state == State.INTERRUPTED for row in rows)
+    starts: list[float | None] = []
+    total = 0.0
+    for row in rows:
+        if row.on_hold or blocked:
+            starts.append(None)
+            continue
+        starts.append(total)
+        total += remaining_seconds(row)
+    return starts
+
+
+@router.post("/jobs/{id}/move")
+def move_job(service: ServiceDep, id: JobId, move: MoveIn, match: IfMatch = None) -> JobOut:
+    """Move a waiting job to a place in the queue of its machine.
+
+    The place is given by its neighbours.  If jobs of another priority are on both sides, the job
+    gets the nearest priority that permits the place.  A repeated request has no effect.  The status
+    is 412 if the queue was changed so that the neighbours are not next to each other.
+    """
+    version = None if match is None or match.strip() == "*" else _tag(match)
+    place = Place(move.previous, move.next)
+    return job_out(service.store, service.store.queues.move(id, place, _actor(move.by), version))
+
+
+def _tag(match: str) -> str:
+    # A compressing proxy marks ETags as weak.
+    return match.strip().removeprefix("W/").strip('"')
+
+
+@router.patch("/jobs/{id}")
+def change_job(service: ServiceDep, id: JobId, change: WaitingChangeIn) -> JobOut:
+    """Change priority, number of copies or hold of a job that no machine works on yet.
+
+    A job with a new priority comes after the other jobs of that priority.  A job on hold stays in
+    the queue, and its machine takes other jobs first.  A job that waits for the confirmation of the
+    operator returns to the queue when it is put on hold.
+    """
+    values = WaitingChange(change.priority, change.copies, change.on_hold)
+    return job_out(service.store, service.store.queues.change(id, values, _actor(change.by)))
+
+
+@router.post("/jobs/{id}/transfer")
+@queued
+def transfer_job(service: ServiceDep, id: JobId, target: TransferIn) -> JobOut:
+    """Move a ready or waiting job to another machine, for which its program is compiled again.
+
+    The job stays unchanged at its place if it cannot be made on the other machine; the response
+    contains the reason.
+    """
+    check_library_name("machines", target.machine)
+    row = service.store.jobs.get(id)
+    if row.machine == target.machine:
+        return job_out(service.store, row)
+    check_transferable(row)
+    try:
+        arguments = compile_arguments(service.store, row, target.machine)
+        service.warm_up.wait(*kernels_for(target.machine))
+        result = service.run(tasks.compile, *arguments)
+    except KnifetipError as reason:
+        raise _does_not_fit(row, target.machine, reason.message) from reason
+    except TaskFailed as reason:
+        crash = Message("job.compile-crashed", reason=reason)
+        raise _does_not_fit(row, target.machine, crash) from reason
+    if result.message is not None:
+        raise _does_not_fit(row, target.machine, result.message)
+    moved = service.store.queues.transfer(row, target.machine, result, _actor(target.by))
+    return job_out(service.store, moved)
+
+
+def _does_not_fit(row: Job, machine: str, reason: Message) -> PlanError:
+    return PlanError("queue.does-not-fit", job=row.id, machine=machine, reason=reason)
+
+
+def _actor(by: str) -> Actor:
+    return Actor(ActorKind.OPERATOR, by)

@@ -1,0 +1,84 @@
+"""queue: messages about the queue of a machine, and about the life of its tools."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from knifetip.messages.entry import Entries, entry
+
+MESSAGES: Final[Entries] = {
+    "queue.after": entry(
+        " after job {job}",
+        job="text",
+    ),
+    "queue.before": entry(
+        " before job {job}",
+        job="text",
+    ),
+    "queue.changed": entry(
+        "The queue of {machine} was changed meanwhile, so the job was not moved.",
+        "Look at the present order, and move the job again if that is still necessary.",
+        machine="text",
+    ),
+    "queue.claimed": entry(
+        "The machine {machine} has taken job {job} from the queue, so its place and its copies "
+        "cannot be changed.",
+        "Put the job on hold to return it to the queue, as long as it is not confirmed.",
+        job="text",
+        machine="text",
+    ),
+    "queue.copies-changed": entry(
+        "The operator changed the number of copies from {former} to {copies}.",
+        former="count",
+        copies="count",
+    ),
+    "queue.copies-done": entry(
+        "{done:# copy|# copies} of job {job} are complete, so it cannot have fewer copies or as "
+        "many.",
+        "Enter a greater number, or cancel the job.",
+        job="text",
+        done="count",
+    ),
+    "queue.does-not-fit": entry(
+        "Job {job} was not moved to {machine}. {reason}",
+        "{reason:hint}",
+        job="text",
+        machine="text",
+        reason="message",
+    ),
+    "queue.let-go": entry(
+        "The operator ended the hold of the job in the queue.",
+    ),
+    "queue.moved": entry(
+        "The operator moved the job in the queue:{after}{before}.",
+        after="message?",
+        before="message?",
+    ),
+    "queue.no-neighbour": entry(
+        "Job {job} cannot be moved next to job {neighbour}, which does not wait for {machine}.",
+        "Look at the present queue. Name jobs that wait for the machine and are not claimed.",
+        job="text",
+        neighbour="text",
+        machine="text",
+    ),
+    "queue.not-waiting": entry(
+        "Job {job} is {state} and does not wait, so it cannot be changed in the queue.",
+        "{advice}",
+        job="text",
+        state="text",
+        advice="message",
+    ),
+    "queue.priority-changed": entry(
+        "The priority of the job changed from {former} to {priority}.",
+        former="count",
+        priority="count",
+    ),
+    "queue.put-on-hold": entry(
+        "The operator put the job on hold in the queue.",
+    ),
+    "queue.transferred": entry(
+        "The operator moved the job from {former} to {machine}. Its program was compiled again.",
+        former="text",
+        machine="text",
+    ),
+}
