@@ -1,10 +1,10 @@
-"""Changes of jobs and drawings as server-sent events.
+"""Changes of jobs, drawings and stations as server-sent events.
 
-The events are ``job`` with a JobOut, ``drawing`` with a DrawingSummary and ``deleted`` with
-``{"drawing": id}``.  The id of an event is the number of the change.  Events that report only the
-progress of a job, or only a new reason why a job waits, have no id.  A client that reconnects sends
-the last id that it received (``Last-Event-ID``) and gets one event for each job and drawing that
-has changed since then.
+The events are ``job`` with a JobOut, ``drawing`` with a DrawingSummary, ``deleted`` with
+``{"drawing": id}`` and ``station`` with a StationOut.  The id of an event is the number of the
+change.  Events about stations, and events that report only the progress of a job or only a new
+reason why a job waits, have no id.  A client that reconnects sends the last id that it received
+(``Last-Event-ID``) and gets one event for each job and drawing that has changed since then.
 """
 
 from __future__ import annotations
@@ -21,7 +21,9 @@ from fastapi.sse import EventSourceResponse, ServerSentEvent
 
 from knifetip.api.drawing_requests import summary_out
 from knifetip.api.jobs import job_out, jobs_out
+from knifetip.api.machines import station_out
 from knifetip.api.schemas.messages import MessageOut
+from knifetip.api.schemas.stations import StationOut
 from knifetip.api.service import Service
 from knifetip.api.waiting import WaitingFor
 from knifetip.api.wake import wake_on_change
@@ -55,8 +57,10 @@ class Stream:
         self._lock = asyncio.Lock()
         self._last = 0
         self._sent_progress: dict[str, tuple[object, ...]] = {}
+        self._sent_stations: dict[str, StationOut] = {}
         self._waits: dict[str, tuple[WaitingFor, MessageOut | None]] = {}
         self._refreshed = 0.0
+        self._watched = False  # a person looks at a machine
 
     async def run(self) -> None:
         """Send changes to the connected clients; runs until its asyncio task is cancelled."""
@@ -70,8 +74,10 @@ class Stream:
                             self._broadcast(message)
                 except Exception:
                     _log.exception("the stream of events failed")
-                # Progress sets no change event, so it is polled while a job is active.
-                await changed.wait(_PROGRESS_POLL if self._sent_progress else _EVENT_POLL)
+                # Progress and reports on machines set no change event, so they are polled while a
+                # job is active or a person looks at a machine.
+                moving = self._sent_progress or self._watched
+                await changed.wait(_PROGRESS_POLL if moving else _EVENT_POLL)
                 if self._service.stopping.is_set():
                     self._disconnect_all()
 
@@ -111,9 +117,27 @@ class Stream:
             if self._sent_progress.get(row.id) != progress[row.id]
         ]
         self._sent_progress = progress
+        messages += self._stations()
         if events or time.monotonic() - self._refreshed >= _REFRESH:
             messages += self._queued({event.subject for event in events})
         return messages
+
+    def _stations(self) -> list[ServerSentEvent]:
+        """Return one event for each station that has changed since the last call."""
+        views = self._service.store.stations.all()
+        self._watched = any(view.watched for view in views)
+        # The time since the last report changes with each call and is no change of the station.
+        now = {
+            view.row.machine: station_out(view).model_copy(update={"seen_seconds_ago": None})
+            for view in views
+        }
+        changed = [
+            view
+            for view in views
+            if self._sent_stations.get(view.row.machine) != now[view.row.machine]
+        ]
+        self._sent_stations = now
+        return [_message("station", station_out(view).model_dump_json()) for view in changed]
 
     def _queued(self, sent: Collection[str]) -> list[ServerSentEvent]:
         """Return one event for each queued job whose reason to wait changed since the last call.

@@ -1,5 +1,8 @@
 """Routes for gateways: claim a job, download its program, send heartbeats and finish the job.
 
+A gateway also reports the state of its machine, and gets the operations that a person at the
+machine has asked for.
+
 A gateway is a program that fetches jobs from the server and controls one machine.
 """
 
@@ -15,11 +18,13 @@ from knifetip.api.parameters import JobId
 from knifetip.api.schemas.gateway import Claim, ClaimIn, FinishIn, HeartbeatIn, HeartbeatOut
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.schemas.messages import MessageIn
+from knifetip.api.schemas.stations import StationAnswer, StationIn
 from knifetip.api.service import ServiceDep, bytes_response, check_library_name
 from knifetip.api.wake import wake_on_change
 from knifetip.errors import MachineBusy, WrongState
 from knifetip.jobs.gateway_store import GatewayReport
 from knifetip.jobs.job import ON_TABLE, State
+from knifetip.jobs.station_store import OperationResult, StationReport
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE
 from knifetip.library import load
@@ -30,6 +35,7 @@ router = APIRouter(prefix="/gateway", tags=["gateway"])
 
 _QUEUE_POLL = 2.0  # seconds between two queries of the queue for changes by other servers
 _CONTACT_INTERVAL = 2.0  # seconds between two records of a gateway's contact
+_OPERATION_POLL = 0.3  # seconds between two queries for operations asked of other servers
 
 
 @router.post("/claim", response_model=Claim, responses={204: {"description": "No job"}})
@@ -121,6 +127,58 @@ async def finish(service: ServiceDep, report: FinishIn) -> JobOut:
     outcome corrects the last executed line and the message of the job.
     """
     return await service.threads.reports(_finish_job, service, report)
+
+
+@router.post("/station")
+async def report_station(
+    service: ServiceDep, request: Request, station: StationIn
+) -> StationAnswer:
+    """Report the state of a machine, and get the operations that a person has asked for.
+
+    The response is sent as soon as there is an operation, at the latest after ``wait`` seconds, a
+    field of the request.  Each operation is sent only once, and only if it is younger than 3 s.
+    """
+    check_library_name("machines", station.machine)
+    began = time.monotonic()
+    stations, threads = service.store.stations, service.threads
+    with wake_on_change(service.store.changes) as changed:
+        await threads.reports(
+            stations.report,
+            station.machine,
+            StationReport(
+                station.gateway,
+                station.connected,
+                station.state,
+                None if station.alarm is None else station.alarm.message,
+                station.position,
+                station.outputs,
+                station.operations,
+            ),
+            [
+                OperationResult(
+                    result.id,
+                    result.state,
+                    None if result.message is None else result.message.message,
+                )
+                for result in station.results
+            ],
+        )
+        while True:
+            # A disconnected gateway would never carry out the operation.
+            gone = service.stopping.is_set() or await request.is_disconnected()
+            asked = [] if gone else await threads.reports(stations.hand_out, station.machine)
+            remaining = began + station.wait - time.monotonic()
+            if gone or asked or remaining <= 0.0:
+                break
+            await changed.wait(min(_OPERATION_POLL, remaining))
+    watched = await threads.reports(stations.is_watched, station.machine)
+    return StationAnswer.model_validate(
+        {
+            "operations": [{**one.request, "id": one.id, "age": one.age} for one in asked],
+            "waited": time.monotonic() - began,
+            "watched": watched,
+        }
+    )
 
 
 def _cause(reported: str | MessageIn) -> Message | None:

@@ -1,13 +1,16 @@
-"""Routes for machines, with their stations, their tools, their gateway and their current job."""
+"""Routes for machines: their stations and tools, their state, and operations of persons at them."""
 
 from __future__ import annotations
 
 from fastapi import APIRouter
 
-from knifetip.api.parameters import MachineName
+from knifetip.api.parameters import MachineName, OperationId
 from knifetip.api.schemas.machines import MachineOut
+from knifetip.api.schemas.stations import OperationIn, OperationOut, StationOut
 from knifetip.api.service import ServiceDep, check_library_name
 from knifetip.api.waiting import ABSENT
+from knifetip.jobs.station_store import StationView
+from knifetip.jobs.tables import Operation
 from knifetip.library import load
 from knifetip.model.machine import Machine
 from knifetip.model.tool import kind_of
@@ -36,6 +39,62 @@ def get_machine(service: ServiceDep, name: MachineName) -> MachineOut:
         name in service.store.machines.connected_machines(ABSENT),
         service.store.machines.jobs_on_tables().get(name),
     )
+
+
+@router.get("/{name}/station")
+async def get_station(service: ServiceDep, name: MachineName) -> StationOut:
+    """Get the state of a machine for the person at it: its controller, its alarm and its position.
+
+    While this request is repeated every few seconds, the gateway reports more often, and the stream
+    of events contains an event ``station`` for each change.
+    """
+    check_library_name("machines", name)
+    return station_out(await service.threads.reports(service.store.stations.get, name))
+
+
+@router.post("/{name}/operations", status_code=202)
+async def ask_for_operation(
+    service: ServiceDep, name: MachineName, request: OperationIn
+) -> OperationOut:
+    """Ask for an operation of a machine, such as unlock, home or jog; the machine does it at once.
+
+    It is refused with status 409 while a job is running or held on the machine.  It expires 3 s
+    after it was asked for, and is never carried out later.  The emergency stop of the machine does
+    not depend on this route.
+    """
+    check_library_name("machines", name)
+    asked = request.model_dump(exclude_none=True)
+    return _operation_out(await service.threads.reports(service.store.stations.ask, name, asked))
+
+
+@router.get("/{name}/operations/{id}")
+async def get_operation(service: ServiceDep, name: MachineName, id: OperationId) -> OperationOut:
+    """Get the state of an operation of a machine; operations are kept for some minutes."""
+    check_library_name("machines", name)
+    return _operation_out(await service.threads.reports(service.store.stations.operation, name, id))
+
+
+def station_out(view: StationView) -> StationOut:
+    """Return the state of a station for clients."""
+    row, alive = view.row, view.alive
+    return StationOut.model_validate(
+        {
+            "machine": row.machine,
+            "gateway": row.gateway if alive else "",
+            "connected": alive and row.connected,
+            "state": row.state if alive else "",
+            "alarm": row.alarm if alive else None,
+            "position": row.position if alive else None,
+            "outputs": row.outputs if alive else [],
+            "operations": row.operations if alive else [],
+            "job": view.job,
+            "seen_seconds_ago": view.age,
+        }
+    )
+
+
+def _operation_out(row: Operation) -> OperationOut:
+    return OperationOut.model_validate({"id": row.id, "state": row.state, "message": row.message})
 
 
 def _machine_out(machine: Machine, connected: bool, job: str | None) -> MachineOut:

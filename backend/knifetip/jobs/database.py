@@ -77,6 +77,12 @@ class Database:
     clock
         Returns the seconds since 1970.  None for the one clock that all processes with this
         database share: that of the PostgreSQL server, or of the computer with the SQLite file.
+
+    Attributes
+    ----------
+    timer
+        Clock for durations, which all processes with this database share.  Unlike ``clock``, it
+        does not jump when the clock of the computer is set.
     """
 
     def __init__(self, url: str, clock: Callable[[], float] | None = None) -> None:
@@ -89,8 +95,9 @@ class Database:
             _sqlite(self._engine)
             self._turns = Turns()
             self.clock = clock or time.time
+            self.timer = clock or time.monotonic
         else:
-            self.clock = clock or SharedClock(self._server_time)
+            self.timer = self.clock = clock or SharedClock(self._server_time)
         self._writer = self._engine.execution_options(writes=True)
 
     def migrate(self) -> None:

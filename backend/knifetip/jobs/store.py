@@ -22,6 +22,7 @@ from knifetip.jobs.machine_queues import MachineQueues
 from knifetip.jobs.operator_store import OperatorStore
 from knifetip.jobs.profile_store import ProfileStore
 from knifetip.jobs.queue_store import QueueStore
+from knifetip.jobs.station_store import StationStore
 from knifetip.jobs.transitions import Transitions
 
 
@@ -49,6 +50,7 @@ class Store:
         self.queues = QueueStore(self.database, transitions, self.gateways)
         self.leases = LeaseSweep(self.database, transitions, self.compiles, self.gateways)
         self.profiles = ProfileStore(self.database)
+        self.stations = StationStore(self.database)
 
     @property
     def changes(self) -> Changes:

@@ -1,6 +1,7 @@
 """Tables of the store in SQLite or PostgreSQL.
 
-The tables contain drawings, jobs, events of drawings and jobs, profiles of customers, and gateways.
+The tables contain drawings, jobs, events of drawings and jobs, profiles of customers, gateways,
+and the stations of machines with the operations that persons ask for.
 Large columns are deferred: a query loads them only if it names them.
 """
 
@@ -225,3 +226,43 @@ class ToolEvent(Base):
     who: Mapped[str] = mapped_column(sa.String(200))
     #: mm; of a changed tool the length that it had worked, otherwise the new life, 0 for no limit
     length: Mapped[float] = mapped_column(sa.Double)
+
+
+class Station(Base):
+    """The last report of a gateway on its machine.
+
+    Times are those of ``Database.timer``.
+    """
+
+    __tablename__ = "station"
+
+    machine: Mapped[str] = mapped_column(sa.String(200), primary_key=True)
+    gateway: Mapped[str] = mapped_column(sa.String(200), default="")
+    reported: Mapped[float] = mapped_column(sa.Double, default=0.0)  #: time of the report
+    watched: Mapped[float] = mapped_column(sa.Double, default=0.0)  #: last time a person looked
+    connected: Mapped[bool] = mapped_column(default=False)  #: the controller is connected
+    state: Mapped[str] = mapped_column(sa.String(16), default="")  #: of the controller
+    alarm: Mapped[Message | None] = mapped_column(MessageColumn)
+    position: Mapped[list[float] | None] = mapped_column(sa.JSON(none_as_null=True))
+    outputs: Mapped[list[int]] = mapped_column(sa.JSON, default=list)  #: outputs that are on
+    operations: Mapped[list[str]] = mapped_column(sa.JSON, default=list)
+
+
+class Operation(Base):
+    """An operation that a person at a machine has asked for; kept for a short time.
+
+    Times are those of ``Database.timer``.
+    """
+
+    __tablename__ = "operation"
+    __table_args__ = (sa.Index("operation_by_state", "machine", "state"),)
+
+    serial: Mapped[int] = mapped_column(_SERIAL, primary_key=True, autoincrement=True)
+    id: Mapped[str] = mapped_column(sa.String(32), unique=True)
+    machine: Mapped[str] = mapped_column(sa.String(200))
+    request: Mapped[dict[str, Any]] = mapped_column(sa.JSON)  #: name and arguments
+    state: Mapped[str] = mapped_column(sa.String(8))  #: waiting, done, refused or expired
+    message: Mapped[Message | None] = mapped_column(MessageColumn)
+    asked: Mapped[float] = mapped_column(sa.Double)
+    #: when it was given to the gateway, so that it is given only once
+    handed: Mapped[float | None] = mapped_column(sa.Double)

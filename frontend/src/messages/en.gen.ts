@@ -2527,6 +2527,26 @@ export const TEXTS = {
     "text": "The operation was not carried out within {seconds:g} s and was dropped. Nothing was sent to the machine.",
     "hint": "Check the connection of the gateway to the server and to the machine, then try again."
   },
+  "operation.gateway-absent": {
+    "text": "No gateway of {machine} is connected, so nothing can be sent to the machine.",
+    "hint": "Switch on the machine and start its gateway."
+  },
+  "operation.job-running": {
+    "text": "Job {job} is {state} on {machine}, so the machine does nothing else.",
+    "hint": "Wait until the job has ended, or cancel it."
+  },
+  "operation.missing-argument": {
+    "text": "The operation {request} needs the field {name}.",
+    "hint": "Add the field to the request."
+  },
+  "operation.no-controller": {
+    "text": "The gateway of {machine} is not connected to the controller of the machine.",
+    "hint": "Switch on the controller and check its cable."
+  },
+  "operation.no-result": {
+    "text": "The gateway received the operation, but has not reported its result.",
+    "hint": "Look at the machine before you ask for anything else."
+  },
   "operation.not-at-rest": {
     "text": "{name} is not at rest: it reports the state {state}. Nothing was sent.",
     "hint": "Wait until the machine has stopped. If it is in alarm, unlock or home it."
@@ -2538,6 +2558,10 @@ export const TEXTS = {
   "operation.not-locked": {
     "text": "{name} is not locked by an alarm, so there is nothing to unlock.",
     "hint": ""
+  },
+  "operation.unknown": {
+    "text": "There is no operation {id} of {machine}.",
+    "hint": "Ask for the operation again: operations are kept for a short time only."
   },
   "operation.unknown-axis": {
     "text": "The machine has no axis {axis!r}.",

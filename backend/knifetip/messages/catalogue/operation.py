@@ -28,6 +28,33 @@ MESSAGES: Final[Entries] = {
         "Check the connection of the gateway to the server and to the machine, then try again.",
         seconds="number",
     ),
+    "operation.gateway-absent": entry(
+        "No gateway of {machine} is connected, so nothing can be sent to the machine.",
+        "Switch on the machine and start its gateway.",
+        machine="text",
+    ),
+    "operation.job-running": entry(
+        "Job {job} is {state} on {machine}, so the machine does nothing else.",
+        "Wait until the job has ended, or cancel it.",
+        job="text",
+        state="text",
+        machine="text",
+    ),
+    "operation.missing-argument": entry(
+        "The operation {request} needs the field {name}.",
+        "Add the field to the request.",
+        request="text",
+        name="text",
+    ),
+    "operation.no-controller": entry(
+        "The gateway of {machine} is not connected to the controller of the machine.",
+        "Switch on the controller and check its cable.",
+        machine="text",
+    ),
+    "operation.no-result": entry(
+        "The gateway received the operation, but has not reported its result.",
+        "Look at the machine before you ask for anything else.",
+    ),
     "operation.not-at-rest": entry(
         "{name} is not at rest: it reports the state {state}. Nothing was sent.",
         "Wait until the machine has stopped. If it is in alarm, unlock or home it.",
@@ -42,6 +69,12 @@ MESSAGES: Final[Entries] = {
     "operation.not-locked": entry(
         "{name} is not locked by an alarm, so there is nothing to unlock.",
         name="text",
+    ),
+    "operation.unknown": entry(
+        "There is no operation {id} of {machine}.",
+        "Ask for the operation again: operations are kept for a short time only.",
+        id="text",
+        machine="text",
     ),
     "operation.unknown-axis": entry(
         "The machine has no axis {axis!r}.",

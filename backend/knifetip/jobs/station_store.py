@@ -1,0 +1,318 @@
+"""Repository of the stations of machines: what gateways report, and what persons ask for.
+
+The gateway of a machine reports the state of its controller.  A person at the machine asks for
+operations, such as unlocking the controller.  The gateway fetches each operation once.  An
+operation that is not fetched within ``EXPIRY`` seconds expires: it is never carried out late.
+"""
+
+from __future__ import annotations
+
+import secrets
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from typing import Any
+
+import sqlalchemy as sa
+from sqlalchemy.exc import IntegrityError
+from sqlalchemy.orm import Session
+
+from knifetip.errors import NoSuchJob, WrongState
+from knifetip.gateway.operations import EXPIRY
+from knifetip.jobs.database import Database, short
+from knifetip.jobs.job import LEASED, ON_TABLE
+from knifetip.jobs.machine_queues import CLAIMED
+from knifetip.jobs.tables import Job, Operation, Station
+from knifetip.messages import Message
+
+#: Seconds after its last report from which a gateway counts as disconnected.
+SILENCE = 6.0
+#: Seconds for which a machine counts as watched after a person has looked at it.
+WATCHED = 12.0
+_KEPT = 600.0  # seconds for which operations are kept
+_WATCH_INTERVAL = 4.0  # least time between two records that a person looks (s)
+_REPORT_INTERVAL = 1.0  # least time between two records of unchanged reports (s)
+
+
+@dataclass(frozen=True, slots=True)
+class StationReport:
+    """State of a controller, as the gateway of its machine reports it."""
+
+    gateway: str  #: name of the gateway
+    connected: bool  #: whether the controller is connected
+    state: str  #: of the controller; "" if it is not connected
+    alarm: Message | None = None
+    position: Sequence[float] | None = None
+    outputs: Sequence[int] = ()  #: outputs that are on
+    operations: Sequence[str] = ()  #: operations that the controller can do
+
+
+@dataclass(frozen=True, slots=True)
+class OperationResult:
+    """Result of an operation, as the gateway reports it."""
+
+    id: str
+    state: str  #: done, refused or expired
+    message: Message | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """An operation that is handed to a gateway, with its age."""
+
+    id: str
+    age: float  #: time since the person asked for it (s)
+    request: Mapping[str, Any]  #: name and arguments
+
+
+@dataclass(frozen=True, slots=True)
+class StationView:
+    """State of a station as persons see it: the last report, and the job on the machine."""
+
+    row: Station
+    age: float | None  #: time since the last report (s); None if there was none
+    job: str  #: job on the machine; "" for none
+    watched: bool  #: whether a person has looked in the last ``WATCHED`` seconds
+
+    @property
+    def alive(self) -> bool:
+        """Whether the gateway has reported in the last ``SILENCE`` seconds."""
+        return self.age is not None and self.age <= SILENCE
+
+
+class StationStore:
+    """Repository of the stations of machines and of the operations of persons at them."""
+
+    def __init__(self, database: Database) -> None:
+        self._db = database
+
+    # -- for gateways ---------------------------------------------------------------------------
+
+    def report(
+        self, machine: str, report: StationReport, results: Sequence[OperationResult] = ()
+    ) -> None:
+        """Store the report of a gateway on its machine, and results of operations.
+
+        A report that is equal to the stored one is not stored again within ``_REPORT_INTERVAL``.
+
+        Parameters
+        ----------
+        machine
+            Name of the machine.
+        report
+            State of its controller.
+        results
+            Results of operations that were handed to the gateway.
+        """
+        now = self._db.timer()
+        columns: dict[str, Any] = {
+            "gateway": report.gateway,
+            "connected": report.connected,
+            "state": report.state,
+            "alarm": report.alarm,
+            "position": None if report.position is None else list(report.position),
+            "outputs": list(report.outputs),
+            "operations": list(report.operations),
+        }
+        with self._db.reading() as session:
+            row = session.get(Station, machine)
+        changed = row is None or any(getattr(row, name) != new for name, new in columns.items())
+        recent = row is not None and 0.0 <= now - row.reported < _REPORT_INTERVAL
+        if not changed and recent and not results:
+            return
+        with self._db.writing(urgent=True) as session:
+            stored = _station(session, machine)
+            for name, value in columns.items():
+                setattr(stored, name, value)
+            stored.reported = now
+            for result in results:
+                session.execute(
+                    sa.update(Operation)
+                    .where(
+                        Operation.id == result.id,
+                        Operation.machine == machine,
+                        Operation.state == "waiting",
+                    )
+                    .values(state=result.state, message=result.message)
+                )
+            if results:
+                session.info["changed"] = True
+
+    def hand_out(self, machine: str) -> list[Asked]:
+        """Return the operations that wait for a machine, oldest first, and mark them as handed out.
+
+        Operations that are older than ``EXPIRY`` expire instead.
+
+        Parameters
+        ----------
+        machine
+            Name of the machine.
+        """
+        waiting = sa.select(Operation).where(
+            Operation.machine == machine,
+            Operation.state == "waiting",
+            Operation.handed.is_(None),
+        )
+        with self._db.reading() as session:
+            if not session.scalar(sa.select(waiting.exists())):
+                return []
+        with self._db.writing(urgent=True) as session:
+            now = self._db.timer()
+            found = []
+            for row in session.scalars(waiting.order_by(Operation.serial).with_for_update()):
+                # A negative age: the computer was started again since.
+                if 0.0 <= (age := now - row.asked) < EXPIRY:
+                    row.handed = now
+                    found.append(Asked(row.id, age, row.request))
+                else:
+                    _expire(row)
+            return found
+
+    # -- for persons ----------------------------------------------------------------------------
+
+    def get(self, machine: str) -> StationView:
+        """Return the state of a station, and record that a person looks at it.
+
+        Parameters
+        ----------
+        machine
+            Name of the machine.
+        """
+        now = self._db.timer()
+        with self._db.reading() as session:
+            row = session.get(Station, machine)
+            job = session.scalar(_job_on(machine)) or ""
+        if row is None or not 0.0 <= now - row.watched < _WATCH_INTERVAL:
+            with self._db.writing() as session:
+                row = _station(session, machine)
+                row.watched = now
+        return self._view(row, job, now)
+
+    def all(self) -> list[StationView]:
+        """Return the states of all stations that a gateway has reported or a person watches."""
+        now = self._db.timer()
+        with self._db.reading() as session:
+            rows = list(session.scalars(sa.select(Station).order_by(Station.machine)))
+            jobs = {row.machine: session.scalar(_job_on(row.machine)) or "" for row in rows}
+        return [self._view(row, jobs[row.machine], now) for row in rows]
+
+    def is_watched(self, machine: str) -> bool:
+        """Return whether a person has looked at a station in the last ``WATCHED`` seconds."""
+        with self._db.reading() as session:
+            row = session.get(Station, machine)
+        return row is not None and self._view(row, "", self._db.timer()).watched
+
+    def ask(self, machine: str, request: Mapping[str, Any]) -> Operation:
+        """Store an operation that a person at a machine asks for, and return it.
+
+        Parameters
+        ----------
+        machine
+            Name of the machine.
+        request
+            Name of the operation (``operation``) and its arguments.
+
+        Raises
+        ------
+        WrongState
+            A job is running or held on the machine, its gateway or its controller is not connected,
+            or its controller cannot do the operation.
+        """
+        now = self._db.timer()
+        with self._db.writing(urgent=True) as session:
+            view = self._view(_station(session, machine), "", now)
+            running = session.execute(
+                sa.select(Job.id, Job.state).where(Job.machine == machine, Job.state.in_(LEASED))
+            ).first()
+            if running is not None:
+                raise WrongState(
+                    "operation.job-running", job=running.id, state=running.state, machine=machine
+                )
+            if not view.alive:
+                raise WrongState("operation.gateway-absent", machine=machine)
+            if not view.row.connected:
+                raise WrongState("operation.no-controller", machine=machine)
+            name = str(request["operation"])
+            if name not in view.row.operations:
+                raise WrongState("operation.unsupported", name=machine, request=name)
+            session.execute(
+                sa.delete(Operation).where(
+                    Operation.machine == machine,
+                    sa.or_(Operation.asked < now - _KEPT, Operation.asked > now),
+                )
+            )
+            row = Operation(
+                id=secrets.token_hex(8),
+                machine=machine,
+                request=dict(request),
+                state="waiting",
+                asked=now,
+            )
+            session.add(row)
+            view.row.watched = now
+            session.info["changed"] = True
+        return row
+
+    def operation(self, machine: str, id: str) -> Operation:
+        """Return an operation with its state; an operation that was not fetched in time expires.
+
+        Parameters
+        ----------
+        machine
+            Name of the machine.
+        id
+            Id of the operation.
+
+        Raises
+        ------
+        NoSuchJob
+            The machine has no operation with this id, or it was removed after some minutes.
+        """
+        query = sa.select(Operation).where(Operation.id == id, Operation.machine == machine)
+        with self._db.reading() as session:
+            row = session.scalar(query)
+            station = session.get(Station, machine)
+        if row is None:
+            raise NoSuchJob("operation.unknown", id=short(id), machine=machine)
+        if row.state != "waiting":
+            return row
+        now = self._db.timer()
+        late = row.handed is None and not 0.0 <= now - row.asked < EXPIRY
+        silent = station is None or not self._view(station, "", now).alive
+        lost = row.handed is not None and silent
+        if not (late or lost):
+            return row
+        with self._db.writing(urgent=True) as session:
+            row = session.scalars(query.with_for_update()).one()
+            if row.state == "waiting" and late and row.handed is None:
+                _expire(row)
+            elif row.state == "waiting" and lost:
+                row.state, row.message = "expired", Message("operation.no-result")
+            return row
+
+    def _view(self, row: Station, job: str, now: float) -> StationView:
+        age = now - row.reported
+        watched = 0.0 <= now - row.watched < WATCHED
+        return StationView(row, age if row.gateway and age >= 0.0 else None, job, watched)
+
+
+def _station(session: Session, machine: str) -> Station:
+    """Return the row of a station, which is added if there is none."""
+    row = session.get(Station, machine, with_for_update=True)
+    if row is not None:
+        return row
+    # Another process may add the row at the same time.
+    with suppress(IntegrityError), session.begin_nested():
+        added = Station(machine=machine, gateway="", reported=0.0, watched=0.0, connected=False)
+        added.state, added.outputs, added.operations = "", [], []
+        session.add(added)
+    return session.get_one(Station, machine, with_for_update=True)
+
+
+def _job_on(machine: str) -> sa.Select[tuple[str]]:
+    """Return a query for the job that is on the table of a machine, or claimed for it."""
+    return sa.select(Job.id).where(Job.machine == machine, sa.or_(Job.state.in_(ON_TABLE), CLAIMED))
+
+
+def _expire(row: Operation) -> None:
+    row.state, row.message = "expired", Message("operation.expired", seconds=EXPIRY)

@@ -1,0 +1,154 @@
+"""The station of a machine over REST: reports of the gateway, and operations of a person."""
+
+from __future__ import annotations
+
+import threading
+import time
+from typing import Any
+
+import httpx
+import pytest
+
+from tests.unit.api.test_events import event_queue
+
+pytestmark = pytest.mark.xdist_group("server")
+
+MACHINE = "flat-cutter-hpgl"  # no other test of the API uses its gateway
+JOG = {"operation": "jog", "axis": "X", "distance": 12.5, "feed": 600.0}
+REPORT: dict[str, Any] = {
+    "gateway": "gw",
+    "machine": MACHINE,
+    "connected": True,
+    "state": "idle",
+    "position": [1.0, 2.0, 20.0, 0.0],
+    "outputs": [1],
+    "operations": ["unlock", "home", "jog", "stop_jog"],
+}
+
+
+def report(client: httpx.Client, **more: Any) -> dict[str, Any]:
+    answer = client.post("/api/gateway/station", json={**REPORT, **more})
+    assert answer.status_code == 200, answer.text
+    reply: dict[str, Any] = answer.json()
+    return reply
+
+
+def ask(client: httpx.Client, **operation: Any) -> httpx.Response:
+    return client.post(f"/api/machines/{MACHINE}/operations", json=operation)
+
+
+def state_of(client: httpx.Client, id: str) -> dict[str, Any]:
+    found: dict[str, Any] = client.get(f"/api/machines/{MACHINE}/operations/{id}").json()
+    return found
+
+
+def test_the_station_shows_the_report_of_the_gateway(client: httpx.Client) -> None:
+    alarm = {"code": "controller.alarm-of-unknown-cause", "arguments": {"name": "grbl"}}
+    report(client, state="alarm", alarm=alarm)
+    station = client.get(f"/api/machines/{MACHINE}/station").json()
+    assert station["seen_seconds_ago"] < 5.0
+    assert station["alarm"]["hint"].startswith("Check the table")
+    del station["seen_seconds_ago"], station["alarm"]
+    assert station == {
+        "machine": MACHINE,
+        "gateway": "gw",
+        "connected": True,
+        "state": "alarm",
+        "position": [1.0, 2.0, 20.0, 0.0],
+        "outputs": [1],
+        "operations": ["unlock", "home", "jog", "stop_jog"],
+        "job": "",
+    }
+    assert report(client)["watched"]
+    assert client.get("/api/machines/no-such/station").status_code == 404
+
+
+def test_an_operation_reaches_the_gateway_at_once_and_its_result_the_person(
+    client: httpx.Client,
+) -> None:
+    report(client)
+    replies: list[dict[str, Any]] = []
+    waiting = threading.Thread(target=lambda: replies.append(report(client, wait=8.0)))
+    waiting.start()
+    time.sleep(0.3)
+    began = time.monotonic()
+    asked = ask(client, **JOG)
+    assert asked.status_code == 202
+    id = asked.json()["id"]
+    waiting.join(10.0)
+    assert time.monotonic() - began < 3.0
+    (handed,) = replies[0]["operations"]
+    assert {name: handed[name] for name in JOG} == JOG
+    assert handed["id"] == id
+    assert 0.0 <= handed["age"] < 3.0
+    assert state_of(client, id) == {"id": id, "state": "waiting", "message": None}
+    report(client, results=[{"id": id, "state": "done"}])
+    assert state_of(client, id)["state"] == "done"
+
+
+def test_a_late_operation_expires(client: httpx.Client) -> None:
+    report(client)
+    id = ask(client, operation="unlock").json()["id"]
+    time.sleep(3.1)
+    assert report(client)["operations"] == []
+    expired = state_of(client, id)
+    assert expired["state"] == "expired"
+    assert expired["message"]["code"] == "operation.expired"
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"operation": "jump"},
+        {"operation": "jog", "axis": "X", "feed": 600.0},
+        {"operation": "jog", "axis": "B", "distance": 1.0, "feed": 600.0},
+        {"operation": "jog", "axis": "X", "distance": 1e9, "feed": 600.0},
+        {"operation": "zero"},
+        {"operation": "zero", "axes": "Q"},
+        {"operation": "switch", "output": -1, "on": True},
+        {"operation": "switch", "output": 1},
+        {"operation": "unlock", "force": True},
+    ],
+)
+def test_a_wrong_operation_is_refused_with_a_hint(
+    client: httpx.Client, wrong: dict[str, Any]
+) -> None:
+    report(client)
+    answer = ask(client, **wrong)
+    assert answer.status_code == 422
+    assert answer.json()["hint"]
+    assert report(client)["operations"] == []
+
+
+def test_what_the_machine_cannot_do_now_is_refused(client: httpx.Client) -> None:
+    report(client)
+    unsupported = ask(client, operation="park")
+    assert unsupported.status_code == 409
+    assert unsupported.json()["code"] == "operation.unsupported"
+    report(client, connected=False, state="")
+    assert ask(client, **JOG).json()["code"] == "operation.no-controller"
+    assert client.get(f"/api/machines/{MACHINE}/operations/none").status_code == 404
+
+
+def test_a_page_of_another_site_asks_for_nothing(client: httpx.Client) -> None:
+    report(client)
+    foreign = client.post(
+        f"/api/machines/{MACHINE}/operations",
+        json=JOG,
+        headers={"Origin": "http://evil.example"},
+    )
+    assert foreign.status_code == 403
+    assert report(client)["operations"] == []
+
+
+def test_each_change_of_a_station_is_an_event(client: httpx.Client) -> None:
+    report(client, state="idle", position=[0.0, 0.0, 20.0, 0.0])
+    with event_queue(client) as heard:
+        report(client, state="jog", position=[5.0, 0.0, 20.0, 0.0])
+        while True:
+            event = heard.get(timeout=10.0)
+            if event.kind == "station" and event.data["state"] == "jog":
+                break
+        assert event.number is None
+        assert event.data["machine"] == MACHINE
+        assert event.data["position"] == [5.0, 0.0, 20.0, 0.0]
