@@ -309,7 +309,7 @@ def _station(session: Session, machine: str) -> Station:
     return session.get_one(Station, machine, with_for_update=True)
 
 
-def _job_on(machine: str) -> sa.Select[tuple[str]]:
+def _job_on(machine: str) -> sa.Select[str]:
     """Return a query for the job that is on the table of a machine, or claimed for it."""
     return sa.select(Job.id).where(Job.machine == machine, sa.or_(Job.state.in_(ON_TABLE), CLAIMED))
 
