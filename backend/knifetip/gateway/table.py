@@ -74,6 +74,15 @@ class Faults:
 
 
 @dataclass(frozen=True, slots=True)
+class Firmware:
+    """Properties that differ between builds of grblHAL, and between grblHAL and grbl 1.1."""
+
+    axes: str = "XYZC"  #: letters in the order of status reports; one of them is A or C, or none
+    outputs: int = 16  #: number of digital outputs (M64, M65)
+    grblhal: bool = True  #: grblHAL, which states its axes and outputs; False for grbl 1.1
+
+
+@dataclass(frozen=True, slots=True)
 class SwitchEvent:
     """One change of a digital output."""
 
@@ -124,6 +133,7 @@ class Table:
         faults: Faults | None = None,
         window: int = 128,
         sample: float = 0.0,
+        firmware: Firmware | None = None,
     ) -> None:
         if not speed > 0.0:
             raise ValueError(f"a speed of {speed} would never move")
@@ -133,6 +143,7 @@ class Table:
         self.machine = machine
         self.speed = speed
         self.faults = faults or Faults()
+        self.firmware = firmware or Firmware()
         self.window = window
         self.time = 0.0  #: simulated seconds of motion and dwell
         self.trace = Trace(sample) if sample > 0.0 else None
@@ -239,20 +250,24 @@ class Table:
         if self._critical:
             return
         self._reports += 1
-        machine_position = map(sum, zip(self.position, self._offset, strict=True))
-        figures = ",".join(f"{axis:.3f}" for axis in machine_position)
+        x, y, z, c = map(sum, zip(self.position, self._offset, strict=True))
         free = BLOCKS - len(self._planner)
         fields = [
             self.state,
-            f"MPos:{figures}",
+            f"MPos:{self._by_axis((x, y, z, c))}",
             f"Bf:{free},{self.window - len(self._buffer)}",
             f"FS:{self._planner.speed * 60.0:.0f},{int(self.oscillating)}",
         ]
         if self._planner.tag:
             fields.append(f"Ln:{self._planner.tag}")
         if self._reports % 10 == 1:
-            fields.append("WCO:" + ",".join(f"{axis:.3f}" for axis in self._offset))
+            fields.append(f"WCO:{self._by_axis(self._offset)}")
         self.answer(f"<{'|'.join(fields)}>")
+
+    def _by_axis(self, pose: Pose) -> str:
+        """Return the figures of a pose for each axis of the controller; 0 for further axes."""
+        figures = dict(zip(f"XYZ{self._rotary or '-'}", pose, strict=True))
+        return ",".join(f"{figures.get(axis, 0.0):.3f}" for axis in self.firmware.axes)
 
     # -- program lines --------------------------------------------------------------------------
 
@@ -292,7 +307,9 @@ class Table:
             self.answer("ok")
             return
         try:
+            self._require_axes(text)
             block = self._interpreter.read(line)
+            self._require_output(block)
         except LineRefused as refused:
             self.answer(f"error:{refused.code}")
             return
@@ -302,6 +319,21 @@ class Table:
         if self._check:
             block = EMPTY_BLOCK
         self._waiting = (block, order)
+
+    @property
+    def _rotary(self) -> str:
+        """Letter of the axis that rotates the tool; empty if there is none."""
+        return next((letter for letter in "CA" if letter in self.firmware.axes), "")
+
+    def _require_axes(self, text: bytes) -> None:
+        """Raise ``LineRefused`` for an axis letter that the controller does not know."""
+        if any(letter in text and letter != self._rotary.encode() for letter in (b"A", b"C")):
+            raise LineRefused(36 if self.firmware.grblhal else 20)
+
+    def _require_output(self, block: Block) -> None:
+        """Raise ``LineRefused`` for an output that the controller does not have."""
+        if block.output >= self.firmware.outputs:
+            raise LineRefused(39 if self.firmware.outputs else 20)
 
     def _execute_block(self, block: Block, order: int) -> bool:
         """Execute and answer a program line; return False if the line must wait.
@@ -410,10 +442,15 @@ class Table:
                 self._state = "Idle"
                 self.answer("[MSG:Caution: Unlocked]")
         elif text == b"$I":
+            axes = self.firmware.axes
             self.answer("[VER:1.1f.knifetip:simulated table]")
-            self.answer(f"[OPT:VNMSL,{BLOCKS},{self.window},4,0]")
-            self.answer("[AXS:4:XYZC]")
-            self.answer("[FIRMWARE:grblHAL]")
+            if self.firmware.grblhal:
+                self.answer(f"[OPT:VNMSL,{BLOCKS},{self.window},{len(axes)},0]")
+                self.answer(f"[AXS:{len(axes)}:{axes}]")
+                self.answer("[FIRMWARE:grblHAL]")
+                self.answer(f"[AUX IO:0,{self.firmware.outputs},0,0]")
+            else:
+                self.answer(f"[OPT:V,{BLOCKS},{self.window}]")
         elif text == b"$C" and (idle or self._check):
             if self._check:
                 self.answer("[MSG:Disabled]")

@@ -607,6 +607,14 @@ export const TEXTS = {
     "text": "{error} {progress} The machine was stopped, the head was lifted to Z {height:.1f} mm, and the stations were raised.",
     "hint": "{error:hint}"
   },
+  "controller.too-few-outputs": {
+    "text": "{name} has {count:# digital output|# digital outputs}, but the machine file contains a station with output {output}. Nothing was sent.",
+    "hint": "Use a controller with more outputs, for example grblHAL, or correct the machine file."
+  },
+  "controller.unable": {
+    "text": "{name} cannot execute program line {line} ({text}): {obstacle}. Nothing has moved.",
+    "hint": "Use a controller with the axes and outputs of the machine, for example grblHAL, or correct the machine file."
+  },
   "controller.unexpected-answer": {
     "text": "{name} responded to a program line that this gateway did not send. Either a response was sent twice, or another program sends lines to the controller.",
     "hint": "Check the cable to the controller, and close any other program that is connected to the controller."
@@ -1243,6 +1251,10 @@ export const TEXTS = {
     "text": "homing did not reach the limit switch",
     "hint": "Check the limit switches and their cables, then home the machine."
   },
+  "grbl.axis-letter-used": {
+    "text": "the controller names the rotary axis {letter}, and the line already contains this letter",
+    "hint": ""
+  },
   "grbl.error-1": {
     "text": "a number has no letter before it",
     "hint": ""
@@ -1401,6 +1413,14 @@ export const TEXTS = {
   },
   "grbl.error-9": {
     "text": "the controller is locked by an alarm, or is jogging",
+    "hint": ""
+  },
+  "grbl.no-output": {
+    "text": "the controller has no digital output {output} (it has {count:# output|# outputs})",
+    "hint": ""
+  },
+  "grbl.no-rotary-axis": {
+    "text": "the controller has no axis that rotates the tool (its axes are {axes:, })",
     "hint": ""
   },
   "grbl.unknown-alarm": {

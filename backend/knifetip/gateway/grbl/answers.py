@@ -117,19 +117,7 @@ class Report:
     room: int | None = None  #: second figure of Bf: bytes free in the receive buffer
     feed: float = 0.0
     number: int = 0  #: Ln
-
-
-def rotary_axis(letters: str) -> int:
-    """Return the index of the axis that rotates the tool, in the positions of status reports.
-
-    It is the index of the axis C if the machine has one, else that of A, else 3.
-
-    Parameters
-    ----------
-    letters
-        Letters of the axes in the order of status reports, from the answer ``[AXS:n:letters]``.
-    """
-    return next((letters.index(axis) for axis in "CA" if axis in letters), 3)
+    axes: int = 0  #: number of axes in the last position field
 
 
 def report(line: str, rotary: int = 3) -> Report | None:
@@ -140,7 +128,7 @@ def report(line: str, rotary: int = 3) -> Report | None:
     line
         The received line, such as ``<Idle|MPos:0.000,0.000,0.000,0.000>``.
     rotary
-        Index of the axis that rotates the tool (see ``rotary_axis``).
+        Index of the axis that rotates the tool (see ``Capabilities.rotary_axis``).
     """
     if not (line.startswith("<") and line.endswith(">")):
         return None
@@ -153,12 +141,13 @@ def report(line: str, rotary: int = 3) -> Report | None:
         state in (State.HOLD, State.DOOR) and detail in ("", "0")
     )
     poses: dict[str, Pose] = {}
-    free, room, feed, number = None, None, 0.0, 0
+    free, room, feed, number, axes = None, None, 0.0, 0, 0
     try:
         for field in fields:
             key, _, value = field.partition(":")
             if key in ("MPos", "WPos", "WCO"):
                 poses[key] = _pose(value, rotary)
+                axes = value.count(",") + 1
             elif key == "Bf":
                 blocks, _, bytes_free = value.partition(",")
                 free, room = int(blocks), int(bytes_free) if bytes_free else None
@@ -169,7 +158,7 @@ def report(line: str, rotary: int = 3) -> Report | None:
     except ValueError:
         return None
     machine, work, offset = (poses.get(key) for key in ("MPos", "WPos", "WCO"))
-    return Report(state, still, machine, work, offset, free, room, feed, number)
+    return Report(state, still, machine, work, offset, free, room, feed, number, axes)
 
 
 def _pose(value: str, rotary: int) -> Pose:

@@ -70,6 +70,7 @@ class GrblConnection:
         self.acknowledged = 0  #: program lines answered outside check mode
         self.sent = 0  #: program lines sent outside check mode
         self.last_alarm = 0  #: code of the present alarm, 0 if none was received
+        self.axes = 0  #: number of axes in status reports, 0 before the first one
         self.rotary = 3  #: index of the axis that rotates the tool, in status reports
         self.checking = False  #: the controller is in check mode
         self.refusals: list[ControllerRejected] = []  #: of program lines, in check mode
@@ -410,6 +411,7 @@ class GrblConnection:
         report = answers.report(line, self.rotary)
         if report is None:
             return
+        self.axes = report.axes or self.axes
         if report.offset is not None:
             self._offset = report.offset
         if report.state is not State.ALARM:

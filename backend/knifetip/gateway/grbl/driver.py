@@ -18,14 +18,22 @@ import asyncio
 import re
 from collections.abc import Awaitable, Callable, Iterable
 
-from knifetip.errors import ControllerAlarm, ControllerError, ControllerSilent, ProgramError
+from knifetip.errors import (
+    ControllerAlarm,
+    ControllerError,
+    ControllerRejected,
+    ControllerSilent,
+    ProgramError,
+)
 from knifetip.gateway.controller import Observer, SafeState, State, Status
-from knifetip.gateway.grbl import answers, recovery
+from knifetip.gateway.grbl import recovery
+from knifetip.gateway.grbl.capabilities import Capabilities
 from knifetip.gateway.grbl.connection import GrblConnection
 from knifetip.gateway.grbl.operating import GrblOperations
 from knifetip.gateway.grbl.receive_buffer import PendingLine
 from knifetip.gateway.interpreter import switches_output
 from knifetip.gateway.transport import Transport, connect
+from knifetip.messages import Message
 
 #: Time between two status requests while the machine comes to rest (s).
 _REST_INTERVAL = 0.01
@@ -33,8 +41,6 @@ _REST_INTERVAL = 0.01
 _FIRST_REPORT = 2.0
 
 _REALTIME = re.compile(rb"[^\x20-\x7e\t\r]|[?!~]")
-_OPTIONS = re.compile(r"\[OPT:[^,\]]*,(\d+),(\d+)")
-_AXES = re.compile(r"\[AXS:\d+:([A-Z]+)")
 
 
 class Grbl(GrblOperations):
@@ -70,7 +76,12 @@ class Grbl(GrblOperations):
         self._connection = GrblConnection(transport, reconnect, silence, poll)
         self._safe = safe
         self._silence = silence
-        self.capacity: int | None = None
+        self._capabilities = Capabilities()
+
+    @property
+    def capacity(self) -> int | None:
+        """Number of blocks (moves) that the planner of the controller can hold; None if unknown."""
+        return self._capabilities.blocks
 
     @property
     def name(self) -> str:
@@ -155,18 +166,31 @@ class Grbl(GrblOperations):
 
     async def _read_settings(self) -> None:
         """Request the options of the controller, and check its settings."""
-        await self._read_options()
+        await self._read_capabilities()
         if self._safe is not None and self._safe.beam:
             await self._require_laser_mode()
 
-    async def _read_options(self) -> None:
-        """Request the options of the controller (``$I``); store buffer sizes and rotary axis."""
-        for line in await self._connection.command(b"$I"):
-            if options := _OPTIONS.match(line):
-                self.capacity = int(options[1])
-                self._connection.buffer.set_size(int(options[2]))
-            elif axes := _AXES.match(line):
-                self._connection.rotary = answers.rotary_axis(axes[1])
+    async def _read_capabilities(self) -> None:
+        """Request axes, outputs and buffers of the controller (``$I``).
+
+        Raises
+        ------
+        ControllerError
+            The controller has fewer outputs than the machine.
+        """
+        connection = self._connection
+        lines = await connection.command(b"$I")
+        self._capabilities = found = Capabilities.read(lines, connection.axes)
+        connection.rotary = found.rotary_axis
+        if found.buffer is not None:
+            connection.buffer.set_size(found.buffer)
+        last = max(self._safe.outputs, default=-1) if self._safe else -1
+        if found.outputs is not None and found.outputs <= last:
+            raise connection.fail(
+                ControllerError(
+                    "controller.too-few-outputs", name=self.name, count=found.outputs, output=last
+                )
+            )
 
     async def _require_laser_mode(self) -> None:
         """Raise ``ControllerError`` unless the controller of a laser machine is in laser mode.
@@ -194,7 +218,8 @@ class Grbl(GrblOperations):
         Raises
         ------
         ControllerRejected
-            The controller refuses a line; nothing has moved.
+            The controller refuses a line, or has not the axis or the output that a line requires;
+            nothing has moved.
         ControllerAlarm
             A move exceeds the travel; nothing has moved, but the controller is locked.
         """
@@ -206,7 +231,9 @@ class Grbl(GrblOperations):
             for number, line in enumerate(lines, 1):
                 if connection.refusals:
                     break
-                if not switches_output(line):
+                if obstacle := self._capabilities.obstacle(line):
+                    connection.refusals.append(self._unable(line, number, obstacle))
+                elif not switches_output(line):
                     await self.send(line, number)
             await self.drain()
             # The controller resets itself when it leaves check mode.
@@ -218,8 +245,17 @@ class Grbl(GrblOperations):
         if connection.refusals:
             raise connection.refusals[0]
 
+    def _unable(self, line: bytes, number: int, obstacle: Message) -> ControllerRejected:
+        """Return the error for a program line that the controller cannot execute."""
+        text = PendingLine(line, number).excerpt
+        return ControllerRejected(
+            "controller.unable", name=self.name, line=number, text=text, obstacle=obstacle
+        )
+
     async def send(self, line: bytes, number: int) -> None:
         """Send a program line as soon as the receive buffer of the controller has room for it.
+
+        The letter of the rotary axis is replaced by that of the controller.
 
         Parameters
         ----------
@@ -237,7 +273,10 @@ class Grbl(GrblOperations):
         """
         if found := _REALTIME.search(line):
             raise ProgramError("program.control-byte", line=number, byte=found[0].hex())
-        connection, pending = self._connection, PendingLine(line, number)
+        connection, pending = (
+            self._connection,
+            PendingLine(self._capabilities.to_wire(line), number),
+        )
         if pending.size > connection.buffer.capacity:
             raise ProgramError(
                 "program.line-too-long-to-send",

@@ -14,6 +14,7 @@ from __future__ import annotations
 from knifetip.errors import ControllerAlarm
 from knifetip.gateway.controller import SafeState, State, Status
 from knifetip.gateway.grbl import answers, recovery
+from knifetip.gateway.grbl.capabilities import Capabilities
 from knifetip.gateway.grbl.connection import GrblConnection
 from knifetip.gateway.operations import OperationName
 from knifetip.messages import Message
@@ -31,6 +32,7 @@ class GrblOperations:
     _connection: GrblConnection
     _safe: SafeState | None
     _silence: float
+    _capabilities: Capabilities
     _switched_on: frozenset[int] = frozenset()
 
     @property
@@ -112,9 +114,8 @@ class GrblOperations:
 
     async def jog(self, axis: str, distance: float, feed: float) -> None:
         """Begin to move one axis by a distance (mm or degrees) at a feed (per minute)."""
-        await self._connection.command(
-            b"$J=G91 G21 %s%.4f F%.0f" % (axis.encode(), distance, max(feed, 1.0))
-        )
+        jog = b"$J=G91 G21 %s%.4f F%.0f" % (axis.encode(), distance, max(feed, 1.0))
+        await self._connection.command(self._capabilities.to_wire(jog))
 
     async def stop_jog(self) -> None:
         """Decelerate the running jog to a stop and discard the rest of it."""
@@ -123,7 +124,8 @@ class GrblOperations:
     async def zero(self, axes: str) -> None:
         """Store the present position of axes as their zero in G54."""
         words = " ".join(f"{axis}0" for axis in axes)
-        await self._connection.command(b"G10 L20 P1 " + words.encode())
+        command = b"G10 L20 P1 " + words.encode()
+        await self._connection.command(self._capabilities.to_wire(command))
 
     async def park(self) -> None:
         """Lift the tool, then begin to move X and Y to the park position of the machine."""

@@ -270,6 +270,23 @@ MESSAGES: Final[Entries] = {
         progress="message",
         height="number",
     ),
+    "controller.unable": entry(
+        "{name} cannot execute program line {line} ({text}): {obstacle}. Nothing has moved.",
+        "Use a controller with the axes and outputs of the machine, for example grblHAL, or "
+        "correct the machine file.",
+        name="text",
+        line="count",
+        text="text",
+        obstacle="message",
+    ),
+    "controller.too-few-outputs": entry(
+        "{name} has {count:# digital output|# digital outputs}, but the machine file contains a "
+        "station with output {output}. Nothing was sent.",
+        "Use a controller with more outputs, for example grblHAL, or correct the machine file.",
+        name="text",
+        count="count",
+        output="count",
+    ),
     "controller.unexpected-answer": entry(
         "{name} responded to a program line that this gateway did not send. Either a response "
         "was sent twice, or another program sends lines to the controller.",

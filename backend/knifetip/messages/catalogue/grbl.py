@@ -191,4 +191,17 @@ MESSAGES: Final[Entries] = {
     "grbl.unknown-error": entry(
         "the error code is not documented by Grbl",
     ),
+    "grbl.axis-letter-used": entry(
+        "the controller names the rotary axis {letter}, and the line already contains this letter",
+        letter="text",
+    ),
+    "grbl.no-output": entry(
+        "the controller has no digital output {output} (it has {count:# output|# outputs})",
+        output="count",
+        count="count",
+    ),
+    "grbl.no-rotary-axis": entry(
+        "the controller has no axis that rotates the tool (its axes are {axes:, })",
+        axes="texts",
+    ),
 }

@@ -1,0 +1,118 @@
+"""capabilities: axes, outputs and buffers of a controller, read from its answer to ``$I``.
+
+A program names the axis that rotates the tool C.  If the controller names this axis differently,
+for example A in a 4-axis grblHAL, the letter is replaced in each line that is sent.  The program
+itself is not changed, and the replacement can be reversed exactly.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from knifetip.gateway.interpreter import strip_comments, switches_output
+from knifetip.messages import Message
+
+_OPTIONS = re.compile(r"\[OPT:[^,\]]*,(\d+),(\d+)")
+_AXES = re.compile(r"\[AXS:\d+:([A-Z]+)")
+_OUTPUTS = re.compile(r"\[AUX IO:\d+,(\d+)")
+_GRBL_1_1 = re.compile(r"\[VER:1\.1")
+
+_COMMENT_OR_TEXT = re.compile(rb"(\([^)]*\)?|;.*)|[^(;]+", re.DOTALL)
+_OUTPUT_NUMBER = re.compile(rb"P0*(\d+)")
+
+#: Letter of the axis that rotates the tool, in programs.
+PROGRAM_LETTER = "C"
+#: Axes that are not the rotary axis.
+_LINEAR = "XYZ"
+
+
+@dataclass(frozen=True, slots=True)
+class Capabilities:
+    """Properties of a controller that decide whether it can execute a program, and how."""
+
+    axes: str = ""  #: letters of the axes in the order of status reports; empty if unknown
+    outputs: int | None = None  #: number of digital outputs; None if unknown
+    blocks: int | None = None  #: blocks of the planner; None if unknown
+    buffer: int | None = None  #: size of the receive buffer (bytes); None if unknown
+
+    @classmethod
+    def read(cls, lines: Iterable[str], reported: int) -> Capabilities:
+        """Return the capabilities that a controller states in its answer to ``$I``.
+
+        Parameters
+        ----------
+        lines
+            The lines of the answer, without ``ok``.
+        reported
+            Number of axes in status reports.
+        """
+        text = "\n".join(lines)
+        options, axes, outputs = (pattern.search(text) for pattern in (_OPTIONS, _AXES, _OUTPUTS))
+        # grbl 1.1 itself states neither firmware nor axes nor outputs: it has only X, Y and Z.
+        plain = bool(_GRBL_1_1.search(text)) and "[FIRMWARE:" not in text
+        letters = axes[1] if axes else ""
+        if not letters and reported == len(_LINEAR):
+            letters = _LINEAR
+        return cls(
+            axes=letters,
+            outputs=int(outputs[1]) if outputs else 0 if plain and letters == _LINEAR else None,
+            blocks=int(options[1]) if options else None,
+            buffer=int(options[2]) if options else None,
+        )
+
+    @property
+    def rotary_letter(self) -> str:
+        """Letter of the axis that rotates the tool; empty if the controller has no such axis.
+
+        It is C if there is an axis C, else the only axis besides X, Y and Z, else A or B.
+        """
+        if not self.axes:
+            return PROGRAM_LETTER
+        others = [letter for letter in self.axes if letter not in _LINEAR]
+        known = [letter for letter in (PROGRAM_LETTER, "A", "B") if letter in others]
+        if PROGRAM_LETTER not in known and len(others) == 1:
+            return others[0]
+        return known[0] if known else ""
+
+    @property
+    def rotary_axis(self) -> int:
+        """Index of the axis that rotates the tool in status reports; 3 if it is unknown."""
+        letter = self.rotary_letter
+        return self.axes.index(letter) if letter and letter in self.axes else 3
+
+    def obstacle(self, line: bytes) -> Message | None:
+        """Return a message if the controller cannot execute a program line, else None.
+
+        Only axes and outputs are checked; the controller itself checks the rest.
+        """
+        if self.outputs is not None and switches_output(line):
+            number = _OUTPUT_NUMBER.search(strip_comments(line))
+            if number is not None and int(number[1]) >= self.outputs:
+                return Message("grbl.no-output", output=int(number[1]), count=self.outputs)
+        letter = self.rotary_letter
+        if letter == PROGRAM_LETTER:
+            return None
+        words = strip_comments(line)
+        if not letter and PROGRAM_LETTER.encode() in words:
+            return Message("grbl.no-rotary-axis", axes=list(self.axes))
+        if letter and letter.encode() in words:
+            return Message("grbl.axis-letter-used", letter=letter)
+        return None
+
+    def to_wire(self, line: bytes) -> bytes:
+        """Return a program line with the controller's letter of the rotary axis."""
+        return _replace_letter(line, PROGRAM_LETTER, self.rotary_letter)
+
+    def from_wire(self, line: bytes) -> bytes:
+        """Return the program line that ``to_wire`` has changed to ``line``."""
+        return _replace_letter(line, self.rotary_letter, PROGRAM_LETTER)
+
+
+def _replace_letter(line: bytes, old: str, new: str) -> bytes:
+    """Return a program line with a letter replaced outside comments, in both cases."""
+    if old == new or not old or not new:
+        return line
+    table = bytes.maketrans((old + old.lower()).encode(), (new + new.lower()).encode())
+    return _COMMENT_OR_TEXT.sub(lambda part: part[0] if part[1] else part[0].translate(table), line)
