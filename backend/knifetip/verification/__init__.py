@@ -38,7 +38,7 @@ overcut     ``stray_work`` and ``track_ends`` (past an end), ``groove_check``
             ``knife_check`` (short gaps of perforations)
 stray       ``stray_work``, ``milling_check`` (shallow passes), ``milling_paths``,
             ``board_move_check`` (rapids in the board, too near to it or to the
-            sheet)
+            sheet), ``repeated_work`` (work of an earlier program)
 order       ``work_order``
 unreached   ``milling_shortfalls`` (a shortfall)
 kerf        ``milling_shortfalls`` (a shortfall)
@@ -98,6 +98,7 @@ verify.knife-at-rest               tools
 verify.laser-off                   tools
 verify.loose-piece                 checks.work_order
 verify.lowers-second               checks.output_checks
+verify.made-before                 checks.repeated_work
 verify.moves-before-stated         checks.output_checks
 verify.moves-overlap               checks.overlap_check
 verify.moves-with-beam             checks.output_checks
@@ -124,6 +125,7 @@ verify.plunge-without-move         checks.check_base
 verify.rapid-in-board              checks.board_move_check
 verify.rapid-near-sheet            checks.board_move_check
 verify.rapid-too-low               checks.board_move_check
+verify.released-before             checks.work_order
 verify.slanted                     checks.board_move_check
 verify.spindle                     checks.output_checks
 verify.stray                       checks.milling_paths, checks.stray_work

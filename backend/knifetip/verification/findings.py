@@ -46,9 +46,14 @@ class Findings:
         severity
             Whether the finding is a fault, a shortfall or a note.
         """
-        kept = self._kept[severity]
-        if len(kept) < MAX_FINDINGS:
-            kept.append(Finding(kind, message, float(measure), int(edge), int(line), severity))
+        self.extend([Finding(kind, message, float(measure), int(edge), int(line), severity)])
+
+    def extend(self, findings: Iterable[Finding]) -> None:
+        """Append findings, each unless ``MAX_FINDINGS`` of its severity are kept."""
+        for finding in findings:
+            kept = self._kept[finding.severity]
+            if len(kept) < MAX_FINDINGS:
+                kept.append(finding)
 
     def add_faults(self, faults: Iterable[tuple[int, Message]]) -> None:
         """Append a finding of kind "program" for each fault of a program, until the list contains

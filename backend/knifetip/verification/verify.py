@@ -8,6 +8,7 @@ with the stages that make programs, so programs from any source can be verified.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
@@ -17,6 +18,7 @@ from knifetip.languages.registry import find_language
 from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.earlier_work import EarlierWork
 from knifetip.model.machine import Machine
 from knifetip.model.sheet import Sheet
 from knifetip.model.verdict import Samples, Verdict
@@ -27,6 +29,7 @@ from knifetip.verification.checks.check_context import CheckContext, EdgeFigures
 from knifetip.verification.checks.edge_checks import check_edges
 from knifetip.verification.checks.output_checks import check_switching
 from knifetip.verification.checks.overlap_check import check_overlaps
+from knifetip.verification.checks.repeated_work import check_repeated_work
 from knifetip.verification.checks.unreached_areas import merge_unreached
 from knifetip.verification.checks.work_order import check_work_order
 from knifetip.verification.checks.zone_check import check_zones
@@ -34,6 +37,7 @@ from knifetip.verification.curves.group_order import order_in_groups
 from knifetip.verification.expectation.edges import place_edges
 from knifetip.verification.expectation.sheet_area import SheetArea, place_sheet
 from knifetip.verification.findings import MAX_FINDINGS, Findings
+from knifetip.verification.joined_work import join_work
 from knifetip.verification.kinematics import TipPaths, TipPoses, tip_paths, tip_poses
 from knifetip.verification.reading.moves import Moves, ProgramReader
 
@@ -52,6 +56,7 @@ def verify(
     *,
     sheet: Sheet | None = None,
     tolerance: float = 0.01,
+    earlier: Sequence[EarlierWork] = (),
 ) -> Verdict:
     """Return the verdict on a program: findings, figures for each edge, and the nominal time.
 
@@ -71,6 +76,10 @@ def verify(
         Greatest distance of the tip from the drawing: its distance from the edge, plus the
         controller's rounding of corners (G64), plus the distance of the edge from the curve of the
         file.  The rounding of coarse coordinates is added; the verdict contains the sum.
+    earlier : sequence of EarlierWork
+        Programs that have done a part of the work on the same sheet, in the order of their
+        execution.  Their completed work is not required again and must not be repeated, and the
+        order of the work includes it.
 
     Returns
     -------
@@ -91,11 +100,14 @@ def verify(
         raise ProgramError("verify.bad-tolerance", tolerance=tolerance)
     edges = place_edges(dieline, placement)
     figures = EdgeFigures.zeros(len(dieline))
-    findings = Findings()
+    findings, joined_findings = Findings(), Findings()
     area = None if sheet is None else place_sheet(sheet, edges)
     moves, _, paths = _trace(text, machine, board, tolerance, findings, area)
     _check_placement(text, placement, machine, findings)
     _check_unclassified(dieline, findings)
+    work = join_work(
+        paths, earlier, [trace_program(one.text, machine, board)[2] for one in earlier]
+    )
     tolerance += moves.resolution
     context = CheckContext(
         edges,
@@ -103,14 +115,17 @@ def verify(
         board,
         tolerance,
         figures,
-        findings,
+        joined_findings,
         dieline.fit_error,
         moves.programmed,
         moves.resolution,
         area,
+        work.lines_before,
     )
-    check_edges(context, paths)
-    check_work_order(context, paths)
+    check_edges(context, work.paths)
+    check_work_order(context, work.paths)
+    check_repeated_work(context, work)
+    findings.extend(work.own_line(finding) for finding in joined_findings.sorted())
     found = findings.sorted()
     return Verdict(
         accepted=not any(finding.refuses for finding in found),

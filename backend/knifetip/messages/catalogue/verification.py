@@ -253,6 +253,15 @@ MESSAGES: Final[Entries] = {
         y="number",
         line="count",
     ),
+    "verify.made-before": entry(
+        "Station {station} processes {length:.3f} mm at X{x:.3f} Y{y:.3f} (coordinates of the "
+        "sheet) again, which an earlier program has already made on this sheet.",
+        "Continue from a later contour, or start a new sheet.",
+        station="count",
+        length="number",
+        x="number",
+        y="number",
+    ),
     "verify.no-such-shortfall": entry(
         "The verdict has no finding {code} at edge {edge}.",
         "Read the findings again: the drawing or the program may have changed since.",
@@ -374,6 +383,13 @@ MESSAGES: Final[Entries] = {
         first="number",
         second="number",
         place="number",
+    ),
+    "verify.released-before": entry(
+        "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board "
+        "that an earlier program has already cut out or begun to cut out on this sheet.",
+        "Continue from the first contour that is not made, or start a new sheet.",
+        x="number",
+        y="number",
     ),
     "verify.slanted": entry(
         "Station {station} moves {distance:.3f} mm sideways (away from the axis of its tool) "

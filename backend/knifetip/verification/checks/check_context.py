@@ -108,6 +108,8 @@ class CheckContext:
     programmed: str = "XYZC"  #: the axes that the program moves
     resolution: float = 0.0  #: greatest shift of a printed point by rounding (mm)
     sheet: SheetArea | None = None  #: the sheet if it was cut to size
+    #: program lines of earlier programs for the same sheet, which have the lowest numbers
+    lines_before: int = 0
     #: rows of the dieline, positions (fraction of the edge), distances to the left of it (mm)
     samples: list[tuple[I32, F64, F64]] = field(default_factory=list)
     unreached: list[Unreached] = field(

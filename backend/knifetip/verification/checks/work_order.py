@@ -338,9 +338,11 @@ def _add_finding(
     ``lines``, after the second one.
     """
     line, limit = lines
-    context.findings.add(
-        "order", Message(code, x=place[0], y=place[1], line=limit), 0.0, edge=edge, line=line
-    )
+    own_limit = limit - context.lines_before
+    message = Message("verify.released-before", x=place[0], y=place[1])
+    if own_limit > 0:
+        message = Message(code, x=place[0], y=place[1], line=own_limit)
+    context.findings.add("order", message, 0.0, edge=edge, line=line)
 
 
 @kernel
