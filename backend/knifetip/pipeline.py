@@ -36,12 +36,14 @@ from knifetip.model.choices import Choices
 from knifetip.model.cleaned import Cleaned
 from knifetip.model.dieline import Dieline
 from knifetip.model.drawing import Drawing
+from knifetip.model.earlier_work import EarlierWork
 from knifetip.model.interpretation import Interpretation
 from knifetip.model.machine import Machine
 from knifetip.model.operation import Operation
 from knifetip.model.profile import LineRules
 from knifetip.model.program import Program
 from knifetip.model.question import Question
+from knifetip.model.rest import Rest
 from knifetip.model.sheet import Sheet
 from knifetip.model.stage import Progress, Stage, no_progress
 from knifetip.model.toolpath import Toolpath
@@ -56,7 +58,9 @@ from knifetip.post.emit import process
 from knifetip.sequencing.air_moves import with_full_retracts
 from knifetip.sequencing.contour_starts import choose_starts
 from knifetip.sequencing.duration import duration
+from knifetip.sequencing.rest_path import keep_tracks
 from knifetip.sequencing.sequence import sequence
+from knifetip.sequencing.tracks import RestChoice, find_tracks, row_lines, select_rest
 from knifetip.units.evidence import find_unit
 from knifetip.units.likeliest_unit import choose_unit
 from knifetip.units.question import unit_question
@@ -71,11 +75,13 @@ __all__ = [
     "clean",
     "compensate",
     "compile",
+    "compile_rest",
     "interpret",
     "plan",
     "process",
     "questions",
     "read",
+    "rest_of",
     "rules_of",
     "sequence",
     "verify",
@@ -85,6 +91,19 @@ __all__ = [
 TOLERANCE = 0.01
 
 _NO_CHOICES = Choices()
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _PlacedJob:
+    """The edges of a job at their position on the table, with machine, board and sheet."""
+
+    dieline: Dieline  #: the drawn edges
+    cleaned: Cleaned
+    offset: tuple[float, float]  #: of the drawing on the machine's table (mm)
+    machine: Machine
+    board: Board
+    sheet: Sheet | None = None  #: the sheet if it was cut to size
+    earlier: Sequence[EarlierWork] = ()  #: work that is done on the sheet
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -214,21 +233,79 @@ def compile(
         toolpath = _toolpath(cleaned, offset, machine, board, choices, progress)
     except (PlanError, CompensationError) as error:
         raise _located(error, drawing, cleaned.dieline.source) from None
-    progress(Stage.PROCESS, 0.5)
-    head = (
-        f"machine {machine.name}",
-        f"board {board.name} caliper {board.caliper:g}",
-        f"placement X{offset[0]:.4f} Y{offset[1]:.4f}",
-        *([choices.sheet.note] if choices.sheet else []),
-        *notes,
-    )
-    program = process(toolpath, machine, tolerance=TOLERANCE, notes=head)
-    progress(Stage.VERIFY, 0.7)
-    verdict = _verdict(program.text, dieline, cleaned, offset, machine, board, sheet=choices.sheet)
-    verdict = replace(verdict, findings=(*verdict.findings, *_notes(toolpath.notes)))
-    progress(Stage.DONE, 1.0)
-    full = duration(with_full_retracts(toolpath, machine), machine)
-    return Compiled(toolpath, program, verdict, offset, duration(toolpath, machine), full)
+    job = _PlacedJob(dieline, cleaned, offset, machine, board, choices.sheet)
+    return _compiled(job, toolpath, notes, progress)
+
+
+def compile_rest(
+    drawing: Drawing,
+    dieline: Dieline,
+    machine: Machine,
+    board: Board,
+    rest: Rest,
+    *,
+    choices: Choices = _NO_CHOICES,
+    notes: Sequence[str] = (),
+    progress: Progress = no_progress,
+) -> Compiled:
+    """Compile a program that makes the rest of a sheet on which earlier programs did some work.
+
+    The program makes tracks (paths between two lifts) of the toolpath of an earlier program, in
+    their order.  Its verdict is that on the whole sheet: it is refused unless the earlier work and
+    the program together make all edges, each once.
+
+    Parameters
+    ----------
+    drawing, dieline, machine, board, choices
+        The inputs from which the earlier program was compiled.
+    rest
+        The tracks that the program makes, and the earlier work.
+    notes
+        Comments that are added to the head of the program.
+    progress
+        Called at the start of each stage with the completed fraction of the compile, 0 … 1.
+
+    Raises
+    ------
+    PlanError
+        No track is selected.
+    TravelExceeded
+        An air move to a track would leave the limits of an axis.
+    """
+    progress(Stage.CLEAN, 0.02)
+    cleaned = clean(dieline)
+    offset = placement(cleaned.dieline, machine)
+    progress(Stage.SEQUENCE, 0.4)
+    try:
+        toolpath = keep_tracks(rest.toolpath, rest.tracks, machine, board.caliper)
+    except PlanError as error:
+        raise _located(error, drawing, np.arange(len(drawing), dtype=np.int32)) from None
+    job = _PlacedJob(dieline, cleaned, offset, machine, board, choices.sheet, rest.earlier)
+    return _compiled(job, toolpath, notes, progress)
+
+
+def rest_of(compiled: Compiled, choice: RestChoice, executed: int = 0) -> Rest:
+    """Return the rest of a compiled program, for ``compile_rest``.
+
+    Parameters
+    ----------
+    compiled
+        The program of which a part was executed.
+    choice
+        The user's choice of the tracks that remain to be made.
+    executed
+        Number of program lines that were executed.
+
+    Raises
+    ------
+    PlanError
+        There is no such track, no track remains, or a track that was not executed is left out
+        although the choice does not state that it is made.
+    """
+    program, toolpath = compiled.program, compiled.toolpath
+    tracks = find_tracks(toolpath, row_lines(program, len(toolpath)))
+    selected = select_rest(tracks, executed, choice)
+    return Rest(toolpath, selected.tracks, (EarlierWork(program.text, selected.made_lines),))
 
 
 def verify(
@@ -240,6 +317,7 @@ def verify(
     *,
     sheet: Sheet | None = None,
     tolerance: float = TOLERANCE,
+    earlier: Sequence[EarlierWork] = (),
 ) -> Verdict:
     """Verify a program against the drawn edges.
 
@@ -255,6 +333,8 @@ def verify(
         The sheet, if it was cut to size; None if there may be board everywhere on the table.
     tolerance : mm
         Maximum distance of the tool's tip from the drawn line.
+    earlier
+        Programs that did a part of the work on the same sheet, in the order of their execution.
 
     Raises
     ------
@@ -269,16 +349,8 @@ def verify(
     DrawingTooLarge
         Too many edges overlap.
     """
-    return _verdict(
-        text,
-        dieline,
-        clean(dieline),
-        placement,
-        machine,
-        board,
-        sheet=sheet,
-        tolerance=tolerance,
-    )
+    job = _PlacedJob(dieline, clean(dieline), placement, machine, board, sheet, earlier)
+    return _verdict(job, text, tolerance)
 
 
 def check_choices(choices: Choices, machine: Machine) -> None:
@@ -357,17 +429,32 @@ def _with_starts(operation: Operation, machine: Machine) -> Operation:
     )
 
 
-def _verdict(
-    text: bytes,
-    dieline: Dieline,
-    cleaned: Cleaned,
-    offset: tuple[float, float],
-    machine: Machine,
-    board: Board,
-    *,
-    sheet: Sheet | None = None,
-    tolerance: float = TOLERANCE,
-) -> Verdict:
+def _compiled(
+    job: _PlacedJob, toolpath: Toolpath, notes: Sequence[str], progress: Progress
+) -> Compiled:
+    """Return the program of a toolpath, with its verdict and its machine time.
+
+    ``notes`` are comments that are added to the head of the program.
+    """
+    progress(Stage.PROCESS, 0.5)
+    machine, board, sheet = job.machine, job.board, job.sheet
+    head = (
+        f"machine {machine.name}",
+        f"board {board.name} caliper {board.caliper:g}",
+        f"placement X{job.offset[0]:.4f} Y{job.offset[1]:.4f}",
+        *([sheet.note] if sheet else []),
+        *notes,
+    )
+    program = process(toolpath, machine, tolerance=TOLERANCE, notes=head)
+    progress(Stage.VERIFY, 0.7)
+    verdict = _verdict(job, program.text)
+    verdict = replace(verdict, findings=(*verdict.findings, *_notes(toolpath.notes)))
+    progress(Stage.DONE, 1.0)
+    full = duration(with_full_retracts(toolpath, machine), machine)
+    return Compiled(toolpath, program, verdict, job.offset, duration(toolpath, machine), full)
+
+
+def _verdict(job: _PlacedJob, text: bytes, tolerance: float = TOLERANCE) -> Verdict:
     """Return the verdict on a program for the drawn edges.
 
     The program is verified against the cleaned edges, and the cleaned edges against the drawn ones.
@@ -377,17 +464,19 @@ def _verdict(
     ----------
     text
         The program.
-    dieline, cleaned
-        The drawn edges, and the result of cleaning them.
-    offset
-        Shift (x, y) in mm that moves the drawing to its position on the machine's table.
-    sheet
-        The sheet, if it was cut to size.
     tolerance
         Maximum distance of the tool's tip from the drawn line (mm).
     """
+    dieline, cleaned = job.dieline, job.cleaned
     verdict = verification.verify(
-        text, cleaned.dieline, offset, machine, board, sheet=sheet, tolerance=tolerance
+        text,
+        cleaned.dieline,
+        job.offset,
+        job.machine,
+        job.board,
+        sheet=job.sheet,
+        tolerance=tolerance,
+        earlier=job.earlier,
     )
     mapped = map_to_drawn(verdict, cleaned, dieline)
     lost = check_cleaning(dieline, cleaned)

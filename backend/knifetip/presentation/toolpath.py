@@ -6,10 +6,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from knifetip.errors import PlanError
 from knifetip.geometry.columns import I32
 from knifetip.model.machine import Machine
 from knifetip.model.tool import kind_of
-from knifetip.presentation.columns import pack_columns
+from knifetip.model.toolpath import Toolpath
+from knifetip.presentation.columns import pack_columns, unpack_columns
+from knifetip.sequencing.tracks import Tracks, find_tracks, row_lines
 
 if TYPE_CHECKING:
     from knifetip.pipeline import Compiled
@@ -31,12 +34,7 @@ def program_lines(compiled: Compiled) -> I32:
     It is the last line that makes the move, if there are several: the move is complete when this
     line has been executed.  The number is -1 for moves without a program line.
     """
-    source = compiled.program.source
-    line = np.full(len(compiled.toolpath), -1, np.int32)
-    numbers = np.arange(1, len(source) + 1, dtype=np.int32)
-    moving = source >= 0
-    np.maximum.at(line, source[moving], numbers[moving])
-    return line
+    return row_lines(compiled.program, len(compiled.toolpath))
 
 
 def pack_toolpath(compiled: Compiled, machine: Machine) -> bytes:
@@ -53,6 +51,7 @@ def pack_toolpath(compiled: Compiled, machine: Machine) -> bytes:
             "feed": path.feed,
             "source": path.source,
             "tool": path.tool,
+            "track": path.track,
             "line": program_lines(compiled),
         },
         {
@@ -69,3 +68,19 @@ def pack_toolpath(compiled: Compiled, machine: Machine) -> bytes:
             ],
         },
     )
+
+
+def unpack_toolpath(block: bytes) -> tuple[Toolpath, Tracks]:
+    """Return the tool path that ``pack_toolpath`` packed, without its notes, and its tracks.
+
+    Raises
+    ------
+    PlanError
+        An older version packed the tool path, without its tracks.
+    """
+    columns, _ = unpack_columns(block)
+    if "track" not in columns:
+        raise PlanError("rest.old-program")
+    moves = {name: column for name, column in columns.items() if name != "line"}
+    path = Toolpath.from_new(moves, ())
+    return path, find_tracks(path, columns["line"])

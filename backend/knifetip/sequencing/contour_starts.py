@@ -20,8 +20,8 @@ from knifetip.kernels import F64_1, F64_2, I32_1, inline_kernel, kernel
 from knifetip.model.contour_starts import ContourStarts
 from knifetip.model.machine import Machine, Station
 from knifetip.model.tool import Reversal
+from knifetip.sequencing.head import parking_pose
 from knifetip.sequencing.order import axis_rates, greedy_order, link_times
-from knifetip.sequencing.sequence import parking_pose
 from knifetip.sequencing.tour import axis_time
 
 #: Numbers of orders for which the starts are chosen.

@@ -14,18 +14,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import replace
 
 import numpy as np
 
 from knifetip.errors import PlanError
-from knifetip.geometry.columns import F64, I32, I64, U8, Bool, hand_over
+from knifetip.geometry.columns import F64, I64, Bool, hand_over
 from knifetip.geometry.path import Paths
 from knifetip.model.machine import Machine, Station
 from knifetip.model.tool import Reversal
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.sequencing.air_moves import interference, lift_clear, turns_outside_board, unwind
 from knifetip.sequencing.enclosed_tracks import split_enclosed
+from knifetip.sequencing.head import Head, MoveColumns, join_moves
 from knifetip.sequencing.keep_out import avoid_zones
 from knifetip.sequencing.order import short_order
 from knifetip.sequencing.passes import (
@@ -39,23 +40,6 @@ from knifetip.sequencing.passes import (
 )
 from knifetip.sequencing.rest_time import rest_times
 from knifetip.sequencing.travel import check_travel
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class _Moves:
-    """n moves in columns.
-
-    The columns are those of ``Toolpath``, except that ``pose``, (n, 4), contains only the pose at
-    the end of each move.
-    """
-
-    pose: F64
-    bulge: F64
-    motion: U8
-    feed: F64
-    source: I32
-    tool: U8
-    track: I32
 
 
 def sequence(
@@ -97,120 +81,27 @@ def sequence(
     ]
     if not work:
         raise PlanError("job.no-work")
-    tool = int(work[0].tool[0])
-    home = parking_pose(machine.station(tool), machine)
-    current, parts, count = home, [], 0
-    turned = dict.fromkeys(range(1, 1 + len(machine.carriages)), 0.0)
+    head = Head(machine.station(int(work[0].tool[0])), machine)
+    home, parts, count = head.pose, [], 0
     for toolpath in work:
         station = machine.station(int(toolpath.tool[0]))
-        if tool != station.number:
-            current = _at_height(current, machine.travel_z)
-            parts.append(_air_move(current, tool))
-            previous = machine.station(tool)
-            if previous.carriage != station.carriage:
-                turned[previous.carriage] = float(current[3]) + previous.c
-                current = _at_height(
-                    _park_pose(current, previous, machine), _idle_height(previous, machine)
-                )
-                parts.append(_air_move(current, tool))
-                current = _next_pose(current, previous, station, machine)
-                current[3] = turned[station.carriage] - station.c
-                parts.append(_air_move(current, station.number))
-        moves = _order_tracks(toolpath, station, machine, current, count)
-        if current[2] == machine.travel_z:
-            parts.append(_air_move(_at_height(moves.pose[0], machine.travel_z), station.number))
+        parts += head.change_station(station)
+        moves = _order_tracks(toolpath, station, machine, head.pose, count)
+        parts += head.move_above(moves.pose[0])
         parts.append(moves)
-        tool, current = station.number, moves.pose[-1]
+        head.pose = moves.pose[-1]
         count = int(moves.track.max()) + 1
-    parts.append(_air_move(_at_height(current, machine.travel_z), tool))
-    parts.append(_air_move(parking_pose(machine.station(tool), machine), tool))
-    columns = {
-        field.name: np.concatenate([getattr(part, field.name) for part in parts])
-        for field in fields(_Moves)
-    }
-    columns["pose"] = np.concatenate([home[None], columns["pose"]])
+    parts += head.park()
     notes = tuple(note for toolpath in work for note in toolpath.notes)
-    result = _lower_turns(Toolpath.from_new(columns, notes), machine, outline, safety)
+    result = _lower_turns(join_moves(home, parts, notes), machine, outline, safety)
     result = avoid_zones(result, machine)
     check_travel(result, machine)
     return result
 
 
-def _at_height(pose: F64, height: float) -> F64:
-    """Return a copy of a pose, (4,), with its z set to ``height`` (mm)."""
-    raised = pose.copy()
-    raised[2] = height
-    return raised
-
-
-def parking_pose(station: Station, machine: Machine) -> F64:
-    """Return the parking pose of a station, (4,), at travel height with C at 0.
-
-    It is the position nearest to X 0, Y 0 that the station can reach.  If the machine has several
-    carriages, Y is the parking position of the carriage of the station.
-    """
-    x, y = machine.carriage_of(station).axes[:2]
-    pose = np.array(
-        [
-            min(max(0.0, x.low - station.x), x.high - station.x),
-            min(max(0.0, y.low - station.y), y.high - station.y),
-            machine.travel_z,
-            0.0,
-        ]
-    )
-    return _park_pose(pose, station, machine) if machine.gantry else pose
-
-
-def _park_pose(pose: F64, station: Station, machine: Machine) -> F64:
-    """Return a pose of a station, (4,), with the station's carriage at its parking position."""
-    parked = pose.copy()
-    parked[1] = machine.carriage_of(station).park - station.y
-    return parked
-
-
-def _idle_height(station: Station, machine: Machine) -> float:
-    """Return the height of the tip of a station while its carriage is not in use (mm).
-
-    If the carriages have different Z axes, the carriage rises until all its stations are at travel
-    height.  If they share one, the next carriage moves it to the travel height of its own station.
-    """
-    letters = [carriage.letters[2] for carriage in machine.carriages]
-    if len(set(letters)) == 1:
-        return machine.travel_z
-    z = machine.carriage_of(station).axes[2]
-    letter = letters[station.carriage - 1]
-    datum = [one.z for one in machine.stations if letters[one.carriage - 1] == letter]
-    return min(machine.travel_z + max(datum), z.high) - station.z
-
-
-def _next_pose(pose: F64, previous: Station, station: Station, machine: Machine) -> F64:
-    """Return the pose of the next station, (4,), whose carriage is still parked.
-
-    ``pose`` is the pose of the station ``previous`` on another carriage.  The gantry remains at its
-    position along X, unless the next station cannot be at that position.
-    """
-    x = machine.carriage_of(station).axes[0]
-    result = _at_height(_park_pose(pose, station, machine), machine.travel_z)
-    result[0] = min(max(pose[0] + previous.x, x.low), x.high) - station.x
-    return result
-
-
-def _air_move(pose: F64, tool: int) -> _Moves:
-    """Return one rapid to ``pose``, (4,), with the tool of the station whose number is ``tool``."""
-    return _Moves(
-        pose=pose[None],
-        bulge=np.zeros(1),
-        motion=np.array([Motion.RAPID], np.uint8),
-        feed=np.zeros(1),
-        source=np.array([-1], np.int32),
-        tool=np.array([tool], np.uint8),
-        track=np.array([-1], np.int32),
-    )
-
-
 def _order_tracks(
     toolpath: Toolpath, station: Station, machine: Machine, current: F64, count: int
-) -> _Moves:
+) -> MoveColumns:
     """Return the moves of a toolpath with its tracks in a short order, and an air move before each
     track.
 
@@ -272,7 +163,7 @@ def _order_tracks(
     track = ordered.track
     if count:
         track[track >= 0] += count
-    return _Moves(
+    return MoveColumns(
         pose=ordered.pose,
         bulge=ordered.bulge,
         motion=ordered.motion,

@@ -14,9 +14,9 @@ from knifetip.model.contour_starts import ContourStarts
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.sequencing import contour_starts
 from knifetip.sequencing.contour_starts import choose_starts
+from knifetip.sequencing.head import parking_pose
 from knifetip.sequencing.nearest import nearest_neighbour
 from knifetip.sequencing.order import link_times
-from knifetip.sequencing.sequence import parking_pose
 from tests.support.cartons.known_size import drawing_of
 from tests.support.shapes import closed, dieline
 

@@ -197,6 +197,11 @@ MESSAGES: Final[Entries] = {
         path="text",
         numbers="texts",
     ),
+    "field.rest-choice": entry(
+        "{path} must choose one place (from_track or from_line), a station, both, or only whole; "
+        "copies are for whole only",
+        path="text",
+    ),
     "field.sheet-size": entry(
         "{path} must have both width and height, or none of width, height and margin",
         path="text",

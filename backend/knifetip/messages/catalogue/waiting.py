@@ -38,6 +38,18 @@ MESSAGES: Final[Entries] = {
         board="text",
         sheet="message?",
     ),
+    "waiting.for-rest": entry(
+        "The job waits until the operator of {machine} confirms that the sheet of job {job}, of "
+        "which it makes the rest, still lies in its place. Required: board "
+        "{board!r}{sheet}{tools}.",
+        "Check that the sheet has not moved and that all tools are whole, then confirm the job to "
+        "start it. If the sheet has moved or is gone, cancel the job.",
+        machine="text",
+        job="text",
+        board="text",
+        sheet="message?",
+        tools="message?",
+    ),
     "waiting.for-start": entry(
         "The job waits until the operator of {machine} confirms that the table is clear. "
         "Required: board {board!r}{sheet}{tools}.",

@@ -1,0 +1,163 @@
+"""tracks: the tracks of a toolpath with their program lines, and the choice of those still to make.
+
+A track is a path between two lifts: its program lines are made completely or not.  The executed
+lines of a program divide its tracks into cut, begun and uncut ones.  A track that was begun is made
+again from its start, because nothing tells how deep the tool was when the machine stopped.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+
+from knifetip.errors import PlanError
+from knifetip.geometry.columns import I32, I64, Bool
+from knifetip.model.program import Program
+from knifetip.model.toolpath import Toolpath
+
+
+class TrackState(StrEnum):
+    """How much of a track was made."""
+
+    CUT = "cut"
+    BEGUN = "begun"
+    UNCUT = "uncut"
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Tracks:
+    """The t tracks of a sequenced toolpath, in the order of the work."""
+
+    first_row: I64  #: (t,) row of the first move in the toolpath
+    last_row: I64  #: (t,)
+    first_line: I64  #: (t,) first program line, from 1
+    last_line: I64  #: (t,)
+    station: I64  #: (t,) number of the station
+
+    def __len__(self) -> int:
+        return len(self.station)
+
+    def states(self, executed: int) -> list[TrackState]:
+        """Return the state of each track after the first ``executed`` lines of the program."""
+        begun, cut = self.first_line <= executed, self.last_line <= executed
+        names = (TrackState.UNCUT, TrackState.BEGUN, TrackState.CUT)
+        return [names[count] for count in begun.astype(int) + cut]
+
+
+@dataclass(frozen=True, slots=True)
+class RestChoice:
+    """The user's choice of the tracks that remain to be made.
+
+    Without ``from_track`` and ``from_line``, the rest begins with the first track that is not cut,
+    or with the first track of all if a station is chosen.
+    """
+
+    from_track: int | None = None  #: number of the first track, from 1
+    from_line: int | None = None  #: program line; the rest begins with the track of this line
+    station: int | None = None  #: only the tracks of this station
+    made: bool = False  #: the user has found all other tracks complete
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class RestSelection:
+    """The tracks that remain to be made, and the program lines of those that are complete."""
+
+    tracks: I64  #: (k,) numbers of the tracks, from 0, ascending
+    made_lines: tuple[tuple[int, int], ...]  #: ranges of program lines: first and last, from 1
+
+
+def row_lines(program: Program, rows: int) -> I32:
+    """Return for each row of a toolpath the last program line that makes it, (rows,).
+
+    The lines are numbered from 1; a row without a program line has -1.
+    """
+    line = np.full(rows, -1, np.int32)
+    numbers = np.arange(1, len(program) + 1, dtype=np.int32)
+    moving = program.source >= 0
+    np.maximum.at(line, program.source[moving], numbers[moving])
+    return line
+
+
+def track_rows(toolpath: Toolpath) -> tuple[I64, I64]:
+    """Return the first and the last row of each of the t tracks of a sequenced toolpath, (t,)."""
+    rows = np.flatnonzero(toolpath.track >= 0)
+    track = toolpath.track[rows]
+    numbers = np.arange(int(track.max(initial=-1)) + 1)
+    first = rows[np.searchsorted(track, numbers)]
+    last = rows[np.searchsorted(track, numbers, side="right") - 1]
+    return first, last
+
+
+def find_tracks(toolpath: Toolpath, line: I32) -> Tracks:
+    """Return the tracks of a sequenced toolpath; ``line``, (n,), is the line of each of its rows.
+
+    A track begins with the line after that of the row before it, so that lines which lower the tool
+    belong to it.
+    """
+    first, last = track_rows(toolpath)
+    reached = np.maximum.accumulate(np.maximum(line, 0)).astype(np.int64)
+    before = np.where(first > 0, reached[first - 1], 0)
+    return Tracks(first, last, before + 1, reached[last], toolpath.tool[first].astype(np.int64))
+
+
+def select_rest(tracks: Tracks, executed: int, choice: RestChoice) -> RestSelection:
+    """Return the tracks that remain to be made, and the lines whose work is complete.
+
+    Parameters
+    ----------
+    tracks
+        The tracks of the program that the rest continues.
+    executed
+        Number of its lines that were executed.
+    choice
+        The user's choice.
+
+    Raises
+    ------
+    PlanError
+        There is no such track, line or station, no track remains, or a track that was not executed
+        is left out and the user has not found it complete.
+    """
+    numbers = np.arange(len(tracks))
+    begin = _first_track(tracks, executed, choice)
+    kept = numbers >= begin
+    if choice.station is not None:
+        if not (tracks.station == choice.station).any():
+            raise PlanError("rest.no-such-station", station=choice.station)
+        kept &= tracks.station == choice.station
+    if not kept.any():
+        raise PlanError("rest.no-tracks")
+    missing = ~kept & (tracks.last_line > executed)
+    if missing.any() and not choice.made:
+        raise PlanError(
+            "rest.not-executed",
+            count=int(missing.sum()),
+            track=int(np.argmax(missing)) + 1,
+            station=int(tracks.station[np.argmax(missing)]),
+            executed=executed,
+        )
+    return RestSelection(np.flatnonzero(kept), _line_ranges(tracks, ~kept))
+
+
+def _first_track(tracks: Tracks, executed: int, choice: RestChoice) -> int:
+    """Return the number, from 0, of the first track that may be in the rest."""
+    if choice.from_track is not None:
+        if not 1 <= choice.from_track <= len(tracks):
+            raise PlanError("rest.no-such-track", track=choice.from_track, count=len(tracks))
+        return choice.from_track - 1
+    line = executed + 1
+    if choice.from_line is not None:
+        line = choice.from_line
+    elif choice.station is not None:
+        return 0
+    return int(np.searchsorted(tracks.last_line, line))
+
+
+def _line_ranges(tracks: Tracks, marked: Bool) -> tuple[tuple[int, int], ...]:
+    """Return the ranges of program lines of marked tracks; neighbouring tracks are joined."""
+    edges = np.diff(marked.astype(np.int8), prepend=0, append=0)
+    first = tracks.first_line[np.flatnonzero(edges == 1)].tolist()
+    last = tracks.last_line[np.flatnonzero(edges == -1) - 1].tolist()
+    return tuple(zip(first, last, strict=True))
