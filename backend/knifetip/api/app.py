@@ -18,7 +18,7 @@ from fastapi.routing import APIRoute
 from starlette.exceptions import HTTPException
 
 from knifetip import errors
-from knifetip.api import drawings, events, gateway, jobs, library, machines, profiles, queues
+from knifetip.api import drawings, events, gateway, jobs, library, machines, profiles, queues, rest
 from knifetip.api.access import Access
 from knifetip.api.headers import SecurityHeaders
 from knifetip.api.limits import Limits
@@ -113,7 +113,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         redoc_url=None,
         generate_unique_id_function=_operation_id,
     )
-    for module in (drawings, jobs, queues, events, machines, library, profiles, gateway):
+    for module in (drawings, jobs, queues, rest, events, machines, library, profiles, gateway):
         app.include_router(module.router, prefix="/api")
     app.add_api_route("/healthz", _health, response_model=Health, tags=["health"])
     app.add_api_route("/readyz", _ready, response_model=Health, tags=["health"])

@@ -251,7 +251,8 @@ def get_toolpath(service: ServiceDep, request: Request, id: JobId) -> Response:
     head's axis and Z of the tool's tip in mm, C in degrees), ``bulge`` (tan(sweep / 4) of an arc, 0
     for a line), ``motion`` (number of the kind of the move, such as 0 for a rapid move), ``feed``
     (mm/min), ``source`` (row of the processed edge in the drawing; -1 between edges), ``tool``
-    (station number) and ``line`` (number of the program line; -1 for none).
+    (station number), ``track`` (number of the track from 0, which is a path between two lifts; -1
+    between tracks) and ``line`` (number of the program line; -1 for none).
     """
     row = service.store.jobs.get(id)
     block = service.store.jobs.column(id, "toolpath")
@@ -385,7 +386,9 @@ def jobs_out(store: Store, rows: Sequence[Job]) -> list[JobOut]:
 
 def _job_out(row: Job, waiting: Waiting, now: float) -> JobOut:
     message = waiting.message if waiting.waiting_for else row.message
-    computed = {"verdict", "progress", "waiting_for", "actions", "reason", "hint", "message"}
+    computed = {
+        "verdict", "progress", "waiting_for", "actions", "reason", "hint", "message", "is_rest",
+    }  # fmt: skip
     fields: dict[str, Any] = {
         name: getattr(row, name) for name in set(JobOut.model_fields) - computed
     }
@@ -399,6 +402,7 @@ def _job_out(row: Job, waiting: Waiting, now: float) -> JobOut:
             "actions": allowed_actions(row, now),
             "verdict": row.verdict_summary,
             "progress": progress(row),
+            "is_rest": row.rest is not None,
         }
     )
 
@@ -412,7 +416,14 @@ def progress(row: Job) -> float:
     match row.state:
         case State.DONE:
             return 1.0
-        case State.RUNNING | State.HELD | State.INTERRUPTED | State.SCRAPPED | State.CANCELLED:
+        case (
+            State.RUNNING
+            | State.HELD
+            | State.INTERRUPTED
+            | State.SCRAPPED
+            | State.CONTINUED
+            | State.CANCELLED
+        ):
             executed = row.line / row.lines if row.lines else 0.0
             # Between two copies ``line`` is the last line of the completed copy, already counted.
             if row.copies_done and executed >= 1.0:

@@ -48,13 +48,15 @@ def waiting_of(store: Store, jobs: Sequence[Job]) -> list[Waiting]:
 def _waiting(row: Job, queue: Queue | None) -> Waiting:
     if row.confirmation == Confirmation.AWAITED:
         code = "waiting.for-start" if row.state == State.QUEUED else "waiting.unconfirmed-run"
-        message = Message(
-            code,
-            machine=_title(row.machine),
-            board=_board_title(row.board),
-            sheet=_sheet(row),
-            tools=_tools(row),
-        )
+        required = {
+            "machine": _title(row.machine),
+            "board": _board_title(row.board),
+            "sheet": _sheet(row),
+            "tools": _tools(row),
+        }
+        if row.rest is not None and row.state == State.QUEUED:
+            return Waiting("confirmation", Message("waiting.for-rest", job=row.resumes, **required))
+        message = Message(code, **required)
         return Waiting("confirmation", message)
     if row.confirmation == Confirmation.SHEET:
         message = Message(

@@ -5,6 +5,8 @@ confirm           confirm at the machine that the table is clear, and board and 
 hold, resume      pause a running job, and continue it
 cancel, scrap     cancel a job, or scrap an interrupted job; the user must confirm first
 finish, requeue   declare an interrupted job finished, or queue it again
+tracks            list the tracks of a job's program, and which of them are cut
+rest              create a job that makes the rest of a sheet, or the whole program again
 """
 
 from __future__ import annotations
@@ -15,6 +17,8 @@ import typer
 
 from knifetip.cli.drawing import Json
 from knifetip.cli.job_client import JobClient
+from knifetip.cli.options import expand
+from knifetip.cli.rest import RestOptions
 from knifetip.cli.terminal import print_json
 from knifetip.messages import from_json, hint, render
 
@@ -57,6 +61,8 @@ def register(app: typer.Typer) -> None:
     job.command("confirm")(confirm_job)
     job.command("cancel")(cancel_job)
     job.command("scrap")(scrap_job)
+    job.command("tracks")(list_tracks)
+    job.command("rest")(expand(continue_job))
     for name, help_text in _PLAIN_COMMANDS.items():
         _add_command(job, name, help_text)
 
@@ -147,6 +153,57 @@ def scrap_job(id: Id, server: Server = SERVER, key: Key = "", yes: Yes = False) 
         effect = "The remaining copies will not be made, and the table is freed."
         typer.confirm(f"{effect} Scrap job {id}?", abort=True, err=True)
     _print_job(client.command(id, "scrap"))
+
+
+def list_tracks(id: Id, server: Server = SERVER, key: Key = "", json: Json = False) -> None:
+    """List the tracks of a job's program, and which of them the machine has cut.
+
+    A track is a path of one tool between two lifts.
+    """
+    rows = JobClient(server, key).tracks(id)
+    if json:
+        print_json(rows)
+        return
+    for row in rows:
+        (x, y), edges = row["start"], ", ".join(map(str, row["edges"]))
+        typer.echo(
+            f"{row['number']:5}  {row['state']:6} station {row['station']}  lines "
+            f"{row['first_line']}-{row['last_line']}  from X{x:.1f} Y{y:.1f}  edges {edges}"
+        )
+
+
+def continue_job(
+    id: Id,
+    server: Server = SERVER,
+    key: Key = "",
+    *,
+    choice: RestOptions,
+    made: Annotated[
+        bool,
+        typer.Option(
+            "--made",
+            help="All tracks that are left out are complete on the sheet, also those that the "
+            "machine has not reported as executed.",
+        ),
+    ] = False,
+    whole: Annotated[
+        bool, typer.Option("--whole", help="Make the whole program again, on a new sheet.")
+    ] = False,
+    copies: Annotated[
+        int, typer.Option(min=1, max=1000, help="Number of sheets to make, with --whole.")
+    ] = 1,
+    release: Annotated[
+        bool, typer.Option("--release", help="Queue the new job when its program is accepted.")
+    ] = False,
+) -> None:
+    """Create a job that makes the rest of the sheet of a job, or the whole program again.
+
+    Without a track, a line or a station, the new job makes all tracks that the machine has not
+    reported as executed.
+    """
+    flags = {"made": made, "whole": whole, "release": release}
+    body = {**choice.body(), **flags, "copies": copies}
+    _print_job(JobClient(server, key).command(id, "rest", body))
 
 
 def _add_command(app: typer.Typer, name: str, help_text: str) -> None:

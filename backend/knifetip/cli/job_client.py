@@ -66,7 +66,11 @@ class JobClient:
         """Return the job with an id as JSON data."""
         return dict(self.request("GET", _path(id)))
 
-    def command(self, id: str, command: str, body: dict[str, str] | None = None) -> dict[str, Any]:
+    def tracks(self, id: str) -> list[dict[str, Any]]:
+        """Return the tracks of the program of a job as JSON data."""
+        return list(self.request("GET", f"{_path(id)}/tracks"))
+
+    def command(self, id: str, command: str, body: dict[str, Any] | None = None) -> dict[str, Any]:
         """Send a command for a job to the server; return the changed job as JSON data.
 
         Parameters

@@ -22,6 +22,7 @@ from knifetip.cli.drawing import (
 )
 from knifetip.cli.exceptions import ExceptionOptions
 from knifetip.cli.options import expand
+from knifetip.cli.rest import RestOptions
 from knifetip.cli.terminal import (
     QUESTIONS,
     REFUSED,
@@ -34,6 +35,7 @@ from knifetip.cli.terminal import (
     write_bytes,
 )
 from knifetip.errors import PlanError, ProgramUnreadable
+from knifetip.languages.registry import with_language
 from knifetip.library import load
 from knifetip.model.board import Board
 from knifetip.model.choices import Choices
@@ -321,6 +323,7 @@ def program(
     corner_options: CornerOptions,
     sheet_options: SheetOptions,
     exceptions: ExceptionOptions,
+    rest: RestOptions,
     lift: Annotated[
         Lift,
         typer.Option(
@@ -347,8 +350,10 @@ def program(
 ) -> None:
     """Compile a drawing to a verified machine program.
 
-    The program is written only if the verifier accepts it.  Exits with 1 if it is refused, and with
-    2 while questions about the drawing are open.
+    The program is written only if the verifier accepts it.  With one of the options --from-track,
+    --from-line and --station, it makes only some tracks of the program and counts all other tracks
+    as made; the verifier then accepts it if both together make the drawing.  Exits with 1 if it is
+    refused, and with 2 while questions about the drawing are open.
     """
     machine, board = target.load()
     choices = Choices(corner_options.corners(machine), sheet_options.record(), lift.value)
@@ -365,6 +370,16 @@ def program(
             dialect=dialect,
             progress=report_progress,
         )
+        if rest.is_given:
+            result = pipeline.compile_rest(
+                loaded.drawing,
+                loaded.dieline,
+                with_language(machine, dialect),
+                board,
+                pipeline.rest_of(result, rest.choice()),
+                choices=choices,
+                progress=report_progress,
+            )
     result = replace(result, verdict=exceptions.apply(result.verdict))
     if report is not None:
         data = {

@@ -25,8 +25,9 @@ from knifetip.jobs.grace import Grace
 from knifetip.jobs.interpretations import interpretation_of
 from knifetip.jobs.process_pool import ProcessPool, TaskCancelled, TaskFailed
 from knifetip.jobs.readings import StoredDrawing
+from knifetip.jobs.rest_record import RestRecord, StoredRest
 from knifetip.jobs.store import Store
-from knifetip.jobs.tables import Job
+from knifetip.jobs.tables import Drawing, Job
 from knifetip.jobs.warm_up import WarmUp
 from knifetip.library import load
 from knifetip.model.acceptance import Exceptions
@@ -77,8 +78,29 @@ def compile_arguments(store: Store, job: Job, machine: str) -> tuple[object, ...
         interpretation_of(job, store.jobs.column(job.id, "overrides")),
         machine,
         job.board,
-        (f"knifetip {version('knifetip')}", f"drawing {drawing.sha256[:40]}"),
+        _notes(job, drawing),
         None if job.exceptions is None else Exceptions.from_json(job.exceptions),
+        _stored_rest(store, job),
+    )
+
+
+def _notes(job: Job, drawing: Drawing) -> tuple[str, ...]:
+    """Return the comments at the head of the program of a job."""
+    notes = (f"knifetip {version('knifetip')}", f"drawing {drawing.sha256[:40]}")
+    return notes if job.rest is None else (*notes, f"continues job {job.resumes}")
+
+
+def _stored_rest(store: Store, job: Job) -> StoredRest | None:
+    """Return the work that remains on the sheet that a job continues, with the stored data of the
+    earlier jobs; None if the job begins a new sheet.
+    """
+    if job.rest is None or job.resumes is None:
+        return None
+    record = RestRecord.from_json(job.rest)
+    return StoredRest(
+        store.jobs.column(job.resumes, "toolpath"),
+        record.tracks,
+        tuple((store.jobs.column(id, "program"), lines) for id, lines in record.made),
     )
 
 

@@ -69,7 +69,8 @@ class GatewayStore:
             stays ``queued``, and the gateway sends nothing to the machine until ``heartbeat``
             returns ``start``.  If the gateway claims again before that, it gets the same job with a
             new epoch, and the operator must confirm again.  If False, the job is stored as
-            ``running`` before this method returns.
+            ``running`` before this method returns, unless it continues another job: the operator
+            must confirm such a job on every machine.
 
         Raises
         ------
@@ -96,7 +97,8 @@ class GatewayStore:
                 if row is None:
                     return None
                 id = row.id
-                self._assign(session, row, gateway, manual)
+                # A begun sheet may have been moved, and a broken tool must have been replaced.
+                self._assign(session, row, gateway, manual or row.resumes is not None)
                 return self._transitions.lock(session, id)
         except IntegrityError as reason:
             raise _busy_error(machine, self._machines.jobs_on_tables().get(machine, "")) from reason

@@ -1,14 +1,16 @@
 """States of a job and the table of its transitions.
 
     received → compiling → ready → queued → running ⇄ held → done
-                  ↘ refused                    ↘ interrupted → queued again | scrapped
+                  ↘ refused                    ↘ interrupted → queued again | scrapped | continued
     cancelled from any state before done
 
 A program that is refused only for shortfalls becomes ready when an operator accepts them.
 
 The program repeats a failed compile by itself.  It does not repeat a failed cut, since the board is
 used up and a blade may be in it: only an operator returns a job from ``interrupted`` to the queue.
-A late report of the last owner may move an interrupted job to ``done`` or correct its message, but
+Another job may make the rest of the sheet, or the whole program again: when that job is queued, the
+interrupted job becomes ``continued`` and no longer occupies the table.  A late report of the last
+owner may move an interrupted job to ``done`` or correct its message, but
 it never restarts the job.
 
 On a machine with manual feed, a gateway claims a queued job and waits: the job stays ``queued``
@@ -40,6 +42,7 @@ class State(StrEnum):
     REFUSED = "refused"
     INTERRUPTED = "interrupted"
     SCRAPPED = "scrapped"
+    CONTINUED = "continued"  #: another job continues its work
     CANCELLED = "cancelled"
 
 
@@ -82,7 +85,23 @@ class Confirmation(StrEnum):
 ON_TABLE = (State.RUNNING, State.HELD, State.INTERRUPTED)
 
 #: States in which a job is not worked on; only an operator moves it to another state.
-ENDED = (State.DONE, State.REFUSED, State.INTERRUPTED, State.SCRAPPED, State.CANCELLED)
+ENDED = (
+    State.DONE,
+    State.REFUSED,
+    State.INTERRUPTED,
+    State.SCRAPPED,
+    State.CONTINUED,
+    State.CANCELLED,
+)
+
+#: States in which another job may continue the work of a job: its machine has ended its work.
+CONTINUABLE = (
+    State.INTERRUPTED,
+    State.DONE,
+    State.SCRAPPED,
+    State.CONTINUED,
+    State.CANCELLED,
+)
 
 #: States in which a gateway holds a lease.
 LEASED = (State.RUNNING, State.HELD)
@@ -103,6 +122,7 @@ class Action(StrEnum):
     INTERRUPT = "interrupt"
     REQUEUE = "requeue"
     SCRAP = "scrap"
+    REST = "rest"  #: another job continues its work
     CANCEL = "cancel"
 
 
@@ -151,6 +171,8 @@ TRANSITIONS: tuple[Transition, ...] = (
     Transition(State.HELD, Action.CANCEL, State.CANCELLED, (_GATEWAY,)),
     Transition(State.INTERRUPTED, Action.REQUEUE, State.QUEUED, (_OPERATOR,)),
     Transition(State.INTERRUPTED, Action.SCRAP, State.SCRAPPED, (_OPERATOR,)),
+    # When the job that continues it is released, by the operator or as ordered.
+    Transition(State.INTERRUPTED, Action.REST, State.CONTINUED, (_OPERATOR, _WORKER)),
     # Late report of the gateway that the whole program was executed.
     Transition(State.INTERRUPTED, Action.FINISH, State.DONE, (_OPERATOR, _GATEWAY)),
 )
@@ -166,6 +188,7 @@ ADVICE: dict[State, Message] = {
     State.DONE: Message("advice.ended"),
     State.REFUSED: Message("advice.ended"),
     State.SCRAPPED: Message("advice.ended"),
+    State.CONTINUED: Message("advice.ended"),
     State.CANCELLED: Message("advice.ended"),
 }
 

@@ -4,24 +4,33 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any, Final
 
 import sqlalchemy as sa
 from sqlalchemy.exc import IntegrityError
+from sqlalchemy.orm import Session
 
+from knifetip.errors import WrongState
 from knifetip.jobs.database import Database
 from knifetip.jobs.interpretations import job_columns
 from knifetip.jobs.job import (
+    ADVICE,
+    CONTINUABLE,
     OPERATOR,
     Confirmation,
     State,
     new_id,
 )
 from knifetip.jobs.request_key import RequestKey
+from knifetip.jobs.rest_record import RestRecord
 from knifetip.jobs.tables import Drawing, Job
 from knifetip.jobs.transitions import Transitions, unknown_job_error
 from knifetip.messages import Message
 from knifetip.model.acceptance import Exceptions
 from knifetip.model.interpretation import Interpretation
+
+#: Priority of a job that continues a sheet: this sheet lies on the table.
+_FIRST: Final = 100
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +47,17 @@ class JobOrder:
     priority: int = 0  #: jobs with a higher one are claimed first
     release: bool = False  #: queue the job when it is ready
     exceptions: Exceptions | None = None  #: shortfalls that the user accepts in advance
+
+
+@dataclass(frozen=True, slots=True)
+class Continuation:
+    """Data of a new job that continues the work of another one, or makes it again."""
+
+    rest: RestRecord | None  #: what remains on the sheet; None for the whole program again
+    executed: int = 0  #: executed lines of the other job when ``rest`` was chosen
+    copies: int = 1
+    release: bool = False  #: queue the job when it is ready
+    exceptions: Exceptions | None = None  #: shortfalls that the user accepted in the other job
 
 
 class JobStore:
@@ -70,10 +90,8 @@ class JobStore:
         KeyReused
             The key was used for a request with another content.
         """
-        now = self._db.clock()
         row = Job(
-            id=new_id(),
-            state=State.RECEIVED.value,
+            **_initial_columns(self._db.clock(), key),
             drawing=drawing.id,
             drawing_name=drawing.name,
             machine=order.machine,
@@ -83,36 +101,6 @@ class JobStore:
             priority=order.priority,
             release=order.release,
             exceptions=None if order.exceptions is None else order.exceptions.as_json(),
-            created=now,
-            updated=now,
-            queued=0.0,
-            message=None,
-            source=[],
-            questions=[],
-            attempt=1,
-            epoch=0,
-            owner="",
-            lease=0.0,
-            owner_epoch=0,
-            confirmation=Confirmation.NONE.value,
-            tools=[],
-            requested_action="",
-            stage="",
-            progress=0.0,
-            line=0,
-            lines=0,
-            copies_done=0,
-            copies_before=0,
-            position=None,
-            seconds=0.0,
-            seconds_left=None,
-            program_sha256="",
-            verdict_summary=None,
-            key=None if key is None else key.text,
-            fingerprint="" if key is None else key.fingerprint,
-            program=None,
-            toolpath=None,
-            verdict=None,
         )
         try:
             with self._db.writing() as session:
@@ -125,6 +113,85 @@ class JobStore:
                 raise
             return earlier
         return row
+
+    def add_continuation(
+        self, parent: str, continuation: Continuation, key: RequestKey | None = None
+    ) -> Job:
+        """Store a new job that continues the work of another one, or makes it again; return it.
+
+        It has the drawing, the machine, the board and the interpretation of the other job.
+
+        Parameters
+        ----------
+        parent
+            Id of the other job.
+        continuation
+            What the new job makes.
+        key
+            Key of the request, None if it has none.  If a job was stored with this key, that job is
+            returned and nothing is stored.
+
+        Raises
+        ------
+        NoSuchJob
+            There is no job with the id ``parent``.
+        WrongState
+            The other job has not ended its work, has no program, was executed further in the
+            meantime, or its sheet is continued by a third job.
+        KeyReused
+            The key was used for a request with another content.
+        """
+        overrides = self.column(parent, "overrides")
+        try:
+            with self._db.writing() as session:
+                before = self._transitions.lock(session, parent)
+                self._check_continuable(session, before, continuation)
+                initial = _initial_columns(self._db.clock(), key)
+                row = Job(
+                    **initial, **_continued_columns(before, continuation), overrides=overrides
+                )
+                session.add(row)
+                whole = continuation.rest is None
+                for id, state, event in (
+                    (
+                        parent,
+                        before.state,
+                        Message("rest.whole-ordered" if whole else "rest.ordered", job=row.id),
+                    ),
+                    (
+                        row.id,
+                        State.RECEIVED,
+                        Message("rest.copy-of" if whole else "rest.continues", job=parent),
+                    ),
+                ):
+                    self._transitions.write_event(session, "job", id, state, OPERATOR, event)
+        except IntegrityError:
+            if key is None or (earlier := self.find(key)) is None:
+                raise
+            return earlier
+        return row
+
+    def _check_continuable(self, session: Session, row: Job, continuation: Continuation) -> None:
+        """Raise ``WrongState`` unless a job may be continued by a new one."""
+        if row.state not in CONTINUABLE or not row.lines:
+            raise WrongState(
+                "rest.wrong-state",
+                job=row.id,
+                state=row.state,
+                advice=ADVICE[State(row.state)],
+            )
+        if continuation.rest is None:
+            return
+        if row.line != continuation.executed:
+            raise WrongState("rest.line-changed", job=row.id, line=row.line)
+        unused = sa.and_(Job.state.in_((State.REFUSED, State.CANCELLED)), Job.line == 0)
+        later = session.scalar(
+            sa.select(Job.id)
+            .where(Job.resumes == row.id, Job.rest.is_not(None), sa.not_(unused))
+            .limit(1)
+        )
+        if later is not None:
+            raise WrongState("rest.continued-already", job=row.id, other=later)
 
     def find(self, key: RequestKey) -> Job | None:
         """Return the job that was stored with the key of a request, None if there is none.
@@ -223,3 +290,72 @@ class JobStore:
         )
         with self._db.reading() as session:
             return session.scalar(query)
+
+
+def _continued_columns(before: Job, continuation: Continuation) -> dict[str, Any]:
+    """Return the columns of a job that continues the job ``before``, except the initial ones.
+
+    They are those of the other job, with the changes that ``continuation`` contains.
+    """
+    rest, exceptions = continuation.rest, continuation.exceptions
+    changed = {
+        "resumes": before.id,
+        "rest": None if rest is None else rest.as_json(),
+        "copies": continuation.copies,
+        "release": continuation.release,
+        "priority": before.priority if rest is None else _FIRST,
+        "exceptions": None if exceptions is None else exceptions.as_json(),
+    }
+    own = {"serial", "overrides", *_initial_columns(0.0, None), *changed}
+    copied = set(sa.inspect(Job).columns.keys()) - own
+    return changed | {name: getattr(before, name) for name in copied}
+
+
+def _initial_columns(now: float, key: RequestKey | None) -> dict[str, Any]:
+    """Return the columns that every new job has, by name: id, key, state and progress.
+
+    Parameters
+    ----------
+    now
+        Present time (seconds since 1970).
+    key
+        Key of the request, None if it has none.
+    """
+    return {
+        "id": new_id(),
+        "state": State.RECEIVED.value,
+        "created": now,
+        "updated": now,
+        "queued": 0.0,
+        "rank": 0.0,
+        "on_hold": False,
+        "ended": 0.0,
+        "message": None,
+        "source": [],
+        "questions": [],
+        "attempt": 1,
+        "epoch": 0,
+        "owner": "",
+        "lease": 0.0,
+        "owner_epoch": 0,
+        "confirmation": Confirmation.NONE.value,
+        "tools": [],
+        "requested_action": "",
+        "stage": "",
+        "progress": 0.0,
+        "line": 0,
+        "lines": 0,
+        "copies_done": 0,
+        "copies_before": 0,
+        "position": None,
+        "seconds": 0.0,
+        "seconds_left": None,
+        "program_sha256": "",
+        "verdict_summary": None,
+        "key": None if key is None else key.text,
+        "fingerprint": "" if key is None else key.fingerprint,
+        "program": None,
+        "toolpath": None,
+        "lengths": None,
+        "verdict": None,
+    }

@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from enum import StrEnum
 
-from knifetip.jobs.job import LEASED, TRANSITIONS, Action, ActorKind, Confirmation, State
+from knifetip.jobs.job import (
+    CONTINUABLE,
+    LEASED,
+    TRANSITIONS,
+    Action,
+    ActorKind,
+    Confirmation,
+    State,
+)
 from knifetip.jobs.tables import Job
 
 
@@ -16,6 +24,7 @@ class OperatorAction(StrEnum):
     CONFIRM = "confirm"  #: table, board and tools are ready
     HOLD = "hold"
     RESUME = "resume"
+    REST = "rest"  #: make the rest of the sheet, or the whole program again, with another job
     REQUEUE = "requeue"
     FINISH = "finish"  #: declare an interrupted job finished
     SCRAP = "scrap"
@@ -53,7 +62,9 @@ def allowed_actions(row: Job, now: float) -> list[OperatorAction]:
         allowed.discard(OperatorAction.ACCEPT)
     if awaits_confirmation(row, now):
         allowed.add(OperatorAction.CONFIRM)
-    if is_fully_executed(row):
+    if state in CONTINUABLE and row.lines > 0:
+        allowed.add(OperatorAction.REST)
+    if is_fully_executed(row) or row.rest is not None:
         allowed.discard(OperatorAction.REQUEUE)
     if state in LEASED:
         _apply_request(row, state, allowed)

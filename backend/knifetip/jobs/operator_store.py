@@ -109,10 +109,13 @@ class OperatorStore:
         Raises
         ------
         WrongState
-            The job is not ``interrupted``, or its last copy was executed to the last program line.
+            The job is not ``interrupted``, its last copy was executed to the last program line, or
+            it makes the rest of a sheet.
         """
         with self._db.writing() as session:
             row = self._transitions.lock(session, id)
+            if row.rest is not None:
+                raise WrongState("rest.not-again", job=id)
             if is_fully_executed(row):
                 raise WrongState("job.fully-executed", job=id, lines=row.lines)
             self._transitions.move(

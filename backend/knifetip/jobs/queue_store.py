@@ -198,7 +198,8 @@ class QueueStore:
         Raises
         ------
         WrongState
-            The job is on a machine, confirmed or ended, or has more completed copies.
+            The job is on a machine, confirmed or ended, or has more completed copies, or it makes
+            the rest of one sheet and other copies are wanted.
         """
         with self._db.writing() as session:
             row = self._lock(session, id)
@@ -211,6 +212,8 @@ class QueueStore:
                 self._set(session, id, priority=change.priority, rank=rank)
                 self._write(session, row, actor, _priority_event(row, change.priority))
             if change.copies is not None and change.copies != row.copies:
+                if row.rest is not None:
+                    raise WrongState("rest.bound-to-sheet", job=id, machine=row.machine)
                 if change.copies <= row.copies_done:
                     raise WrongState("queue.copies-done", job=id, done=row.copies_done)
                 self._set(session, id, copies=change.copies)
@@ -297,7 +300,9 @@ def order_version(waiting: Sequence[Job]) -> str:
 
 
 def check_transferable(row: Job) -> None:
-    """Raise ``WrongState`` unless a job is ready, or waits and is not claimed."""
+    """Raise ``WrongState`` unless a job is ready, or waits and is not claimed, on any sheet."""
+    if row.rest is not None:
+        raise WrongState("rest.bound-to-sheet", job=row.id, machine=row.machine)
     if row.state != State.READY and not is_waiting(row):
         raise _not_waiting_error(row)
 

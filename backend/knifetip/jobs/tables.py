@@ -142,6 +142,10 @@ class Job(Base):
     lift: Mapped[str] = mapped_column(sa.String(16), default="clearance")
     #: shortfalls that the order accepts: see ``model.acceptance.Exceptions``; None for none
     exceptions: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
+    #: id of the job whose work this one continues or makes again; None for none
+    resumes: Mapped[str | None] = mapped_column(sa.String(32), index=True, default=None)
+    #: the work that remains on the sheet of that job: see ``rest_record``; None for the whole
+    rest: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
     overrides: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)
     program: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)
     toolpath: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)

@@ -23,6 +23,7 @@ from knifetip.jobs.readings import (
     read_drawing,
     restore_or_read,
 )
+from knifetip.jobs.rest_record import StoredRest
 from knifetip.jobs.worked_lengths import pack_lengths
 from knifetip.library import load
 from knifetip.messages import finite, printable
@@ -30,14 +31,21 @@ from knifetip.model.acceptance import Exceptions, with_ordered_exceptions
 from knifetip.model.cleaned import Cleaned
 from knifetip.model.dieline import Dieline
 from knifetip.model.drawing import Drawing
+from knifetip.model.earlier_work import EarlierWork
 from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
 from knifetip.model.machine import Machine
+from knifetip.model.rest import Rest
 from knifetip.model.stage import Progress, Stage
 from knifetip.presentation.drawing import classified_json
 from knifetip.presentation.edges import EdgeTable, restore_drawing
 from knifetip.presentation.import_report import import_report_rows, pack_rows
 from knifetip.presentation.outcomes import edge_outcomes
-from knifetip.presentation.toolpath import pack_toolpath, program_lines, used_stations
+from knifetip.presentation.toolpath import (
+    pack_toolpath,
+    program_lines,
+    unpack_toolpath,
+    used_stations,
+)
 from knifetip.presentation.verdict import (
     findings_json,
     pack_verdict,
@@ -185,6 +193,7 @@ def compile(
     board: str,
     notes: Sequence[str],
     exceptions: Exceptions | None = None,
+    rest: StoredRest | None = None,
 ) -> CompileResult:
     """Compile a drawing for a board and a machine, verify the program, and return the result.
 
@@ -204,6 +213,8 @@ def compile(
         Comment lines for the beginning of the program.
     exceptions
         Shortfalls that the order accepts; None for none.
+    rest
+        The work that remains on a sheet that other jobs began; None to make the whole drawing.
 
     Raises
     ------
@@ -217,20 +228,27 @@ def compile(
     if not drawing.unit:
         raise UnitUnknown("drawing.unit-unknown", evidence=drawing.evidence)
     table = load.machine(machine)
-    compiled = pipeline.compile(
-        drawing,
-        dieline,
-        table,
-        load.board(board),
-        choices=interpretation.choices,
-        notes=notes,
-        progress=progress,
-    )
+    job = (drawing, dieline, table, load.board(board))
+    choices = interpretation.choices
+    if rest is None:
+        compiled = pipeline.compile(*job, choices=choices, notes=notes, progress=progress)
+    else:
+        compiled = pipeline.compile_rest(
+            *job, _restore_rest(rest), choices=choices, notes=notes, progress=progress
+        )
     if exceptions is not None:
         verdict = with_ordered_exceptions(compiled.verdict, exceptions)
         compiled = replace(compiled, verdict=verdict)
     handles = [printable(handle) for handle in drawing.handles]
     return _result(compiled, handles, table, dieline.line_type)
+
+
+def _restore_rest(stored: StoredRest) -> Rest:
+    """Return the work that remains on a sheet from the stored data of the jobs that began it."""
+    toolpath, _ = unpack_toolpath(stored.toolpath)
+    tracks = [np.arange(first, last + 1) for first, last in stored.tracks]
+    earlier = [EarlierWork(program, lines) for program, lines in stored.made]
+    return Rest(toolpath, np.concatenate(tracks), earlier)
 
 
 def _result(

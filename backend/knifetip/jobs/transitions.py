@@ -91,6 +91,8 @@ class Transitions:
     def release(self, session: Session, id: str, actor: Actor, event: Message) -> None:
         """Move a ready job to the end of the queue of its machine.
 
+        If it continues an interrupted job, that job becomes ``continued`` and frees its table.
+
         Parameters
         ----------
         session
@@ -111,6 +113,14 @@ class Transitions:
         machine = session.scalar(sa.select(Job.machine).where(Job.id == id)) or ""
         rank = last_rank(session, machine, now)
         self.move(session, id, Action.RELEASE, actor, event, queued=now, rank=rank)
+        parent = session.scalar(
+            sa.select(Job.id).where(
+                Job.id == sa.select(Job.resumes).where(Job.id == id).scalar_subquery(),
+                Job.state == State.INTERRUPTED,
+            )
+        )
+        if parent is not None:
+            self.move(session, parent, Action.REST, actor, Message("rest.continued-by", job=id))
 
     def release_by_order(self, session: Session, id: str) -> None:
         """Queue a ready job that was ordered with immediate release."""

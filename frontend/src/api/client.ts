@@ -51,7 +51,7 @@ export type VerdictSummary = Schemas["VerdictSummary"];
 
 /** Commands of the operator for a job. */
 /** Actions without further data, each a route of its own. */
-export type JobCommand = Exclude<Schemas["OperatorAction"], "accept">;
+export type JobCommand = Exclude<Schemas["OperatorAction"], "accept" | "rest">;
 export type Exceptions = Schemas["ExceptionsIn"];
 export type EarlierExceptions = Schemas["EarlierExceptions"];
 

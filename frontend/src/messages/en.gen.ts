@@ -1023,6 +1023,10 @@ export const TEXTS = {
     "text": "{path} has the numbers {numbers:, }; each number may occur only once",
     "hint": ""
   },
+  "field.rest-choice": {
+    "text": "{path} must choose one place (from_track or from_line), a station, both, or only whole; copies are for whole only",
+    "hint": ""
+  },
   "field.sheet-size": {
     "text": "{path} must have both width and height, or none of width, height and margin",
     "hint": ""
@@ -3035,6 +3039,66 @@ export const TEXTS = {
     "text": "The method {method} is not supported at {path}.",
     "hint": "Choose a method that /api/openapi.json describes for this URL."
   },
+  "rest.bound-to-sheet": {
+    "text": "Job {job} makes the rest of the one sheet that lies on the machine {machine}.",
+    "hint": "Make one more copy of the whole job, which may have other copies and another machine."
+  },
+  "rest.continued-already": {
+    "text": "Job {other} already continues the sheet of job {job}.",
+    "hint": "Continue that job instead, or cancel it before it begins."
+  },
+  "rest.continued-by": {
+    "text": "Job {job} continues the work of this job.",
+    "hint": ""
+  },
+  "rest.continues": {
+    "text": "The job was created to make the rest of the sheet of job {job}.",
+    "hint": ""
+  },
+  "rest.copy-of": {
+    "text": "The job was created to make the whole program of job {job} again.",
+    "hint": ""
+  },
+  "rest.line-changed": {
+    "text": "The machine has meanwhile reported that it executed {line} program lines of job {job}.",
+    "hint": "Look at the tracks again and choose where to continue."
+  },
+  "rest.no-such-station": {
+    "text": "The program has no tracks of station {station}.",
+    "hint": "Choose one of the stations that the list of tracks contains."
+  },
+  "rest.no-such-track": {
+    "text": "The program has no track {track}. It has {count} tracks.",
+    "hint": "Choose a track from the list of tracks."
+  },
+  "rest.no-tracks": {
+    "text": "No track remains to be made after the chosen place.",
+    "hint": "Choose an earlier place, or mark the job finished if the sheet is complete."
+  },
+  "rest.not-again": {
+    "text": "Job {job} makes the rest of a sheet, so it cannot be queued again from its first line.",
+    "hint": "Continue it from a track, or make one more copy of the whole program."
+  },
+  "rest.not-executed": {
+    "text": "{count} tracks would be left out, although the machine reported only {executed} executed program lines. The first of them is track {track}, of station {station}.",
+    "hint": "Continue from an earlier track. If these tracks are complete on the sheet, state that the tracks left out are made."
+  },
+  "rest.old-program": {
+    "text": "The program was made by an older version of knifetip, which did not store the tracks of a program.",
+    "hint": "Make one more copy of the whole job."
+  },
+  "rest.ordered": {
+    "text": "Job {job} was created to make the rest of the sheet.",
+    "hint": ""
+  },
+  "rest.whole-ordered": {
+    "text": "Job {job} was created to make the whole program again.",
+    "hint": ""
+  },
+  "rest.wrong-state": {
+    "text": "Job {job} is {state}, so no other job can continue its work.",
+    "hint": "{advice}"
+  },
   "rs274.active-comment": {
     "text": "LinuxCNC executes the comment in the program line.",
     "hint": "Remove the comma from the comment, or delete the comment."
@@ -3955,6 +4019,10 @@ export const TEXTS = {
     "text": "The program line lowers station {station} while station {other} may still be lowered.",
     "hint": "Raise station {other} (M65 P{output}) before this program line."
   },
+  "verify.made-before": {
+    "text": "Station {station} processes {length:.3f} mm at X{x:.3f} Y{y:.3f} (coordinates of the sheet) again, which an earlier program has already made on this sheet.",
+    "hint": "Continue from a later contour, or start a new sheet."
+  },
   "verify.moves-before-stated": {
     "text": "The program moves the head before it switches off {thing}.",
     "hint": "Switch off {thing} before the first move. Only a lift straight up, to Z {height:.3f} mm or higher, may come earlier."
@@ -4066,6 +4134,10 @@ export const TEXTS = {
   "verify.rapid-too-low": {
     "text": "A rapid move of station {station} is only {height:.3f} mm above the board; the turn_clearance of the machine is {needed:g} mm.",
     "hint": "Lift the tool higher before the rapid move."
+  },
+  "verify.released-before": {
+    "text": "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board that an earlier program has already cut out or begun to cut out on this sheet.",
+    "hint": "Continue from the first contour that is not made, or start a new sheet."
   },
   "verify.slanted": {
     "text": "Station {station} moves {distance:.3f} mm sideways (away from the axis of its tool) while the tool enters or leaves the board.",
@@ -4206,6 +4278,10 @@ export const TEXTS = {
   "waiting.for-person": {
     "text": "The job waits, because the gateway of {machine} (the program that sends jobs to the machine) is not connected to the server.",
     "hint": "{advice}"
+  },
+  "waiting.for-rest": {
+    "text": "The job waits until the operator of {machine} confirms that the sheet of job {job}, of which it makes the rest, still lies in its place. Required: board {board!r}{sheet}{tools}.",
+    "hint": "Check that the sheet has not moved and that all tools are whole, then confirm the job to start it. If the sheet has moved or is gone, cancel the job."
   },
   "waiting.for-sheet": {
     "text": "Copy {copy} of {copies} of the job is finished. The next copy needs a new sheet.",

@@ -18,6 +18,7 @@ export const STATE_STYLES: Readonly<Record<JobState, StateStyle>> = {
   refused: { title: "Refused", tone: "red" },
   interrupted: { title: "Interrupted", tone: "amber" },
   scrapped: { title: "Board scrapped", tone: "grey" },
+  continued: { title: "Continued by another job", tone: "grey" },
   cancelled: { title: "Cancelled", tone: "grey" },
 };
 
@@ -25,8 +26,8 @@ export const STATE_STYLES: Readonly<Record<JobState, StateStyle>> = {
 export function commandsOf(job: Job): readonly JobCommand[] {
   // The confirmation card has its own button, which also resumes the job.
   const confirms = job.actions.includes("confirm");
-  // The verdict card has a form for accepting shortfalls.
-  const commands = job.actions.filter((word) => word !== "accept");
+  // The verdict card has a form for accepting shortfalls, and the rest of a sheet has its own.
+  const commands = job.actions.filter((word) => word !== "accept" && word !== "rest");
   return commands.filter((word) => word !== "confirm" && !(confirms && word === "resume"));
 }
 
@@ -97,4 +98,4 @@ export const hasProgram = (job: Job): boolean => job.program_sha256 !== "";
 
 /** The job is in a final state. */
 export const isFinal = (job: Job): boolean =>
-  ["done", "refused", "scrapped", "cancelled"].includes(job.state);
+  ["done", "refused", "scrapped", "continued", "cancelled"].includes(job.state);

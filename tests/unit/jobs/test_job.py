@@ -24,8 +24,8 @@ def test_every_state_can_be_reached_from_received() -> None:
     assert reachable(State.RECEIVED) == set(State)
 
 
-def test_nothing_leads_out_of_the_three_ends() -> None:
-    ends = {State.DONE, State.SCRAPPED, State.CANCELLED}
+def test_nothing_leads_out_of_the_ends() -> None:
+    ends = {State.DONE, State.SCRAPPED, State.CONTINUED, State.CANCELLED}
     assert {row.source for row in TRANSITIONS} == set(State) - ends
 
 
@@ -41,6 +41,8 @@ def test_only_an_operator_returns_an_interrupted_job_to_the_queue() -> None:
     assert leaving == {
         State.QUEUED: {ActorKind.OPERATOR},
         State.SCRAPPED: {ActorKind.OPERATOR},
+        # A worker releases the job that continues this one, if the operator ordered it so.
+        State.CONTINUED: {ActorKind.OPERATOR, ActorKind.WORKER},
         # A late report of the last gateway is evidence; it starts no machine.
         State.DONE: {ActorKind.OPERATOR, ActorKind.GATEWAY},
     }

@@ -10,7 +10,9 @@ from knifetip.errors import WrongState
 from knifetip.jobs.compile_result import CompileResult, VerdictColumns
 from knifetip.jobs.gateway_store import GatewayReport
 from knifetip.jobs.job import OPERATOR, State
+from knifetip.jobs.job_store import Continuation
 from knifetip.jobs.operator_actions import OperatorAction, allowed_actions
+from knifetip.jobs.rest_record import RestRecord
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from tests.support.messages import stored
@@ -141,6 +143,32 @@ def scrapped(store: Store) -> str:
     return store.operators.scrap(interrupted(store)).id
 
 
+def continued(store: Store) -> str:
+    id = interrupted(store)
+    rest_of(store, id)
+    return id
+
+
+def interrupted_rest(store: Store) -> str:
+    id = rest_of(store, interrupted(store))
+    assert store.gateways.claim("table", "gateway", manual=False) is not None
+    store.operators.confirm(id)
+    report(store, id, WAITING)
+    return ended(store, id, "interrupted")
+
+
+def rest_of(store: Store, id: str) -> str:
+    """Return a queued job that makes the rest of the sheet of an interrupted job."""
+    record = RestRecord(((1, 4),), ((id, ((1, 3),)),))
+    line = store.jobs.get(id).line
+    rest = store.jobs.add_continuation(id, Continuation(record, line, release=True)).id
+    store.compiles.begin("worker")
+    verdict = {"seconds": 1.0, "accepted": True, "faults": 0, "shortfalls": 0}
+    result = CompileResult(True, None, b"M30\n", "ab", LINES, b"", b"", verdict)
+    store.compiles.save_result(rest, store.jobs.get(rest).epoch, result)
+    return rest
+
+
 def cancelled(store: Store) -> str:
     return store.operators.cancel(received(store)).id
 
@@ -161,10 +189,12 @@ EXPECTED: dict[Make, tuple[State, str]] = {
     resume_requested: (State.HELD, "hold resume cancel"),
     needing_sheet: (State.HELD, "confirm resume cancel"),
     cancel_requested: (State.RUNNING, "cancel"),
-    interrupted: (State.INTERRUPTED, "requeue finish scrap"),
-    executed: (State.INTERRUPTED, "finish scrap"),
-    done: (State.DONE, ""),
-    scrapped: (State.SCRAPPED, ""),
+    interrupted: (State.INTERRUPTED, "rest requeue finish scrap"),
+    executed: (State.INTERRUPTED, "rest finish scrap"),
+    interrupted_rest: (State.INTERRUPTED, "rest finish scrap"),
+    done: (State.DONE, "rest"),
+    scrapped: (State.SCRAPPED, "rest"),
+    continued: (State.CONTINUED, "rest"),
     cancelled: (State.CANCELLED, ""),
 }
 METHODS: dict[OperatorAction, Callable[[Store, str], Job]] = {
@@ -173,6 +203,7 @@ METHODS: dict[OperatorAction, Callable[[Store, str], Job]] = {
     OperatorAction.CONFIRM: lambda store, id: store.operators.confirm(id),
     OperatorAction.HOLD: lambda store, id: store.operators.hold(id),
     OperatorAction.RESUME: lambda store, id: store.operators.resume(id),
+    OperatorAction.REST: lambda store, id: store.jobs.add_continuation(id, Continuation(None)),
     OperatorAction.REQUEUE: lambda store, id: store.operators.requeue(id),
     OperatorAction.FINISH: lambda store, id: store.operators.declare_finished(id),
     OperatorAction.SCRAP: lambda store, id: store.operators.scrap(id),

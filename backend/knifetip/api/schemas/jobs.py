@@ -26,6 +26,7 @@ JobState = Annotated[
         "refused",
         "interrupted",
         "scrapped",
+        "continued",
         "cancelled",
     ],
     LISTED,
@@ -65,7 +66,8 @@ class JobOut(BaseModel):
         "its machine. running: the machine executes it. held: the machine has stopped "
         "and can resume. done: all sheets are made. refused: the job cannot be "
         "compiled. interrupted: the machine stopped before the end. scrapped: an "
-        "interrupted job was given up. cancelled: the job was cancelled"
+        "interrupted job was given up. continued: another job continues the work of an interrupted "
+        "one. cancelled: the job was cancelled"
     )
     actions: list[OperatorAction] = Field(
         description="Actions that an operator may perform now; each is a route of the job. All "
@@ -88,6 +90,15 @@ class JobOut(BaseModel):
     machine: str = Field(description="Name of the machine in the library")
     board: str = Field(description="Name of the board in the library")
     profile: str = Field(description="Name of the classification profile of the job")
+    resumes: str | None = Field(
+        default=None,
+        description="Id of the job whose work this one continues or makes again; null for none",
+    )
+    is_rest: bool = Field(
+        default=False,
+        description="Whether the job makes the rest of the sheet of the job `resumes`; false for "
+        "the whole program",
+    )
     copies: int = Field(description="Number of sheets to make")
     copies_done: int = Field(description="Number of completed sheets")
     priority: int = Field(

@@ -7,6 +7,12 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
+    "rest.bound-to-sheet": entry(
+        "Job {job} makes the rest of the one sheet that lies on the machine {machine}.",
+        "Make one more copy of the whole job, which may have other copies and another machine.",
+        job="text",
+        machine="text",
+    ),
     "rest.continued-already": entry(
         "Job {other} already continues the sheet of job {job}.",
         "Continue that job instead, or cancel it before it begins.",

@@ -1,0 +1,57 @@
+"""Options that choose the part of a program that remains to be made on a sheet."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Annotated, Any
+
+import typer
+
+from knifetip.sequencing.tracks import RestChoice
+
+
+@dataclass(frozen=True, slots=True)
+class RestOptions:
+    """Command-line options that choose the tracks of a program that remain to be made."""
+
+    from_track: Annotated[
+        int | None,
+        typer.Option(
+            min=1,
+            help="Make the tracks from this number on, counted from 1; a track is a path of one "
+            "tool between two lifts. Default: from the first track.",
+        ),
+    ] = None
+    from_line: Annotated[
+        int | None,
+        typer.Option(
+            min=1,
+            help="Make the tracks from the one in which this line of the whole program is. "
+            "Default: from the first track.",
+        ),
+    ] = None
+    station: Annotated[
+        int | None,
+        typer.Option(min=0, help="Make only the tracks of this station. Default: all stations."),
+    ] = None
+
+    @property
+    def is_given(self) -> bool:
+        """Whether any of the options is given."""
+        return any(value is not None for value in asdict(self).values())
+
+    def choice(self) -> RestChoice:
+        """Return the choice of tracks; all other tracks count as made.
+
+        Raises
+        ------
+        BadParameter
+            Both a track and a line are given.
+        """
+        if self.from_track is not None and self.from_line is not None:
+            raise typer.BadParameter("give either a track or a line", param_hint="--from-line")
+        return RestChoice(self.from_track, self.from_line, self.station, made=True)
+
+    def body(self) -> dict[str, Any]:
+        """Return the options as fields of a request to the server."""
+        return {name: value for name, value in asdict(self).items() if value is not None}

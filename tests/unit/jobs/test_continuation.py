@@ -1,0 +1,146 @@
+"""Jobs that continue the work of another job, or make it again."""
+
+from __future__ import annotations
+
+import pytest
+
+from knifetip.errors import KeyReused, WrongState
+from knifetip.jobs.gateway_store import GatewayReport
+from knifetip.jobs.job import Confirmation, State
+from knifetip.jobs.job_store import Continuation
+from knifetip.jobs.request_key import RequestKey
+from knifetip.jobs.rest_record import RestRecord
+from knifetip.jobs.store import Store
+from knifetip.jobs.tables import Job
+from tests.support.job_states import RESULT, WAITING, course, ordered, queued, running
+
+LINE = 40
+
+
+def interrupted(store: Store) -> Job:
+    job = running(store, board="b-flute")
+    store.gateways.finish(job.id, job.epoch, "interrupted", line=LINE)
+    return store.jobs.get(job.id)
+
+
+def record(job: Job) -> RestRecord:
+    return RestRecord(((3, 7), (9, 9)), ((job.id, ((8, 30),)),))
+
+
+def rest(store: Store, job: Job, key: RequestKey | None = None) -> Job:
+    wanted = Continuation(record(job), LINE, release=True)
+    return store.jobs.add_continuation(job.id, wanted, key)
+
+
+def compiled(store: Store, job: Job) -> Job:
+    taken = store.compiles.begin("worker", only=(job.id, 1))
+    assert taken is not None
+    store.compiles.save_result(job.id, taken.epoch, RESULT)
+    return store.jobs.get(job.id)
+
+
+def test_a_rest_job_has_the_inputs_of_its_parent_and_its_own_progress(store: Store) -> None:
+    parent = interrupted(store)
+    job = rest(store, parent)
+    assert (job.resumes, job.copies, job.line, job.lines) == (parent.id, 1, 0, 0)
+    assert job.rest is not None
+    assert RestRecord.from_json(job.rest) == record(parent)
+    for name in ("drawing", "machine", "board", "profile", "rules", "unit_given", "lift"):
+        assert getattr(job, name) == getattr(parent, name)
+    assert job.board == "b-flute"
+    assert (job.state, parent.state) == (State.RECEIVED, State.INTERRUPTED)
+
+
+def test_the_parent_blocks_the_table_until_its_rest_is_queued(store: Store) -> None:
+    parent = interrupted(store)
+    other = queued(store)
+    job = rest(store, parent)
+    assert store.machines.jobs_on_tables() == {"table": parent.id}
+    compiled(store, job)
+    assert store.machines.jobs_on_tables() == {}
+    assert course(store, parent.id)[-1] == "continued"
+    # The sheet of the rest lies on the table, so the rest comes first, with a confirmation also on
+    # a machine that feeds sheets itself.
+    claim = store.gateways.claim("table", "gateway", manual=False)
+    assert claim is not None
+    assert (claim.id, claim.confirmation) == (job.id, Confirmation.AWAITED)
+    assert store.gateways.heartbeat(job.id, claim.epoch, WAITING) == "wait"
+    store.operators.confirm(job.id)
+    assert store.gateways.heartbeat(job.id, claim.epoch, WAITING) == "start"
+    store.gateways.finish(job.id, claim.epoch, "done")
+    following = store.gateways.claim("table", "gateway", manual=False)
+    assert following is not None
+    assert (following.id, following.state) == (other.id, State.RUNNING)
+
+
+def test_a_refused_rest_leaves_its_parent_on_the_table(store: Store) -> None:
+    parent = interrupted(store)
+    job = rest(store, parent)
+    taken = store.compiles.begin("worker")
+    assert taken is not None
+    store.compiles.refuse(job.id, taken.epoch, parent.message)  # type: ignore[arg-type]
+    assert store.jobs.get(parent.id).state == State.INTERRUPTED
+    # Another choice may follow.
+    assert rest(store, parent).id != job.id
+
+
+def test_a_sheet_is_continued_by_one_job(store: Store) -> None:
+    parent = interrupted(store)
+    job = rest(store, parent)
+    with pytest.raises(WrongState, match=job.id):
+        rest(store, parent)
+    store.operators.cancel(job.id)
+    second = compiled(store, rest(store, parent))
+    claim = store.gateways.claim("table", "gateway", manual=True)
+    assert claim is not None
+    store.operators.confirm(second.id)
+    store.gateways.heartbeat(second.id, claim.epoch, WAITING)
+    store.gateways.heartbeat(second.id, claim.epoch, GatewayReport(line=5))
+    store.operators.cancel(second.id)
+    store.gateways.finish(second.id, claim.epoch, "cancelled", line=6)
+    # It has cut a part of the rest, so the parent no longer tells what is uncut.
+    with pytest.raises(WrongState, match=second.id):
+        rest(store, parent)
+
+
+def test_a_copy_of_the_whole_may_be_made_at_any_time(store: Store) -> None:
+    parent = interrupted(store)
+    compiled(store, rest(store, parent))
+    copy = store.jobs.add_continuation(parent.id, Continuation(None, copies=3))
+    assert (copy.resumes, copy.rest, copy.copies) == (parent.id, None, 3)
+
+
+def test_a_report_between_choice_and_order_refuses_the_rest(store: Store) -> None:
+    parent = interrupted(store)
+    store.gateways.finish(parent.id, parent.epoch, "interrupted", line=LINE + 9)
+    with pytest.raises(WrongState, match=str(LINE + 9)):
+        rest(store, parent)
+
+
+def test_a_running_job_cannot_be_continued(store: Store) -> None:
+    job = running(store)
+    with pytest.raises(WrongState):
+        store.jobs.add_continuation(job.id, Continuation(None))
+    with pytest.raises(WrongState):
+        store.jobs.add_continuation(ordered(store).id, Continuation(None))
+
+
+def test_a_repeated_request_returns_the_first_job(store: Store) -> None:
+    parent = interrupted(store)
+    key = RequestKey("again", "1")
+    first = store.jobs.add_continuation(parent.id, Continuation(None), key)
+    assert store.jobs.add_continuation(parent.id, Continuation(None), key).id == first.id
+    with pytest.raises(KeyReused):
+        store.jobs.add_continuation(parent.id, Continuation(None), RequestKey("again", "2"))
+    assert len(store.jobs.search()) == 2
+
+
+def test_an_interrupted_rest_cannot_be_queued_from_its_start(store: Store) -> None:
+    job = compiled(store, rest(store, interrupted(store)))
+    claim = store.gateways.claim("table", "gateway", manual=True)
+    assert claim is not None
+    store.operators.confirm(job.id)
+    store.gateways.heartbeat(job.id, claim.epoch, WAITING)
+    store.gateways.finish(job.id, claim.epoch, "interrupted", line=3)
+    with pytest.raises(WrongState, match="rest"):
+        store.operators.requeue(job.id)
