@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 
 from knifetip.errors import PlanError
+from knifetip.model.toolpath import Motion
 from knifetip.sequencing.tracks import RestChoice, Tracks, find_tracks, select_rest
 from tests.support.shapes import toolpath
 
+RAPID, PLUNGE, FEED = Motion.RAPID, Motion.PLUNGE, Motion.FEED
 #: Five tracks: two of station 2, then two of station 1, then one of station 2.
 TRACKS = Tracks(
     first_row=np.array([1, 5, 9, 13, 17]),
@@ -27,7 +29,7 @@ def chosen(executed: int, **choice: object) -> tuple[list[int], tuple[tuple[int,
 def test_a_track_begins_after_the_line_of_the_move_before_it() -> None:
     path = toolpath(
         np.zeros((7, 4)),
-        [(0, 0.0, 1), (1, 1.0, 1), (3, 1.0, 1), (0, 0.0, 1), (1, 1.0, 1), (0, 0.0, 1)],
+        [(motion, 1.0, 1) for motion in (RAPID, PLUNGE, FEED, RAPID, PLUNGE, RAPID)],
         track=[-1, 0, 0, -1, 1, -1],
     )
     # Lines 6 and 9 command no move: they lower the tool.
