@@ -7,7 +7,8 @@ controller may be executing: all moves that were sent and not answered, and the 
 up to the number of moves that the planner of the controller holds.  At rest the position must be
 the end of the last program line.
 
-The rotary axis is not compared, because it may be reported modulo 360 degrees.
+C is compared modulo 360 degrees, because some controllers report it so, and with the range of C on
+the whole move only: a tool that is turned to a heading between two others passes through all.
 """
 
 from __future__ import annotations
@@ -25,6 +26,8 @@ from knifetip.gateway.program_follower import lines_of
 #: Largest distance of a position from the path (mm).  Reports are rounded to 0.001 mm, and grbl's
 #: chords of an arc deviate by at most 0.01 mm.
 OFF = 0.5
+#: Largest deviation of C from the headings on a move (degrees).
+TURNED = 1.0
 #: Consecutive reports that must be off the path: a single report may be damaged.
 REPORTS = 3
 #: Moves that a planner holds if the controller does not report it.
@@ -77,12 +80,12 @@ class Corridor:
         self._forget(status.acknowledged - self._base)
         if self._blind or not status.located or status.state not in _STATES:
             return None
-        distance, line = self._nearest(status.position)
-        if distance <= OFF:
+        distance, turn, line = self._nearest(status.position)
+        if distance <= OFF and turn <= TURNED:
             self._off = 0
             return None
         self._off += 1
-        return _off_path(status.position, distance, line) if self._off >= REPORTS else None
+        return _off_path(status.position, distance, turn, line) if self._off >= REPORTS else None
 
     def check_rest(self, status: Status) -> None:
         """Compare the position of a machine at rest with the end of the last program line sent.
@@ -95,15 +98,18 @@ class Corridor:
         Raises
         ------
         ControllerError
-            The position is more than ``OFF`` mm from the end of the line.
+            The position is more than ``OFF`` mm from the end of the line, or C is more than
+            ``TURNED`` degrees from it.
         """
         self._take(status.sent - self._base)
         if self._blind or not status.located:
             return
         line, _ = self._moves[-1]
-        distance = math.dist(status.position[:3], self._interpreter.position[:3])
-        if distance > OFF:
-            raise _off_path(status.position, distance, line)
+        end = self._interpreter.position
+        distance = math.dist(status.position[:3], end[:3])
+        turn = turned_off(Move(end, end), status.position[3])
+        if distance > OFF or turn > TURNED:
+            raise _off_path(status.position, distance, turn, line)
 
     def _take(self, sent: int) -> None:
         """Interpret the program lines sent since the last call, and store their moves.
@@ -139,27 +145,36 @@ class Corridor:
             self._moves.popleft()
             self._near = max(self._near - 1, 0)
 
-    def _nearest(self, position: Pose) -> tuple[float, int]:
-        """Return the distance (mm) of a position from the path, and the number of a program line.
+    def _nearest(self, position: Pose) -> tuple[float, float, int]:
+        """Return the deviations of a position from the path, and the number of a program line.
 
-        The distance is measured to one stored move: to the first move found within ``OFF`` mm of
-        the position or, if there is none, to the nearest move.  The program line is the line with
-        this move, counted from 1; 0 stands for the start position, which is stored as a move of
-        length 0.  At least one move must be stored.
+        The deviations are a distance (mm) and an angle of C (degrees).  They are measured to one
+        stored move: to the first move found with deviations of at most ``OFF`` and ``TURNED``, else
+        to one within ``OFF`` mm, else to the nearest move.  The program line is the line with this
+        move, counted from 1; 0 stands for the start position, which is stored as a move of length
+        0.  At least one move must be stored.
         """
-        least, line = math.inf, 0
+        least, nearest = (math.inf, math.inf), (math.inf, 0.0, 0)
         count = len(self._moves)
         for step in range(count):
             # Start at the last match, where it is nearly always found.
             row = (self._near + step) % count
             number, move = self._moves[row]
-            distance = distance_to(move, position)
-            if distance < least:
-                least, line = distance, number
-            if distance <= OFF:
+            distance, turn = distance_to(move, position), turned_off(move, position[3])
+            if distance <= OFF and turn <= TURNED:
                 self._near = row
-                break
-        return least, line
+                return distance, turn, number
+            order = (0.0, turn) if distance <= OFF else (distance, 0.0)
+            if order < least:
+                least, nearest = order, (distance, turn, number)
+        return nearest
+
+
+def turned_off(move: Move, heading: float) -> float:
+    """Return by how much a heading of C is outside those of a move (degrees), modulo 360."""
+    start, end = move.start[3], move.end[3]
+    from_middle = math.remainder(heading - (start + end) / 2.0, 360.0)
+    return max(abs(from_middle) - abs(end - start) / 2.0, 0.0)
 
 
 def distance_to(move: Move, position: Pose) -> float:
@@ -181,6 +196,8 @@ def distance_to(move: Move, position: Pose) -> float:
     return math.dist((x, y, z), move.at(fraction)[:3])
 
 
-def _off_path(position: Pose, distance: float, line: int) -> ControllerError:
-    x, y, z, _ = position
-    return ControllerError("controller.off-path", x=x, y=y, z=z, distance=distance, line=line)
+def _off_path(position: Pose, distance: float, turn: float, line: int) -> ControllerError:
+    x, y, z, c = position
+    if distance > OFF:
+        return ControllerError("controller.off-path", x=x, y=y, z=z, distance=distance, line=line)
+    return ControllerError("controller.off-heading", x=x, y=y, c=c, turn=turn, line=line)

@@ -40,7 +40,7 @@ def test_grbl_1_1_has_three_axes_and_no_outputs() -> None:
     assert found.rotary_letter == ""
 
 
-@pytest.mark.parametrize(("lines", "reported"), [(FLUIDNC, 4), ([], 0), (GRBL, 4)])
+@pytest.mark.parametrize(("lines", "reported"), [([], 4), ([], 0), (GRBL, 4)])
 def test_a_controller_that_does_not_state_its_axes_gets_the_program_as_it_is(
     lines: list[str], reported: int
 ) -> None:
@@ -48,6 +48,12 @@ def test_a_controller_that_does_not_state_its_axes_gets_the_program_as_it_is(
     assert (found.rotary_letter, found.rotary_axis, found.outputs) == ("C", 3, None)
     assert found.obstacle(b"M64 P9") is None
     assert found.to_wire(b"G1 C90") == b"G1 C90"
+
+
+@pytest.mark.parametrize(("reported", "letter", "index"), [(4, "A", 3), (5, "A", 3), (6, "C", 5)])
+def test_fluidnc_has_its_axes_in_one_order(reported: int, letter: str, index: int) -> None:
+    found = Capabilities.read(FLUIDNC, reported)
+    assert (found.rotary_letter, found.rotary_axis, found.outputs) == (letter, index, None)
 
 
 @pytest.mark.parametrize(

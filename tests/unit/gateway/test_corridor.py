@@ -24,8 +24,9 @@ def report(
     answered: int = 7,
     state: State = State.RUN,
     located: bool = True,
+    c: float = 0.0,
 ) -> Status:
-    return Status(state, (x, y, z, 0.0), 40 + answered, False, sent=40 + sent, located=located)
+    return Status(state, (x, y, z, c), 40 + answered, False, sent=40 + sent, located=located)
 
 
 def verdict(corridor: Corridor, status: Status, reports: int = REPORTS) -> ControllerError | None:
@@ -54,6 +55,50 @@ def test_a_position_off_the_path_is_a_fault_after_three_reports(
     assert error is not None
     assert "away from the path of the program near program line" in error.text
     assert "home the machine" in error.hint
+
+
+TURNING = (
+    b"G21 G90\nG0 Z20\nG0 X100 Y100 C90\nG1 Z-1 F600\nG1 Y200\nG3 X80 Y220 I-20 C180 F900\n"
+    b"G1 C360\nG1 X0 C360\n"
+)
+
+
+@pytest.mark.parametrize(
+    "pose",
+    [
+        (100, 150, -1, 90.5),  # on the way along Y
+        (100, 150, -1, 450.0),
+        (100, 150, -1, -270.9),
+        (94.142, 214.142, -1, 135.0),  # on the arc
+        (80, 220, -1, 300.0),  # turning in place
+        (40, 220, -1, 0.0),
+    ],
+)
+def test_a_heading_of_the_program_is_right_modulo_a_turn(
+    pose: tuple[float, float, float, float],
+) -> None:
+    x, y, z, c = pose
+    assert verdict(Corridor(TURNING, START, 15), report(x, y, z, c=c, sent=8, answered=8)) is None
+
+
+@pytest.mark.parametrize(
+    ("pose", "line", "turn"),
+    [((100, 150, -1, 80.0), 5, 10.0), ((90, 217.3, -1, 200.0), 6, 20.0), ((40, 220, -1, 3), 8, 3)],
+)
+def test_another_heading_is_a_fault(
+    pose: tuple[float, float, float, float], line: int, turn: float
+) -> None:
+    x, y, z, c = pose
+    error = verdict(Corridor(TURNING, START, 15), report(x, y, z, c=c, sent=8, answered=8))
+    assert error is not None
+    assert f"{turn:.1f} degrees away from the program near program line {line}" in error.text
+
+
+def test_at_rest_the_heading_is_that_of_the_last_line() -> None:
+    corridor = Corridor(TURNING, START, 15)
+    corridor.check_rest(report(0, 220, -1, c=0.4, sent=8, answered=8))
+    with pytest.raises(ControllerError, match="degrees away"):
+        corridor.check_rest(report(0, 220, -1, c=340.0, sent=8, answered=8))
 
 
 def test_a_single_wrong_report_is_borne_and_another_one_is_wanted_at_once() -> None:

@@ -26,6 +26,11 @@ _OUTPUT_NUMBER = re.compile(rb"P0*(\d+)")
 PROGRAM_LETTER = "C"
 #: Axes that are not the rotary axis.
 _LINEAR = "XYZ"
+#: Usual order of the axes in status reports; FluidNC has no other.
+_ORDER = "XYZABC"
+_FLUIDNC = "FluidNC"
+#: With this number of axes and without a statement, the last one may be A or C.
+_A_OR_C = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,8 +58,8 @@ class Capabilities:
         # grbl 1.1 itself states neither firmware nor axes nor outputs: it has only X, Y and Z.
         plain = bool(_GRBL_1_1.search(text)) and "[FIRMWARE:" not in text
         letters = axes[1] if axes else ""
-        if not letters and reported == len(_LINEAR):
-            letters = _LINEAR
+        if not letters and (reported != _A_OR_C or _FLUIDNC in text):
+            letters = _ORDER[:reported]
         return cls(
             axes=letters,
             outputs=int(outputs[1]) if outputs else 0 if plain and letters == _LINEAR else None,

@@ -161,6 +161,18 @@ MESSAGES: Final[Entries] = {
         progress="message",
         unsafe="message",
     ),
+    "controller.off-heading": entry(
+        "At X{x:.3f} Y{y:.3f} mm the tool was turned to C{c:.3f}, which is {turn:.1f} degrees away "
+        "from the program near program line {line}. Either a program line was corrupted on its way "
+        "to the controller, or a motor lost steps.",
+        "Check the cable to the controller and home the machine. Check the board on the table, "
+        "which may be spoiled.",
+        x="number",
+        y="number",
+        c="number",
+        turn="number",
+        line="count",
+    ),
     "controller.off-path": entry(
         "The machine was at X{x:.3f} Y{y:.3f} Z{z:.3f} mm, which is {distance:.1f} mm away "
         "from the path of the program near program line {line}. Either a program line was "
