@@ -18,7 +18,19 @@ from fastapi.routing import APIRoute
 from starlette.exceptions import HTTPException
 
 from knifetip import errors
-from knifetip.api import drawings, events, gateway, jobs, library, machines, profiles, queues, rest
+from knifetip.api import (
+    drawings,
+    events,
+    gateway,
+    history,
+    jobs,
+    library,
+    machines,
+    profiles,
+    queues,
+    rest,
+    tools,
+)
 from knifetip.api.access import Access
 from knifetip.api.headers import SecurityHeaders
 from knifetip.api.limits import Limits
@@ -88,15 +100,19 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         app.state.stream = events.Stream(service)
         await asyncio.to_thread(store.migrate)
         await asyncio.to_thread(compiling.start)
-        streaming = asyncio.create_task(app.state.stream.run())
+        tasks = [
+            asyncio.create_task(app.state.stream.run()),
+            asyncio.create_task(history.delete_old_jobs(service)),
+        ]
         service.ready = True
         try:
             yield
         finally:
             service.ready = False
             service.stop()
-            streaming.cancel()
-            await asyncio.gather(streaming, return_exceptions=True)
+            for task in tasks:
+                task.cancel()
+            await asyncio.gather(*tasks, return_exceptions=True)
             await asyncio.to_thread(compiling.stop)
             work.close()
             service.threads.close()
@@ -113,7 +129,19 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         redoc_url=None,
         generate_unique_id_function=_operation_id,
     )
-    for module in (drawings, jobs, queues, rest, events, machines, library, profiles, gateway):
+    for module in (
+        drawings,
+        jobs,
+        queues,
+        rest,
+        history,
+        events,
+        machines,
+        tools,
+        library,
+        profiles,
+        gateway,
+    ):
         app.include_router(module.router, prefix="/api")
     app.add_api_route("/healthz", _health, response_model=Health, tags=["health"])
     app.add_api_route("/readyz", _ready, response_model=Health, tags=["health"])

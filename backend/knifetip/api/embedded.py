@@ -60,6 +60,7 @@ class Parts:
     simulator: bool = True  #: run a simulated machine with its gateway
     speed: float = 1.0  #: seconds of machine time per second of real time
     compiles: bool = True  #: False if compile workers run in other processes
+    keep_history: int = 0  #: days for which ended jobs are kept; 0 for no limit
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,7 +121,11 @@ def serve(
         addresses = [one.getsockname()[0] for one in sockets]
         rules = AccessRules(key, keys.check_hosts(access.hosts), all(map(is_loopback, addresses)))
         settings = Settings(
-            database=database, compiles=parts.compiles, name="embedded", access=rules
+            database=database,
+            compiles=parts.compiles,
+            name="embedded",
+            keep_history=parts.keep_history,
+            access=rules,
         )
         taken = sockets[0].getsockname()[1]
         shown = f"[{host}]" if ":" in host else host

@@ -38,6 +38,7 @@ class Settings:
     limit: float = LIMIT  #: time limit of reading or compiling (s)
     upload: int = 64 * MEGABYTE  #: maximum size of a drawing (bytes)
     body: int = 16 * MEGABYTE  #: maximum size of other requests (bytes)
+    keep_history: int = 0  #: days for which ended jobs are kept; 0 for no limit
     page: Path = Path(__file__).parent / "page"  #: folder of the built page
     access: AccessRules = field(default_factory=AccessRules)  #: access rules
 
@@ -159,7 +160,7 @@ def require_customer_profile(service: Service, name: str) -> None:
         raise WrongState("profile.shipped", name=name)
 
 
-def set_next_page(response: Response, path: str, cursor: int | None, limit: int) -> None:
+def set_next_page(response: Response, path: str, cursor: int | str | None, limit: int) -> None:
     """Set the header ``Link`` of a response to the URL of the next page of a list.
 
     Parameters

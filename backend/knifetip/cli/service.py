@@ -36,7 +36,7 @@ class PartOptions:
     """Options of the command ``knifetip serve`` that select optional tasks of the server process.
 
     The options state whether the process compiles jobs, whether it runs a simulated machine and at
-    which speed, and whether it adds the sample drawings to a new database.
+    which speed, whether it adds the sample drawings to a new database, and when it deletes jobs.
     """
 
     speed: Speed = 1.0
@@ -51,6 +51,16 @@ class PartOptions:
             "must run in another process."
         ),
     ] = True
+    keep_history: Annotated[
+        int,
+        typer.Option(
+            min=0,
+            max=100_000,
+            envvar="KNIFETIP_KEEP_HISTORY",
+            help="Days after which ended jobs are deleted; statistics and the use of tools remain. "
+            "0 keeps all jobs.",
+        ),
+    ] = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,7 +117,9 @@ def serve(
         host,
         port,
         database,
-        embedded.Parts(parts.samples, parts.simulator, parts.speed, parts.compiles),
+        embedded.Parts(
+            parts.samples, parts.simulator, parts.speed, parts.compiles, parts.keep_history
+        ),
         embedded.Access(access.key, access.key_file, tuple(access.allow_host or ())),
         print_stderr,
     )

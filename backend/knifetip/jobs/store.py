@@ -16,6 +16,7 @@ from knifetip.jobs.database import Database
 from knifetip.jobs.drawing_store import DrawingStore
 from knifetip.jobs.event_store import EventStore
 from knifetip.jobs.gateway_store import GatewayStore
+from knifetip.jobs.history_store import HistoryStore
 from knifetip.jobs.job_store import JobStore
 from knifetip.jobs.lease_sweep import LeaseSweep
 from knifetip.jobs.machine_queues import MachineQueues
@@ -23,6 +24,8 @@ from knifetip.jobs.operator_store import OperatorStore
 from knifetip.jobs.profile_store import ProfileStore
 from knifetip.jobs.queue_store import QueueStore
 from knifetip.jobs.station_store import StationStore
+from knifetip.jobs.statistics_store import StatisticsStore
+from knifetip.jobs.tool_store import ToolStore
 from knifetip.jobs.transitions import Transitions
 
 
@@ -51,6 +54,9 @@ class Store:
         self.leases = LeaseSweep(self.database, transitions, self.compiles, self.gateways)
         self.profiles = ProfileStore(self.database)
         self.stations = StationStore(self.database)
+        self.history = HistoryStore(self.database)
+        self.statistics = StatisticsStore(self.database)
+        self.tools = ToolStore(self.database)
 
     @property
     def changes(self) -> Changes:

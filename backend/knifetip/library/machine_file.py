@@ -233,6 +233,11 @@ class StationTable(Table):
         description="radius about the axis of the station of its holder at the height of the tip, "
         "for keep-out zones (mm); 0: the tool only",
     )
+    life: NotNegative = Field(
+        0.0,
+        description="length that the tool may work in the board before it is changed (m); 0: no "
+        "limit",
+    )
     tool: Annotated[_AnyTool, Field(discriminator="kind"), BeforeValidator(_check_kind)]
 
     def record(self) -> Station:
@@ -246,6 +251,7 @@ class StationTable(Table):
             output=self.output,
             carriage=self.carriage,
             envelope=self.envelope,
+            life=self.life,
         )
 
 

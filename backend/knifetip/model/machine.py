@@ -78,6 +78,7 @@ class Station:
     carriage: int = 1  #: number of the carriage that carries the station, see ``Machine.carriages``
     #: radius about the station's axis of its holder at the height of the tip (mm); 0: the tool only
     envelope: float = 0.0
+    life: float = 0.0  #: length that the tool may work in the board (m); 0 for no limit
 
     @property
     def reach(self) -> float:

@@ -43,4 +43,5 @@ def station_json(station: Station) -> dict[str, Any]:
         "datum": {axis: getattr(station, axis) for axis in "xyzc"},
         "output": station.output,
         "envelope": station.envelope,
+        "life": station.life,
     }

@@ -648,6 +648,50 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/history": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List History
+         * @description List ended jobs, the last ended first; the header ``Link`` contains the URL of the next page.
+         *
+         *     Ended jobs are done, refused, interrupted, scrapped or cancelled.
+         */
+        get: operations["list_history"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/statistics": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Statistics
+         * @description Get statistics of each machine and period: jobs, sheets, lengths, time and interruptions.
+         *
+         *     A run counts for the period in which it ended.  Periods without runs are left out.
+         */
+        get: operations["get_statistics"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/events": {
         parameters: {
             query?: never;
@@ -771,6 +815,86 @@ export interface paths {
          */
         get: operations["get_operation"];
         put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/tools": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Machine Tools
+         * @description List the tools of a machine with the lengths that they have worked, and their lives.
+         */
+        get: operations["list_machine_tools"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/tools/events": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Tool Events
+         * @description List the last changes of the tools of a machine and of their lives, newest first.
+         */
+        get: operations["list_tool_events"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/tools/{station}/changed": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Record Tool Change
+         * @description Record that a person has put a new tool into a station; its used length is 0 again.
+         */
+        post: operations["record_tool_change"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/tools/{station}/life": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Set Tool Life
+         * @description Set the life of the tool in a station; it replaces the life in the file of the machine.
+         */
+        put: operations["set_tool_life"];
         post?: never;
         delete?: never;
         options?: never;
@@ -3898,6 +4022,127 @@ export interface components {
             name: string;
         };
         /**
+         * StatisticsOut
+         * @description Sums of the runs of a machine that ended in a period; a run is one stay of a job on it.
+         */
+        StatisticsOut: {
+            /**
+             * Machine
+             * @description Name of the machine
+             */
+            machine: string;
+            /**
+             * Start
+             * @description Begin of the period (seconds since 1970-01-01 UTC)
+             */
+            start: number;
+            /**
+             * Jobs
+             * @description Number of jobs that became done
+             */
+            jobs: number;
+            /**
+             * Copies
+             * @description Number of completed copies
+             */
+            copies: number;
+            /**
+             * Runs
+             * @description Number of runs
+             */
+            runs: number;
+            /**
+             * Interruptions
+             * @description Number of runs that were interrupted
+             */
+            interruptions: number;
+            /**
+             * Interrupted Share
+             * @description Share of runs that were interrupted, 0 … 1
+             */
+            interrupted_share: number;
+            /**
+             * Seconds
+             * @description Time from the starts of the runs to their ends (s)
+             */
+            seconds: number;
+            /**
+             * Sheets
+             * @description Number of used sheets by name of the board, with those that were not completed
+             */
+            sheets: {
+                [key: string]: number;
+            };
+            /**
+             * Lengths
+             * @description Length that the tools worked in the board by line type, such as cut and crease (m)
+             */
+            lengths: {
+                [key: string]: number;
+            };
+        };
+        /**
+         * ToolChangeIn
+         * @description A person has put a new tool into a station.
+         */
+        ToolChangeIn: {
+            /**
+             * By
+             * @description Name of the person; empty if it is not known
+             * @default
+             */
+            by: string;
+        };
+        /**
+         * ToolEventOut
+         * @description A change of a tool, or of its life, by a person.
+         */
+        ToolEventOut: {
+            /**
+             * Station
+             * @description Number of the station
+             */
+            station: number;
+            /**
+             * Kind
+             * @description changed: a new tool was put into the station. life: another life was set
+             * @enum {string}
+             */
+            kind: "changed" | "life";
+            /**
+             * At
+             * @description Time (seconds since 1970-01-01 UTC)
+             */
+            at: number;
+            /**
+             * Who
+             * @description The person: operator, followed by the name if it is known
+             */
+            who: string;
+            /**
+             * Length
+             * @description Of a changed tool the length that it had worked; otherwise the new life (m)
+             */
+            length: number;
+        };
+        /**
+         * ToolLifeIn
+         * @description The life of the tool in a station.
+         */
+        ToolLifeIn: {
+            /**
+             * Life
+             * @description Length that the tool may work (m); 0 for no limit
+             */
+            life: number;
+            /**
+             * By
+             * @description Name of the person; empty if it is not known
+             * @default
+             */
+            by: string;
+        };
+        /**
          * ToolOut
          * @description A tool with its dimensions in mm and degrees.
          */
@@ -3916,6 +4161,60 @@ export interface components {
             };
             /** @description Shape of the tool's mark on the board and position of its tip, for drawing the tool */
             footprint: components["schemas"]["FootprintOut"];
+        };
+        /**
+         * ToolUseOut
+         * @description The use of the tool in a station since the tool was changed.
+         */
+        ToolUseOut: {
+            /**
+             * Station
+             * @description Number of the station
+             */
+            station: number;
+            /**
+             * Name
+             * @description Name of the station
+             */
+            name: string;
+            /**
+             * Kind
+             * @description Kind of the tool, such as knife or crease-wheel
+             */
+            kind: string;
+            /**
+             * Used
+             * @description Length that the tool has worked in the board since its last change, with the job on the machine (m)
+             */
+            used: number;
+            /**
+             * Life
+             * @description Length that the tool may work (m); 0 for no limit
+             */
+            life: number;
+            /**
+             * Share
+             * @description Used fraction of the life; 0 if the life has no limit
+             */
+            share: number;
+            /**
+             * Changed
+             * @description Time of the last change (seconds since 1970-01-01 UTC); 0 if none is recorded
+             */
+            changed: number;
+            /**
+             * Changed By
+             * @description Who changed the tool; empty if no change is recorded
+             */
+            changed_by: string;
+            /**
+             * Warning
+             * @description near: from 90 % of the life on. over: the life is used up, and the operator must confirm the tool before a job starts. Empty: no warning
+             * @enum {string}
+             */
+            warning: "" | "near" | "over";
+            /** @description Text of the warning; null if there is none */
+            message: components["schemas"]["MessageOut"] | null;
         };
         /**
          * TrackOut
@@ -4535,6 +4834,11 @@ export interface components {
              * @description Radius of the holder about the axis of the station, for keep-out zones (mm); 0: the tool only
              */
             envelope: number;
+            /**
+             * Life
+             * @description Length that the tool may work in the board according to the file of the machine (m); 0 for no limit
+             */
+            life: number;
             /** @description Tool in the station */
             tool: components["schemas"]["ToolOut"];
         };
@@ -4662,7 +4966,7 @@ export interface components {
             revision: number | null;
         };
         /** @enum {string} */
-        MessageCode: "advice.compiling" | "advice.ended" | "advice.interrupted" | "advice.of-reason" | "advice.queued" | "advice.ready" | "advice.running" | "bridges.no-room" | "calibration.bad-points" | "calibration.choose-cutter" | "calibration.missing-column" | "calibration.not-a-number" | "calibration.not-csv" | "calibration.undetermined" | "calibration.wrong-sign" | "cf2.cut-short" | "cf2.decimal-commas" | "cf2.empty" | "cf2.main" | "cf2.section" | "cf2.subroutine" | "classification.around" | "classification.arrow" | "classification.as-its-style" | "classification.bleed" | "classification.board-ends" | "classification.closes-nothing" | "classification.contradicted" | "classification.convention" | "classification.cuts-panel-off" | "classification.dashed" | "classification.divider" | "classification.divides-panels" | "classification.frame" | "classification.free" | "classification.hole" | "classification.inner" | "classification.layer-denies" | "classification.layer-name" | "classification.legend" | "classification.letter" | "classification.like-outline" | "classification.like-outline-not-folds" | "classification.linetype-name" | "classification.mark" | "classification.mirror-cut" | "classification.mirror-folded" | "classification.mixed" | "classification.must-be-processed" | "classification.named" | "classification.no-rule" | "classification.no-rule-but-shape" | "classification.none-closes" | "classification.not-made" | "classification.on-cut" | "classification.open" | "classification.other-style-closes" | "classification.outline" | "classification.override" | "classification.paired" | "classification.panel-hangs" | "classification.panels-hang" | "classification.role-against" | "classification.rule" | "classification.shape" | "classification.slit" | "classification.slot" | "classification.speck" | "classification.stray" | "classification.swapped" | "classification.swapped-both" | "classification.swapped-like" | "classification.table" | "classification.unknown" | "classification.votes" | "classification.with-text" | "classification.without-tabs" | "cleaning.as-drawn" | "cleaning.dropped-off-panel" | "cleaning.dropped-speck" | "cleaning.end-moved" | "cleaning.fitted" | "cleaning.fitted-edge" | "cleaning.folds-trimmed" | "cleaning.ignored" | "cleaning.joined" | "cleaning.joined-edge" | "cleaning.kept" | "cleaning.kept-changed" | "cleaning.length-on-others" | "cleaning.longer" | "cleaning.moved" | "cleaning.no-work" | "cleaning.off-panel" | "cleaning.on-edge" | "cleaning.part-dropped" | "cleaning.part-off-panel" | "cleaning.shortened" | "cleaning.speck" | "cleaning.twice" | "cleaning.unclassified" | "command.bad-corner" | "command.bad-edge" | "command.bad-layer" | "command.bad-line-type" | "command.file-too-large" | "command.no-such-layer" | "command.unreadable-file" | "command.unwritable-file" | "controller.alarm" | "controller.alarm-code" | "controller.alarm-of-unknown-cause" | "controller.alarm-state" | "controller.alarm-unknown" | "controller.answer-lost" | "controller.answer-missing" | "controller.bad-address" | "controller.bad-serial-address" | "controller.busy" | "controller.check-end-not-confirmed" | "controller.closed" | "controller.connection-failed" | "controller.due" | "controller.in-alarm" | "controller.lift-not-finished" | "controller.locked" | "controller.locked-by-alarm" | "controller.lost" | "controller.lost-in-buffer" | "controller.no-host-and-port" | "controller.not-in-laser-mode" | "controller.not-ready" | "controller.not-recovered" | "controller.not-secured" | "controller.not-stopped" | "controller.off-heading" | "controller.off-path" | "controller.one-carriage" | "controller.port-busy" | "controller.port-missing" | "controller.port-not-permitted" | "controller.port-unusable" | "controller.ports-found" | "controller.refused-safe-state" | "controller.rejected-command" | "controller.rejected-in-check" | "controller.rejected-line" | "controller.reports-alarm" | "controller.reset" | "controller.reset-not-confirmed" | "controller.silent" | "controller.stopped" | "controller.too-few-outputs" | "controller.unable" | "controller.unexpected-answer" | "controller.unreachable" | "controller.was-reset" | "corner.at" | "corner.bad-interference" | "corner.bad-k" | "corner.bad-k-at" | "corner.bad-place" | "corner.bad-share" | "corner.inside" | "corner.no-contour" | "corner.no-cutter" | "corner.not-found" | "corner.replaced" | "corner.unknown-number" | "corner.unknown-type" | "corner.unknown-type-at" | "crease.tight-bend" | "curve.bad-ellipse" | "curve.bad-spline" | "curve.bad-tolerance" | "curve.not-finite" | "curve.not-fitted" | "curve.parameters" | "curve.too-many-pieces" | "curve.too-many-spans" | "cut.too-many-crossings" | "cut.too-short" | "cutter.interference" | "cutter.misses-bridge" | "cutter.short-lead" | "database.bad-url" | "database.in-memory" | "deflection.exceeds-radius" | "drawing.all-ignored" | "drawing.changing" | "drawing.deleted" | "drawing.empty" | "drawing.fits-turned" | "drawing.in-use" | "drawing.larger-than-table" | "drawing.no-lines" | "drawing.no-lines-reason" | "drawing.open-questions" | "drawing.read" | "drawing.reinterpreted" | "drawing.stale" | "drawing.types-set" | "drawing.unit-for-cleaning" | "drawing.unit-unknown" | "drawing.unknown" | "drawing.upload-too-large" | "dxf.at-line" | "dxf.blocks-expand-too-far" | "dxf.blocks-too-deep" | "dxf.cut-short" | "dxf.no-section" | "dxf.not-a-group-code" | "dxf.other-kind" | "dxf.too-large-unusual" | "dxf.without-end-mark" | "edge.no-length" | "edge.not-finite" | "edge.place" | "edge.too-crowded" | "edge.too-far" | "edge.too-many-overlaps" | "error.at-edge" | "error.at-edges" | "error.in-file" | "field.above" | "field.above-clearance" | "field.bad-arguments" | "field.below" | "field.blank" | "field.inconsistent" | "field.missing" | "field.misspelt" | "field.no-kind" | "field.no-neighbour" | "field.no-such-carriage" | "field.not-a-colour" | "field.not-a-line-type" | "field.not-a-list" | "field.not-a-number" | "field.not-a-profile" | "field.not-a-table" | "field.not-above" | "field.not-above-low" | "field.not-below" | "field.not-boolean" | "field.not-json" | "field.not-less-than-caliper" | "field.not-one-of" | "field.not-text" | "field.not-whole" | "field.other" | "field.outside" | "field.park-outside" | "field.parks-too-near" | "field.repeated-letters" | "field.repeated-numbers" | "field.rest-choice" | "field.sheet-size" | "field.spacing" | "field.too-few" | "field.too-long" | "field.too-many" | "field.too-many-passes" | "field.too-short" | "field.unknown" | "field.unknown-kind" | "field.zone-above-travel" | "file.7z" | "file.bmp" | "file.compound-file" | "file.dwg" | "file.eps" | "file.gif" | "file.gzip" | "file.html" | "file.jpeg" | "file.json" | "file.old-dwg" | "file.png" | "file.postscript" | "file.rar" | "file.riff" | "file.step" | "file.stl" | "file.tiff" | "file.xml" | "file.zip" | "finding.at-edge" | "finding.at-edge-and-line" | "finding.at-line" | "finding.more" | "gateway.cancelled" | "gateway.controller-not-idle" | "gateway.job-withdrawn" | "gateway.job-withdrawn-before-start" | "gateway.no-reason" | "gateway.switched-off" | "gateway.switched-off-before-report" | "gateway.switched-off-in-run" | "gateway.system-error" | "grbl.alarm-1" | "grbl.alarm-10" | "grbl.alarm-11" | "grbl.alarm-12" | "grbl.alarm-14" | "grbl.alarm-17" | "grbl.alarm-2" | "grbl.alarm-3" | "grbl.alarm-4" | "grbl.alarm-5" | "grbl.alarm-6" | "grbl.alarm-7" | "grbl.alarm-8" | "grbl.alarm-9" | "grbl.axis-letter-used" | "grbl.error-1" | "grbl.error-10" | "grbl.error-11" | "grbl.error-12" | "grbl.error-13" | "grbl.error-14" | "grbl.error-15" | "grbl.error-16" | "grbl.error-17" | "grbl.error-18" | "grbl.error-2" | "grbl.error-20" | "grbl.error-21" | "grbl.error-22" | "grbl.error-23" | "grbl.error-24" | "grbl.error-25" | "grbl.error-26" | "grbl.error-27" | "grbl.error-28" | "grbl.error-29" | "grbl.error-3" | "grbl.error-30" | "grbl.error-31" | "grbl.error-32" | "grbl.error-33" | "grbl.error-34" | "grbl.error-35" | "grbl.error-36" | "grbl.error-37" | "grbl.error-38" | "grbl.error-39" | "grbl.error-4" | "grbl.error-5" | "grbl.error-6" | "grbl.error-60" | "grbl.error-7" | "grbl.error-79" | "grbl.error-8" | "grbl.error-9" | "grbl.no-output" | "grbl.no-rotary-axis" | "grbl.unknown-alarm" | "grbl.unknown-error" | "groove.along-edge" | "groove.curved" | "groove.overcut" | "groove.runs-out" | "groove.through-cut" | "groove.through-cut-at-it" | "groove.tight-bend" | "groove.too-deep" | "groove.too-short" | "hpgl.bad-area" | "hpgl.bad-byte" | "hpgl.bad-feed" | "hpgl.bad-number" | "hpgl.bad-range" | "hpgl.datum" | "hpgl.depth-change" | "hpgl.ends-down" | "hpgl.ends-with-pen" | "hpgl.feed-not-supported" | "hpgl.force-out-of-range" | "hpgl.initialised-again" | "hpgl.lone-letter" | "hpgl.loose-number" | "hpgl.moves-before-pa" | "hpgl.needs-no-number" | "hpgl.needs-one-number" | "hpgl.never-down" | "hpgl.no-approach" | "hpgl.no-device" | "hpgl.no-force" | "hpgl.no-force-setting" | "hpgl.no-instruction" | "hpgl.no-pen" | "hpgl.no-pen-selected" | "hpgl.no-speed" | "hpgl.no-speed-setting" | "hpgl.no-terminator" | "hpgl.not-initialised" | "hpgl.outside-area" | "hpgl.pen-cannot" | "hpgl.plunge-without-move" | "hpgl.press" | "hpgl.repeated-pen" | "hpgl.selects-while-down" | "hpgl.send-by-hand" | "hpgl.sets-while-down" | "hpgl.slanted-plunge" | "hpgl.speed-out-of-range" | "hpgl.station-without-pen" | "hpgl.swivel" | "hpgl.tool-not-supported" | "hpgl.trail" | "hpgl.travel" | "hpgl.turn-in-board" | "hpgl.unknown-instruction" | "hpgl.unknown-pen" | "hpgl.wrong-force" | "hpgl.x-without-y" | "import.angles-not-numbers" | "import.annotations" | "import.area-outline" | "import.area-outline-on-page" | "import.array" | "import.bad-operands" | "import.bad-path-data" | "import.bad-place" | "import.bad-points" | "import.bad-radius" | "import.bad-size" | "import.bad-transform" | "import.bad-value" | "import.bad-window" | "import.block-external" | "import.block-in-itself" | "import.block-missing" | "import.bridge" | "import.bridges" | "import.clip-path" | "import.contains-itself" | "import.coordinate-not-a-number" | "import.curves-fitted" | "import.curves-fitted-relative" | "import.damaged" | "import.damaged-or-frame" | "import.dimension" | "import.drawn-twice" | "import.drawn-twice-often" | "import.empty-path" | "import.end-mark" | "import.endless-line" | "import.extrusion-not-a-number" | "import.few-vertices" | "import.filled-area" | "import.filled-area-beside-strokes" | "import.filled-area-on-page" | "import.fit-points" | "import.font-shape" | "import.height-not-a-number" | "import.height-too-far" | "import.hidden" | "import.hidden-layer" | "import.image" | "import.incomplete" | "import.interrupted-path" | "import.invisible" | "import.kept" | "import.kept-changed" | "import.laid-flat" | "import.layer-frozen" | "import.layer-not-plotted" | "import.layer-off" | "import.light" | "import.line-not-numbers" | "import.lone-vertex" | "import.mesh" | "import.missing-id" | "import.missing-subroutine" | "import.multiple-line" | "import.no-length" | "import.no-major-axis" | "import.no-paint" | "import.no-parameter-range" | "import.no-points" | "import.no-scale" | "import.no-size" | "import.no-sweep" | "import.not-a-line" | "import.not-clipped" | "import.not-flat" | "import.not-numbers" | "import.not-svg" | "import.not-visible" | "import.nothing-named" | "import.on-layer" | "import.other-file" | "import.other-pages" | "import.outside-page" | "import.page-ends-early" | "import.paper-space" | "import.parameters-not-numbers" | "import.partly-outside-page" | "import.picture" | "import.picture-block" | "import.pieces-drawn-twice" | "import.pieces-drawn-twice-often" | "import.pieces-no-length" | "import.place-not-a-number" | "import.placement-not-a-number" | "import.places-block" | "import.places-subroutine" | "import.point" | "import.proxy" | "import.region" | "import.repeated" | "import.rules-not-read" | "import.script" | "import.shading" | "import.short-path-data" | "import.solid" | "import.spot-colour" | "import.subroutine-in-itself" | "import.text" | "import.text-unknown-letters" | "import.tilted" | "import.tilted-axis" | "import.too-far" | "import.too-many-fit-points" | "import.uncentred-arc" | "import.underlay" | "import.uneven-height" | "import.unknown-operator" | "import.unknown-record" | "import.unsupported-element" | "import.unused-block" | "import.unused-subroutine" | "import.value-angle" | "import.value-not-numbers" | "import.value-not-transform" | "import.value-transform-numbers" | "import.value-unit" | "import.viewport" | "import.wrong-field-count" | "input.not-finite" | "job.action-requested" | "job.at-line" | "job.awaits-kernels" | "job.being-cancelled" | "job.cancelled" | "job.cancelled-before-request" | "job.claim-returned" | "job.claimed" | "job.claimed-to-confirm" | "job.compile-cancelled" | "job.compile-crashed" | "job.compile-started" | "job.compiles-died" | "job.confirmed-sheet" | "job.confirmed-table" | "job.copy-done" | "job.copy-done-next-sheet" | "job.declared-finished" | "job.exceptions-accepted" | "job.executed" | "job.fully-executed" | "job.gateway-fell-silent" | "job.gateway-lost" | "job.gateway-silent" | "job.held-before-start" | "job.interrupted" | "job.interrupted-at-end" | "job.interrupted-between-copies" | "job.late-report" | "job.no-confirmation-awaited" | "job.no-sheet-awaited" | "job.no-shortfalls" | "job.no-work" | "job.not-confirmed" | "job.not-running" | "job.not-taken" | "job.nothing-sent" | "job.nothing-to-confirm" | "job.of-copy" | "job.ordered" | "job.other-board" | "job.program-has-shortfalls" | "job.program-refused" | "job.released" | "job.released-by-order" | "job.requeued" | "job.scrapped" | "job.stale-epoch" | "job.started" | "job.started-unconfirmed" | "job.unknown" | "job.verified" | "job.worker-silent" | "job.wrong-state" | "job.wrong-state-for-request" | "language.bad-entry-point" | "language.no-driver" | "language.no-linear-axis" | "language.no-rotary-axis" | "language.no-settings" | "language.open-in-linuxcnc" | "language.unknown" | "language.unusable" | "layer.not-finite" | "lead.no-corner" | "lead.no-room" | "library.invalid" | "library.unknown" | "library.unknown-file" | "library.unreadable" | "lift.not-stated" | "machine.busy" | "machine.busy-with-another" | "machine.no-cutter" | "machine.no-such-cutter" | "milling.contours-cross" | "milling.shared-edge" | "motion.feed" | "motion.lead-in" | "motion.lead-out" | "motion.lift" | "motion.plunge" | "motion.rapid" | "motion.swivel" | "motion.unknown" | "offset.bad-distance" | "offset.bad-interference" | "offset.bad-side" | "offset.cusp" | "offset.dead-end" | "offset.interference" | "offset.mixed-group" | "offset.self-contact" | "operation.bad-feed" | "operation.beyond-travel" | "operation.expired" | "operation.gateway-absent" | "operation.job-running" | "operation.missing-argument" | "operation.no-controller" | "operation.no-result" | "operation.not-at-rest" | "operation.not-lifted" | "operation.not-locked" | "operation.unknown" | "operation.unknown-axis" | "operation.unknown-output" | "operation.unsupported" | "override.ambiguous" | "override.no-edges-there" | "override.no-such-edge" | "override.no-such-handle" | "override.of-colour" | "override.on-layer" | "pdf.blank" | "pdf.content-damaged" | "pdf.cut-short" | "pdf.encrypted" | "pdf.expands-too-far" | "pdf.form" | "pdf.form-named" | "pdf.illustrator-only" | "pdf.layers-too-deep" | "pdf.nested-arrays" | "pdf.no-header" | "pdf.no-page" | "pdf.open-array" | "pdf.open-image" | "pdf.open-text" | "pdf.page" | "pdf.page-too-large" | "pdf.part-missing" | "pdf.stream-cut-short" | "pdf.stream-damaged" | "pdf.stream-too-large" | "pdf.too-many-states" | "profile.bad-if-match" | "profile.bad-name" | "profile.exists" | "profile.invalid-field" | "profile.nested-too-deep" | "profile.not-an-extension" | "profile.not-kept" | "profile.not-toml" | "profile.not-utf8" | "profile.not-utf8-byte" | "profile.shipped" | "profile.shipped-command" | "profile.stale" | "profile.too-long" | "profile.too-many" | "program.bad-tolerance" | "program.control-byte" | "program.line-too-long" | "program.line-too-long-to-send" | "program.no-placement" | "program.not-bytes" | "program.not-fetched" | "program.too-large" | "program.too-many-lines" | "program.too-many-moves" | "program.wrong-checksum" | "question.guess" | "question.line-type" | "question.shape" | "question.tool" | "question.unit" | "question.unit-contradicted" | "question.unit-doubtful" | "question.unit-evidence" | "question.unit-not-stated" | "question.unit-size" | "question.unit-unreadable" | "queue.after" | "queue.before" | "queue.changed" | "queue.claimed" | "queue.copies-changed" | "queue.copies-done" | "queue.does-not-fit" | "queue.let-go" | "queue.moved" | "queue.no-neighbour" | "queue.not-waiting" | "queue.priority-changed" | "queue.put-on-hold" | "queue.transferred" | "reading.crashed" | "reading.damaged" | "reading.empty" | "reading.expands-too-far" | "reading.nested-too-deep" | "reading.too-large" | "reading.too-many-elements" | "reading.too-many-entities" | "reading.too-many-segments" | "reading.too-slow" | "reading.truncated" | "reading.unexpected" | "reading.unknown-kind" | "request.body-too-large" | "request.body-unreadable" | "request.foreign-origin" | "request.foreign-page" | "request.html-form" | "request.invalid" | "request.key-needed" | "request.key-reused" | "request.local-only" | "request.no-host" | "request.not-marked" | "request.not-storable" | "request.nothing-there" | "request.refused" | "request.upload-too-large" | "request.wrong-host" | "request.wrong-key" | "request.wrong-method" | "rest.bound-to-sheet" | "rest.continued-already" | "rest.continued-by" | "rest.continues" | "rest.copy-of" | "rest.line-changed" | "rest.no-such-station" | "rest.no-such-track" | "rest.no-tracks" | "rest.not-again" | "rest.not-executed" | "rest.old-program" | "rest.ordered" | "rest.whole-ordered" | "rest.wrong-state" | "rs274.active-comment" | "rs274.after-end" | "rs274.arc-of-other-carriage" | "rs274.axis-without-motion" | "rs274.bad-arc" | "rs274.bad-character" | "rs274.bad-feed" | "rs274.bad-line-number" | "rs274.centre-without-arc" | "rs274.change-without-station" | "rs274.control-byte" | "rs274.ends-lowered" | "rs274.ends-oscillating" | "rs274.ends-output-on" | "rs274.ends-with-offset" | "rs274.g64-unsupported" | "rs274.incomplete-arc" | "rs274.letter-without-number" | "rs274.line-too-long" | "rs274.missing-p" | "rs274.mode-g17" | "rs274.mode-g21" | "rs274.mode-g40" | "rs274.mode-g49" | "rs274.mode-g54" | "rs274.mode-g90" | "rs274.mode-g91-1" | "rs274.mode-g92-1" | "rs274.mode-g94" | "rs274.motion-without-axis" | "rs274.moves-and-switches" | "rs274.moves-other-carriage" | "rs274.moves-unstated" | "rs274.nested-comment" | "rs274.no-end" | "rs274.no-feed" | "rs274.not-settled" | "rs274.number-too-large" | "rs274.offset-without-station" | "rs274.open-comment" | "rs274.repeated-word" | "rs274.speed-without-m3" | "rs274.stray-p" | "rs274.stray-q" | "rs274.switches-while-moving" | "rs274.timed-without-f" | "rs274.too-many-digits" | "rs274.unbounded-rounding" | "rs274.unknown-letter" | "rs274.unknown-output" | "rs274.unknown-station" | "rs274.unknown-word" | "rs274.wrong-dwell" | "rs274.wrong-speed" | "rule.block" | "rule.colour" | "rule.conditions" | "rule.entity" | "rule.everything" | "rule.layer" | "rule.linetype" | "run.executed" | "run.in-buffer" | "run.nothing-sent" | "segment.not-finite" | "server.address-in-use" | "server.answered" | "server.busy" | "server.database-silent" | "server.internal-error" | "server.not-started" | "server.stopping" | "server.unreachable" | "settings.bad-host" | "settings.bad-key" | "settings.key-file" | "settings.two-keys" | "sheet.bad-size" | "sheet.off-table" | "sheet.smaller-than-drawing" | "sheet.without-outline" | "store.no-column" | "store.unknown" | "stored.text" | "svg.cut-short" | "svg.damaged-at" | "svg.empty" | "svg.external-entity" | "svg.long-entity" | "svg.markup-entity" | "svg.nested-too-deep" | "svg.other-xml" | "svg.packed-cut-short" | "svg.packed-damaged" | "svg.too-many-rules" | "svg.unpacks-too-far" | "tool.bad-radius" | "tool.cannot-work" | "tool.missing" | "tool.shallow-lead" | "tool.short-lead" | "tool.tilted" | "tool.without-power" | "tool.without-speed" | "toolpath.arc-too-long" | "toolpath.empty" | "toolpath.feed-too-fast" | "toolpath.move" | "toolpath.no-approach" | "toolpath.no-feed" | "toolpath.not-finite" | "toolpath.rapid-arc" | "toolpath.row" | "toolpath.row-of-edge" | "toolpath.swivel-without-turn" | "toolpath.too-far" | "toolpath.unknown-motion" | "toolpath.unknown-station" | "track.too-flat" | "travel.above" | "travel.below" | "travel.heads-too-near" | "unit.cf2-inches" | "unit.cf2-millimetres" | "unit.cf2-none" | "unit.cf2-scale-applied" | "unit.cf2-scale-invalid" | "unit.cf2-scale-not-applied" | "unit.cf2-scale-undecided" | "unit.cf2-scaled" | "unit.dimensions-larger" | "unit.dimensions-smaller" | "unit.drawn-in-imperial" | "unit.drawn-in-inches" | "unit.drawn-in-metric" | "unit.drawn-in-millimetres" | "unit.given" | "unit.header" | "unit.header-decimal-inches" | "unit.header-factor" | "unit.header-fractions" | "unit.header-imperial" | "unit.header-metric" | "unit.header-missing" | "unit.header-not-a-number" | "unit.header-undefined" | "unit.header-unitless" | "unit.header-unsupported" | "unit.imprecise" | "unit.inconclusive" | "unit.multiples" | "unit.no-number-matches" | "unit.not-given" | "unit.number" | "unit.number-in" | "unit.numbers-match" | "unit.numbers-match-often" | "unit.overruled" | "unit.page-in-pixels" | "unit.page-in-points" | "unit.paper-size" | "unit.part-drawn-twice" | "unit.parts-differ" | "unit.pdf" | "unit.pdf-scaled" | "unit.read-against-evidence" | "unit.read-against-header" | "unit.scale-mentioned" | "unit.share-stated" | "unit.share-unstated" | "unit.shortest-edges" | "unit.size-unusual" | "unit.size-usual" | "unit.svg-no-size" | "unit.svg-no-unit" | "unit.svg-pixel" | "unit.svg-pixel-illustrator" | "unit.svg-size" | "unit.svg-size-in-pixels" | "unit.text-states" | "unit.unsupported" | "verify.bad-tolerance" | "verify.beam-on-rapid" | "verify.beam-refocused" | "verify.beside-line" | "verify.beyond-rotation" | "verify.beyond-travel" | "verify.bridge-near-corner" | "verify.bridge-spacing" | "verify.bridge-spare" | "verify.bridge-width" | "verify.centre-off-path" | "verify.cleaning-beyond" | "verify.cleaning-dropped" | "verify.cleaning-incomplete" | "verify.cleaning-invented" | "verify.cleaning-moved" | "verify.cleaning-type" | "verify.comes-out-anywhere" | "verify.comes-out-past" | "verify.comes-out-short" | "verify.contour-unreached" | "verify.crease-meets-cuts" | "verify.crease-stops-at-cut" | "verify.crease-too-short" | "verify.cut-both-ways" | "verify.cut-too-short" | "verify.cuts-part" | "verify.cutter-at-rest" | "verify.feed-of-other-axis" | "verify.flank-inside" | "verify.flank-outside" | "verify.flank-through-cut" | "verify.fold-angle" | "verify.goes-in-anywhere" | "verify.groove-arc" | "verify.groove-past-ends" | "verify.groove-shallower" | "verify.groove-shifted" | "verify.groove-too-short" | "verify.hanging-piece" | "verify.head-not-located" | "verify.heads-too-near" | "verify.idle-head-low" | "verify.in-zone" | "verify.inside-part" | "verify.knife-at-rest" | "verify.laser-off" | "verify.loose-piece" | "verify.lowers-second" | "verify.made-before" | "verify.moves-before-stated" | "verify.moves-overlap" | "verify.moves-with-beam" | "verify.never-stated" | "verify.no-station" | "verify.no-such-shortfall" | "verify.not-acceptable" | "verify.not-worked" | "verify.off-curve" | "verify.off-line" | "verify.oscillation-on" | "verify.other-placement" | "verify.outline-begun" | "verify.output" | "verify.output-off" | "verify.pass-alone" | "verify.pass-too-deep" | "verify.past-end" | "verify.past-open-cut" | "verify.past-stop" | "verify.perforation-bridge" | "verify.perforation-cut" | "verify.perforation-gap" | "verify.perforation-uneven" | "verify.plunge-without-move" | "verify.rapid-in-board" | "verify.rapid-near-sheet" | "verify.rapid-too-low" | "verify.released-before" | "verify.slanted" | "verify.spindle" | "verify.stray" | "verify.stray-along" | "verify.stray-plunge" | "verify.stray-plunge-along" | "verify.switches-at-unknown-height" | "verify.switches-low" | "verify.too-few-bridges" | "verify.turn-at-feed" | "verify.turn-in-board" | "verify.turn-off-path" | "verify.turn-overlaps" | "verify.two-lowered" | "verify.unclassified" | "verify.unknown-beside-zone" | "verify.unknown-position" | "verify.unreached" | "verify.where-from-start" | "verify.where-past-end" | "verify.where-past-start" | "verify.wide-slit" | "verify.work-creased" | "verify.work-cut" | "verify.work-grooved" | "verify.work-grooved-from-end" | "verify.work-grooved-from-start" | "verify.wrong-depth" | "verify.wrong-feed" | "verify.wrong-heading" | "verify.wrong-time" | "waiting.confirmed" | "waiting.for-gateway" | "waiting.for-machine" | "waiting.for-person" | "waiting.for-rest" | "waiting.for-sheet" | "waiting.for-start" | "waiting.for-turn" | "waiting.on-hold" | "waiting.sheet-outline" | "waiting.sheet-size" | "waiting.taken" | "waiting.taken-interrupted" | "waiting.taken-unconfirmed" | "waiting.tool" | "waiting.tools" | "waiting.unconfirmed-run" | "worker.died" | "worker.memory" | "worker.timeout" | "zone.work";
+        MessageCode: "advice.compiling" | "advice.ended" | "advice.interrupted" | "advice.of-reason" | "advice.queued" | "advice.ready" | "advice.running" | "bridges.no-room" | "calibration.bad-points" | "calibration.choose-cutter" | "calibration.missing-column" | "calibration.not-a-number" | "calibration.not-csv" | "calibration.undetermined" | "calibration.wrong-sign" | "cf2.cut-short" | "cf2.decimal-commas" | "cf2.empty" | "cf2.main" | "cf2.section" | "cf2.subroutine" | "classification.around" | "classification.arrow" | "classification.as-its-style" | "classification.bleed" | "classification.board-ends" | "classification.closes-nothing" | "classification.contradicted" | "classification.convention" | "classification.cuts-panel-off" | "classification.dashed" | "classification.divider" | "classification.divides-panels" | "classification.frame" | "classification.free" | "classification.hole" | "classification.inner" | "classification.layer-denies" | "classification.layer-name" | "classification.legend" | "classification.letter" | "classification.like-outline" | "classification.like-outline-not-folds" | "classification.linetype-name" | "classification.mark" | "classification.mirror-cut" | "classification.mirror-folded" | "classification.mixed" | "classification.must-be-processed" | "classification.named" | "classification.no-rule" | "classification.no-rule-but-shape" | "classification.none-closes" | "classification.not-made" | "classification.on-cut" | "classification.open" | "classification.other-style-closes" | "classification.outline" | "classification.override" | "classification.paired" | "classification.panel-hangs" | "classification.panels-hang" | "classification.role-against" | "classification.rule" | "classification.shape" | "classification.slit" | "classification.slot" | "classification.speck" | "classification.stray" | "classification.swapped" | "classification.swapped-both" | "classification.swapped-like" | "classification.table" | "classification.unknown" | "classification.votes" | "classification.with-text" | "classification.without-tabs" | "cleaning.as-drawn" | "cleaning.dropped-off-panel" | "cleaning.dropped-speck" | "cleaning.end-moved" | "cleaning.fitted" | "cleaning.fitted-edge" | "cleaning.folds-trimmed" | "cleaning.ignored" | "cleaning.joined" | "cleaning.joined-edge" | "cleaning.kept" | "cleaning.kept-changed" | "cleaning.length-on-others" | "cleaning.longer" | "cleaning.moved" | "cleaning.no-work" | "cleaning.off-panel" | "cleaning.on-edge" | "cleaning.part-dropped" | "cleaning.part-off-panel" | "cleaning.shortened" | "cleaning.speck" | "cleaning.twice" | "cleaning.unclassified" | "command.bad-corner" | "command.bad-edge" | "command.bad-layer" | "command.bad-line-type" | "command.file-too-large" | "command.no-such-layer" | "command.unreadable-file" | "command.unwritable-file" | "controller.alarm" | "controller.alarm-code" | "controller.alarm-of-unknown-cause" | "controller.alarm-state" | "controller.alarm-unknown" | "controller.answer-lost" | "controller.answer-missing" | "controller.bad-address" | "controller.bad-serial-address" | "controller.busy" | "controller.check-end-not-confirmed" | "controller.closed" | "controller.connection-failed" | "controller.due" | "controller.in-alarm" | "controller.lift-not-finished" | "controller.locked" | "controller.locked-by-alarm" | "controller.lost" | "controller.lost-in-buffer" | "controller.no-host-and-port" | "controller.not-in-laser-mode" | "controller.not-ready" | "controller.not-recovered" | "controller.not-secured" | "controller.not-stopped" | "controller.off-heading" | "controller.off-path" | "controller.one-carriage" | "controller.port-busy" | "controller.port-missing" | "controller.port-not-permitted" | "controller.port-unusable" | "controller.ports-found" | "controller.refused-safe-state" | "controller.rejected-command" | "controller.rejected-in-check" | "controller.rejected-line" | "controller.reports-alarm" | "controller.reset" | "controller.reset-not-confirmed" | "controller.silent" | "controller.stopped" | "controller.too-few-outputs" | "controller.unable" | "controller.unexpected-answer" | "controller.unreachable" | "controller.was-reset" | "corner.at" | "corner.bad-interference" | "corner.bad-k" | "corner.bad-k-at" | "corner.bad-place" | "corner.bad-share" | "corner.inside" | "corner.no-contour" | "corner.no-cutter" | "corner.not-found" | "corner.replaced" | "corner.unknown-number" | "corner.unknown-type" | "corner.unknown-type-at" | "crease.tight-bend" | "curve.bad-ellipse" | "curve.bad-spline" | "curve.bad-tolerance" | "curve.not-finite" | "curve.not-fitted" | "curve.parameters" | "curve.too-many-pieces" | "curve.too-many-spans" | "cut.too-many-crossings" | "cut.too-short" | "cutter.interference" | "cutter.misses-bridge" | "cutter.short-lead" | "database.bad-url" | "database.in-memory" | "deflection.exceeds-radius" | "drawing.all-ignored" | "drawing.changing" | "drawing.deleted" | "drawing.empty" | "drawing.fits-turned" | "drawing.in-use" | "drawing.larger-than-table" | "drawing.no-lines" | "drawing.no-lines-reason" | "drawing.open-questions" | "drawing.read" | "drawing.reinterpreted" | "drawing.stale" | "drawing.types-set" | "drawing.unit-for-cleaning" | "drawing.unit-unknown" | "drawing.unknown" | "drawing.upload-too-large" | "dxf.at-line" | "dxf.blocks-expand-too-far" | "dxf.blocks-too-deep" | "dxf.cut-short" | "dxf.no-section" | "dxf.not-a-group-code" | "dxf.other-kind" | "dxf.too-large-unusual" | "dxf.without-end-mark" | "edge.no-length" | "edge.not-finite" | "edge.place" | "edge.too-crowded" | "edge.too-far" | "edge.too-many-overlaps" | "error.at-edge" | "error.at-edges" | "error.in-file" | "field.above" | "field.above-clearance" | "field.bad-arguments" | "field.below" | "field.blank" | "field.inconsistent" | "field.missing" | "field.misspelt" | "field.no-kind" | "field.no-neighbour" | "field.no-such-carriage" | "field.not-a-colour" | "field.not-a-line-type" | "field.not-a-list" | "field.not-a-number" | "field.not-a-profile" | "field.not-a-table" | "field.not-above" | "field.not-above-low" | "field.not-below" | "field.not-boolean" | "field.not-json" | "field.not-less-than-caliper" | "field.not-one-of" | "field.not-text" | "field.not-whole" | "field.other" | "field.outside" | "field.park-outside" | "field.parks-too-near" | "field.repeated-letters" | "field.repeated-numbers" | "field.rest-choice" | "field.sheet-size" | "field.spacing" | "field.too-few" | "field.too-long" | "field.too-many" | "field.too-many-passes" | "field.too-short" | "field.unknown" | "field.unknown-kind" | "field.zone-above-travel" | "file.7z" | "file.bmp" | "file.compound-file" | "file.dwg" | "file.eps" | "file.gif" | "file.gzip" | "file.html" | "file.jpeg" | "file.json" | "file.old-dwg" | "file.png" | "file.postscript" | "file.rar" | "file.riff" | "file.step" | "file.stl" | "file.tiff" | "file.xml" | "file.zip" | "finding.at-edge" | "finding.at-edge-and-line" | "finding.at-line" | "finding.more" | "gateway.cancelled" | "gateway.controller-not-idle" | "gateway.job-withdrawn" | "gateway.job-withdrawn-before-start" | "gateway.no-reason" | "gateway.switched-off" | "gateway.switched-off-before-report" | "gateway.switched-off-in-run" | "gateway.system-error" | "grbl.alarm-1" | "grbl.alarm-10" | "grbl.alarm-11" | "grbl.alarm-12" | "grbl.alarm-14" | "grbl.alarm-17" | "grbl.alarm-2" | "grbl.alarm-3" | "grbl.alarm-4" | "grbl.alarm-5" | "grbl.alarm-6" | "grbl.alarm-7" | "grbl.alarm-8" | "grbl.alarm-9" | "grbl.axis-letter-used" | "grbl.error-1" | "grbl.error-10" | "grbl.error-11" | "grbl.error-12" | "grbl.error-13" | "grbl.error-14" | "grbl.error-15" | "grbl.error-16" | "grbl.error-17" | "grbl.error-18" | "grbl.error-2" | "grbl.error-20" | "grbl.error-21" | "grbl.error-22" | "grbl.error-23" | "grbl.error-24" | "grbl.error-25" | "grbl.error-26" | "grbl.error-27" | "grbl.error-28" | "grbl.error-29" | "grbl.error-3" | "grbl.error-30" | "grbl.error-31" | "grbl.error-32" | "grbl.error-33" | "grbl.error-34" | "grbl.error-35" | "grbl.error-36" | "grbl.error-37" | "grbl.error-38" | "grbl.error-39" | "grbl.error-4" | "grbl.error-5" | "grbl.error-6" | "grbl.error-60" | "grbl.error-7" | "grbl.error-79" | "grbl.error-8" | "grbl.error-9" | "grbl.no-output" | "grbl.no-rotary-axis" | "grbl.unknown-alarm" | "grbl.unknown-error" | "groove.along-edge" | "groove.curved" | "groove.overcut" | "groove.runs-out" | "groove.through-cut" | "groove.through-cut-at-it" | "groove.tight-bend" | "groove.too-deep" | "groove.too-short" | "hpgl.bad-area" | "hpgl.bad-byte" | "hpgl.bad-feed" | "hpgl.bad-number" | "hpgl.bad-range" | "hpgl.datum" | "hpgl.depth-change" | "hpgl.ends-down" | "hpgl.ends-with-pen" | "hpgl.feed-not-supported" | "hpgl.force-out-of-range" | "hpgl.initialised-again" | "hpgl.lone-letter" | "hpgl.loose-number" | "hpgl.moves-before-pa" | "hpgl.needs-no-number" | "hpgl.needs-one-number" | "hpgl.never-down" | "hpgl.no-approach" | "hpgl.no-device" | "hpgl.no-force" | "hpgl.no-force-setting" | "hpgl.no-instruction" | "hpgl.no-pen" | "hpgl.no-pen-selected" | "hpgl.no-speed" | "hpgl.no-speed-setting" | "hpgl.no-terminator" | "hpgl.not-initialised" | "hpgl.outside-area" | "hpgl.pen-cannot" | "hpgl.plunge-without-move" | "hpgl.press" | "hpgl.repeated-pen" | "hpgl.selects-while-down" | "hpgl.send-by-hand" | "hpgl.sets-while-down" | "hpgl.slanted-plunge" | "hpgl.speed-out-of-range" | "hpgl.station-without-pen" | "hpgl.swivel" | "hpgl.tool-not-supported" | "hpgl.trail" | "hpgl.travel" | "hpgl.turn-in-board" | "hpgl.unknown-instruction" | "hpgl.unknown-pen" | "hpgl.wrong-force" | "hpgl.x-without-y" | "import.angles-not-numbers" | "import.annotations" | "import.area-outline" | "import.area-outline-on-page" | "import.array" | "import.bad-operands" | "import.bad-path-data" | "import.bad-place" | "import.bad-points" | "import.bad-radius" | "import.bad-size" | "import.bad-transform" | "import.bad-value" | "import.bad-window" | "import.block-external" | "import.block-in-itself" | "import.block-missing" | "import.bridge" | "import.bridges" | "import.clip-path" | "import.contains-itself" | "import.coordinate-not-a-number" | "import.curves-fitted" | "import.curves-fitted-relative" | "import.damaged" | "import.damaged-or-frame" | "import.dimension" | "import.drawn-twice" | "import.drawn-twice-often" | "import.empty-path" | "import.end-mark" | "import.endless-line" | "import.extrusion-not-a-number" | "import.few-vertices" | "import.filled-area" | "import.filled-area-beside-strokes" | "import.filled-area-on-page" | "import.fit-points" | "import.font-shape" | "import.height-not-a-number" | "import.height-too-far" | "import.hidden" | "import.hidden-layer" | "import.image" | "import.incomplete" | "import.interrupted-path" | "import.invisible" | "import.kept" | "import.kept-changed" | "import.laid-flat" | "import.layer-frozen" | "import.layer-not-plotted" | "import.layer-off" | "import.light" | "import.line-not-numbers" | "import.lone-vertex" | "import.mesh" | "import.missing-id" | "import.missing-subroutine" | "import.multiple-line" | "import.no-length" | "import.no-major-axis" | "import.no-paint" | "import.no-parameter-range" | "import.no-points" | "import.no-scale" | "import.no-size" | "import.no-sweep" | "import.not-a-line" | "import.not-clipped" | "import.not-flat" | "import.not-numbers" | "import.not-svg" | "import.not-visible" | "import.nothing-named" | "import.on-layer" | "import.other-file" | "import.other-pages" | "import.outside-page" | "import.page-ends-early" | "import.paper-space" | "import.parameters-not-numbers" | "import.partly-outside-page" | "import.picture" | "import.picture-block" | "import.pieces-drawn-twice" | "import.pieces-drawn-twice-often" | "import.pieces-no-length" | "import.place-not-a-number" | "import.placement-not-a-number" | "import.places-block" | "import.places-subroutine" | "import.point" | "import.proxy" | "import.region" | "import.repeated" | "import.rules-not-read" | "import.script" | "import.shading" | "import.short-path-data" | "import.solid" | "import.spot-colour" | "import.subroutine-in-itself" | "import.text" | "import.text-unknown-letters" | "import.tilted" | "import.tilted-axis" | "import.too-far" | "import.too-many-fit-points" | "import.uncentred-arc" | "import.underlay" | "import.uneven-height" | "import.unknown-operator" | "import.unknown-record" | "import.unsupported-element" | "import.unused-block" | "import.unused-subroutine" | "import.value-angle" | "import.value-not-numbers" | "import.value-not-transform" | "import.value-transform-numbers" | "import.value-unit" | "import.viewport" | "import.wrong-field-count" | "input.not-finite" | "job.action-requested" | "job.at-line" | "job.awaits-kernels" | "job.being-cancelled" | "job.cancelled" | "job.cancelled-before-request" | "job.claim-returned" | "job.claimed" | "job.claimed-to-confirm" | "job.compile-cancelled" | "job.compile-crashed" | "job.compile-started" | "job.compiles-died" | "job.confirmed-sheet" | "job.confirmed-table" | "job.copy-done" | "job.copy-done-next-sheet" | "job.declared-finished" | "job.exceptions-accepted" | "job.executed" | "job.fully-executed" | "job.gateway-fell-silent" | "job.gateway-lost" | "job.gateway-silent" | "job.held-before-start" | "job.interrupted" | "job.interrupted-at-end" | "job.interrupted-between-copies" | "job.late-report" | "job.no-confirmation-awaited" | "job.no-sheet-awaited" | "job.no-shortfalls" | "job.no-work" | "job.not-confirmed" | "job.not-running" | "job.not-taken" | "job.nothing-sent" | "job.nothing-to-confirm" | "job.of-copy" | "job.ordered" | "job.other-board" | "job.program-has-shortfalls" | "job.program-refused" | "job.released" | "job.released-by-order" | "job.requeued" | "job.scrapped" | "job.stale-epoch" | "job.started" | "job.started-unconfirmed" | "job.unknown" | "job.verified" | "job.worker-silent" | "job.wrong-state" | "job.wrong-state-for-request" | "language.bad-entry-point" | "language.no-driver" | "language.no-linear-axis" | "language.no-rotary-axis" | "language.no-settings" | "language.open-in-linuxcnc" | "language.unknown" | "language.unusable" | "layer.not-finite" | "lead.no-corner" | "lead.no-room" | "library.invalid" | "library.unknown" | "library.unknown-file" | "library.unreadable" | "lift.not-stated" | "machine.busy" | "machine.busy-with-another" | "machine.no-cutter" | "machine.no-such-cutter" | "milling.contours-cross" | "milling.shared-edge" | "motion.feed" | "motion.lead-in" | "motion.lead-out" | "motion.lift" | "motion.plunge" | "motion.rapid" | "motion.swivel" | "motion.unknown" | "offset.bad-distance" | "offset.bad-interference" | "offset.bad-side" | "offset.cusp" | "offset.dead-end" | "offset.interference" | "offset.mixed-group" | "offset.self-contact" | "operation.bad-feed" | "operation.beyond-travel" | "operation.expired" | "operation.gateway-absent" | "operation.job-running" | "operation.missing-argument" | "operation.no-controller" | "operation.no-result" | "operation.not-at-rest" | "operation.not-lifted" | "operation.not-locked" | "operation.unknown" | "operation.unknown-axis" | "operation.unknown-output" | "operation.unsupported" | "override.ambiguous" | "override.no-edges-there" | "override.no-such-edge" | "override.no-such-handle" | "override.of-colour" | "override.on-layer" | "pdf.blank" | "pdf.content-damaged" | "pdf.cut-short" | "pdf.encrypted" | "pdf.expands-too-far" | "pdf.form" | "pdf.form-named" | "pdf.illustrator-only" | "pdf.layers-too-deep" | "pdf.nested-arrays" | "pdf.no-header" | "pdf.no-page" | "pdf.open-array" | "pdf.open-image" | "pdf.open-text" | "pdf.page" | "pdf.page-too-large" | "pdf.part-missing" | "pdf.stream-cut-short" | "pdf.stream-damaged" | "pdf.stream-too-large" | "pdf.too-many-states" | "profile.bad-if-match" | "profile.bad-name" | "profile.exists" | "profile.invalid-field" | "profile.nested-too-deep" | "profile.not-an-extension" | "profile.not-kept" | "profile.not-toml" | "profile.not-utf8" | "profile.not-utf8-byte" | "profile.shipped" | "profile.shipped-command" | "profile.stale" | "profile.too-long" | "profile.too-many" | "program.bad-tolerance" | "program.control-byte" | "program.line-too-long" | "program.line-too-long-to-send" | "program.no-placement" | "program.not-bytes" | "program.not-fetched" | "program.too-large" | "program.too-many-lines" | "program.too-many-moves" | "program.wrong-checksum" | "question.guess" | "question.line-type" | "question.shape" | "question.tool" | "question.unit" | "question.unit-contradicted" | "question.unit-doubtful" | "question.unit-evidence" | "question.unit-not-stated" | "question.unit-size" | "question.unit-unreadable" | "queue.after" | "queue.before" | "queue.changed" | "queue.claimed" | "queue.copies-changed" | "queue.copies-done" | "queue.does-not-fit" | "queue.let-go" | "queue.moved" | "queue.no-neighbour" | "queue.not-waiting" | "queue.priority-changed" | "queue.put-on-hold" | "queue.transferred" | "reading.crashed" | "reading.damaged" | "reading.empty" | "reading.expands-too-far" | "reading.nested-too-deep" | "reading.too-large" | "reading.too-many-elements" | "reading.too-many-entities" | "reading.too-many-segments" | "reading.too-slow" | "reading.truncated" | "reading.unexpected" | "reading.unknown-kind" | "request.body-too-large" | "request.body-unreadable" | "request.foreign-origin" | "request.foreign-page" | "request.html-form" | "request.invalid" | "request.key-needed" | "request.key-reused" | "request.local-only" | "request.no-host" | "request.not-marked" | "request.not-storable" | "request.nothing-there" | "request.refused" | "request.unknown-zone" | "request.upload-too-large" | "request.wrong-host" | "request.wrong-key" | "request.wrong-method" | "rest.bound-to-sheet" | "rest.continued-already" | "rest.continued-by" | "rest.continues" | "rest.copy-of" | "rest.line-changed" | "rest.no-such-station" | "rest.no-such-track" | "rest.no-tracks" | "rest.not-again" | "rest.not-executed" | "rest.old-program" | "rest.ordered" | "rest.whole-ordered" | "rest.wrong-state" | "rs274.active-comment" | "rs274.after-end" | "rs274.arc-of-other-carriage" | "rs274.axis-without-motion" | "rs274.bad-arc" | "rs274.bad-character" | "rs274.bad-feed" | "rs274.bad-line-number" | "rs274.centre-without-arc" | "rs274.change-without-station" | "rs274.control-byte" | "rs274.ends-lowered" | "rs274.ends-oscillating" | "rs274.ends-output-on" | "rs274.ends-with-offset" | "rs274.g64-unsupported" | "rs274.incomplete-arc" | "rs274.letter-without-number" | "rs274.line-too-long" | "rs274.missing-p" | "rs274.mode-g17" | "rs274.mode-g21" | "rs274.mode-g40" | "rs274.mode-g49" | "rs274.mode-g54" | "rs274.mode-g90" | "rs274.mode-g91-1" | "rs274.mode-g92-1" | "rs274.mode-g94" | "rs274.motion-without-axis" | "rs274.moves-and-switches" | "rs274.moves-other-carriage" | "rs274.moves-unstated" | "rs274.nested-comment" | "rs274.no-end" | "rs274.no-feed" | "rs274.not-settled" | "rs274.number-too-large" | "rs274.offset-without-station" | "rs274.open-comment" | "rs274.repeated-word" | "rs274.speed-without-m3" | "rs274.stray-p" | "rs274.stray-q" | "rs274.switches-while-moving" | "rs274.timed-without-f" | "rs274.too-many-digits" | "rs274.unbounded-rounding" | "rs274.unknown-letter" | "rs274.unknown-output" | "rs274.unknown-station" | "rs274.unknown-word" | "rs274.wrong-dwell" | "rs274.wrong-speed" | "rule.block" | "rule.colour" | "rule.conditions" | "rule.entity" | "rule.everything" | "rule.layer" | "rule.linetype" | "run.executed" | "run.in-buffer" | "run.nothing-sent" | "segment.not-finite" | "server.address-in-use" | "server.answered" | "server.busy" | "server.database-silent" | "server.internal-error" | "server.not-started" | "server.stopping" | "server.unreachable" | "settings.bad-host" | "settings.bad-key" | "settings.key-file" | "settings.two-keys" | "sheet.bad-size" | "sheet.off-table" | "sheet.smaller-than-drawing" | "sheet.without-outline" | "store.no-column" | "store.unknown" | "stored.text" | "svg.cut-short" | "svg.damaged-at" | "svg.empty" | "svg.external-entity" | "svg.long-entity" | "svg.markup-entity" | "svg.nested-too-deep" | "svg.other-xml" | "svg.packed-cut-short" | "svg.packed-damaged" | "svg.too-many-rules" | "svg.unpacks-too-far" | "tool-life.near" | "tool-life.no-station" | "tool-life.over" | "tool.bad-radius" | "tool.cannot-work" | "tool.missing" | "tool.shallow-lead" | "tool.short-lead" | "tool.tilted" | "tool.without-power" | "tool.without-speed" | "toolpath.arc-too-long" | "toolpath.empty" | "toolpath.feed-too-fast" | "toolpath.move" | "toolpath.no-approach" | "toolpath.no-feed" | "toolpath.not-finite" | "toolpath.rapid-arc" | "toolpath.row" | "toolpath.row-of-edge" | "toolpath.swivel-without-turn" | "toolpath.too-far" | "toolpath.unknown-motion" | "toolpath.unknown-station" | "track.too-flat" | "travel.above" | "travel.below" | "travel.heads-too-near" | "unit.cf2-inches" | "unit.cf2-millimetres" | "unit.cf2-none" | "unit.cf2-scale-applied" | "unit.cf2-scale-invalid" | "unit.cf2-scale-not-applied" | "unit.cf2-scale-undecided" | "unit.cf2-scaled" | "unit.dimensions-larger" | "unit.dimensions-smaller" | "unit.drawn-in-imperial" | "unit.drawn-in-inches" | "unit.drawn-in-metric" | "unit.drawn-in-millimetres" | "unit.given" | "unit.header" | "unit.header-decimal-inches" | "unit.header-factor" | "unit.header-fractions" | "unit.header-imperial" | "unit.header-metric" | "unit.header-missing" | "unit.header-not-a-number" | "unit.header-undefined" | "unit.header-unitless" | "unit.header-unsupported" | "unit.imprecise" | "unit.inconclusive" | "unit.multiples" | "unit.no-number-matches" | "unit.not-given" | "unit.number" | "unit.number-in" | "unit.numbers-match" | "unit.numbers-match-often" | "unit.overruled" | "unit.page-in-pixels" | "unit.page-in-points" | "unit.paper-size" | "unit.part-drawn-twice" | "unit.parts-differ" | "unit.pdf" | "unit.pdf-scaled" | "unit.read-against-evidence" | "unit.read-against-header" | "unit.scale-mentioned" | "unit.share-stated" | "unit.share-unstated" | "unit.shortest-edges" | "unit.size-unusual" | "unit.size-usual" | "unit.svg-no-size" | "unit.svg-no-unit" | "unit.svg-pixel" | "unit.svg-pixel-illustrator" | "unit.svg-size" | "unit.svg-size-in-pixels" | "unit.text-states" | "unit.unsupported" | "verify.bad-tolerance" | "verify.beam-on-rapid" | "verify.beam-refocused" | "verify.beside-line" | "verify.beyond-rotation" | "verify.beyond-travel" | "verify.bridge-near-corner" | "verify.bridge-spacing" | "verify.bridge-spare" | "verify.bridge-width" | "verify.centre-off-path" | "verify.cleaning-beyond" | "verify.cleaning-dropped" | "verify.cleaning-incomplete" | "verify.cleaning-invented" | "verify.cleaning-moved" | "verify.cleaning-type" | "verify.comes-out-anywhere" | "verify.comes-out-past" | "verify.comes-out-short" | "verify.contour-unreached" | "verify.crease-meets-cuts" | "verify.crease-stops-at-cut" | "verify.crease-too-short" | "verify.cut-both-ways" | "verify.cut-too-short" | "verify.cuts-part" | "verify.cutter-at-rest" | "verify.feed-of-other-axis" | "verify.flank-inside" | "verify.flank-outside" | "verify.flank-through-cut" | "verify.fold-angle" | "verify.goes-in-anywhere" | "verify.groove-arc" | "verify.groove-past-ends" | "verify.groove-shallower" | "verify.groove-shifted" | "verify.groove-too-short" | "verify.hanging-piece" | "verify.head-not-located" | "verify.heads-too-near" | "verify.idle-head-low" | "verify.in-zone" | "verify.inside-part" | "verify.knife-at-rest" | "verify.laser-off" | "verify.loose-piece" | "verify.lowers-second" | "verify.made-before" | "verify.moves-before-stated" | "verify.moves-overlap" | "verify.moves-with-beam" | "verify.never-stated" | "verify.no-station" | "verify.no-such-shortfall" | "verify.not-acceptable" | "verify.not-worked" | "verify.off-curve" | "verify.off-line" | "verify.oscillation-on" | "verify.other-placement" | "verify.outline-begun" | "verify.output" | "verify.output-off" | "verify.pass-alone" | "verify.pass-too-deep" | "verify.past-end" | "verify.past-open-cut" | "verify.past-stop" | "verify.perforation-bridge" | "verify.perforation-cut" | "verify.perforation-gap" | "verify.perforation-uneven" | "verify.plunge-without-move" | "verify.rapid-in-board" | "verify.rapid-near-sheet" | "verify.rapid-too-low" | "verify.released-before" | "verify.slanted" | "verify.spindle" | "verify.stray" | "verify.stray-along" | "verify.stray-plunge" | "verify.stray-plunge-along" | "verify.switches-at-unknown-height" | "verify.switches-low" | "verify.too-few-bridges" | "verify.turn-at-feed" | "verify.turn-in-board" | "verify.turn-off-path" | "verify.turn-overlaps" | "verify.two-lowered" | "verify.unclassified" | "verify.unknown-beside-zone" | "verify.unknown-position" | "verify.unreached" | "verify.where-from-start" | "verify.where-past-end" | "verify.where-past-start" | "verify.wide-slit" | "verify.work-creased" | "verify.work-cut" | "verify.work-grooved" | "verify.work-grooved-from-end" | "verify.work-grooved-from-start" | "verify.wrong-depth" | "verify.wrong-feed" | "verify.wrong-heading" | "verify.wrong-time" | "waiting.confirmed" | "waiting.for-gateway" | "waiting.for-machine" | "waiting.for-person" | "waiting.for-rest" | "waiting.for-sheet" | "waiting.for-start" | "waiting.for-turn" | "waiting.on-hold" | "waiting.sheet-outline" | "waiting.sheet-size" | "waiting.taken" | "waiting.taken-interrupted" | "waiting.taken-unconfirmed" | "waiting.tool" | "waiting.tools" | "waiting.unconfirmed-run" | "worker.died" | "worker.memory" | "worker.timeout" | "zone.work";
         /** @description A code with its arguments. */
         Message: {
             /** @constant */
@@ -9092,6 +9396,12 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "request.unknown-zone";
+            arguments: {
+                zone: string;
+            };
+        } | {
+            /** @constant */
             code: "request.upload-too-large";
             arguments: {
                 limit: number;
@@ -9709,6 +10019,33 @@ export interface components {
             code: "svg.unpacks-too-far";
             arguments: {
                 limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "tool-life.near";
+            arguments: {
+                name: string;
+                station: number;
+                used: number;
+                life: number;
+                percent: number;
+            };
+        } | {
+            /** @constant */
+            code: "tool-life.no-station";
+            arguments: {
+                machine: string;
+                station: number;
+            };
+        } | {
+            /** @constant */
+            code: "tool-life.over";
+            arguments: {
+                name: string;
+                station: number;
+                used: number;
+                life: number;
+                percent: number;
             };
         } | {
             /** @constant */
@@ -12347,6 +12684,92 @@ export interface operations {
             };
         };
     };
+    list_history: {
+        parameters: {
+            query?: {
+                /** @description Name of the machine; empty for all machines */
+                machine?: string;
+                /** @description Earliest end (seconds since 1970-01-01 UTC); null for no limit */
+                since?: number | null;
+                /** @description Time before which the end is (seconds since 1970-01-01 UTC); null for no limit */
+                until?: number | null;
+                /** @description States of the jobs; may be repeated; all if it is missing */
+                state?: ("done" | "refused" | "interrupted" | "scrapped" | "cancelled")[];
+                /** @description Name of the board; empty for all boards */
+                board?: string;
+                /** @description Part of the name of the drawing, in any case; empty for all drawings */
+                drawing?: string;
+                /** @description Position in the list where the page begins, from the Link header of the previous page */
+                cursor?: string | null;
+                /** @description Maximum number of jobs in the list */
+                limit?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobOut"][];
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_statistics: {
+        parameters: {
+            query?: {
+                /** @description Name of the machine; empty for all machines */
+                machine?: string;
+                /** @description Earliest end (seconds since 1970-01-01 UTC); null for no limit */
+                since?: number | null;
+                /** @description Time before which the end is (seconds since 1970-01-01 UTC); null for no limit */
+                until?: number | null;
+                /** @description Length of a period; weeks begin on Monday */
+                step?: "day" | "week" | "month";
+                /** @description Time zone in which periods begin at midnight, such as Europe/Berlin */
+                zone?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["StatisticsOut"][];
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     get_events: {
         parameters: {
             query?: {
@@ -12532,6 +12955,144 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["OperationOut"];
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_machine_tools: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of the machine in the library */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ToolUseOut"][];
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_tool_events: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of the machine in the library */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ToolEventOut"][];
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    record_tool_change: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of the machine in the library */
+                name: string;
+                station: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["ToolChangeIn"] | null;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ToolUseOut"][];
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    set_tool_life: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of the machine in the library */
+                name: string;
+                station: number;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ToolLifeIn"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ToolUseOut"][];
                 };
             };
             /** @description Error with a hint */

@@ -3027,6 +3027,10 @@ export const TEXTS = {
     "text": "The request was rejected with the HTTP status {status}.",
     "hint": "Correct the request as /api/openapi.json describes."
   },
+  "request.unknown-zone": {
+    "text": "{zone!r} is not the name of a time zone.",
+    "hint": "Use a name such as Europe/Berlin or UTC."
+  },
   "request.upload-too-large": {
     "text": "The file is larger than {limit} MB, which is the limit of this server.",
     "hint": "Send a smaller file, for example without pictures."
@@ -3486,6 +3490,18 @@ export const TEXTS = {
   "svg.unpacks-too-far": {
     "text": "The compressed SVG file (.svgz) is larger than {limit:.1f} MB when unpacked.",
     "hint": "Export a drawing with a single carton, without pictures."
+  },
+  "tool-life.near": {
+    "text": "The tool {name} in station {station} has worked {used:.0f} m, {percent:.0f} % of its life of {life:.0f} m.",
+    "hint": "Have a new tool ready. Record the change of the tool on the page of the machine."
+  },
+  "tool-life.no-station": {
+    "text": "The machine {machine} has no station {station}.",
+    "hint": "Use the number of a station from the list of the tools of the machine."
+  },
+  "tool-life.over": {
+    "text": "The tool {name} in station {station} has worked {used:.0f} m, {percent:.0f} % of its life of {life:.0f} m.",
+    "hint": "Change the tool and record the change, or check the tool and confirm that it is still good."
   },
   "tool.bad-radius": {
     "text": "The tool radius for a corner of a contour is negative or not a number.",

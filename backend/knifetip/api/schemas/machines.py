@@ -95,6 +95,10 @@ class StationOut(BaseModel):
         description="Radius of the holder about the axis of the station, for keep-out zones (mm); "
         "0: the tool only"
     )
+    life: float = Field(
+        description="Length that the tool may work in the board according to the file of the "
+        "machine (m); 0 for no limit"
+    )
     tool: ToolOut = Field(description="Tool in the station")
 
 

@@ -81,4 +81,31 @@ MESSAGES: Final[Entries] = {
         former="text",
         machine="text",
     ),
+    "tool-life.near": entry(
+        "The tool {name} in station {station} has worked {used:.0f} m, {percent:.0f} % of its "
+        "life of {life:.0f} m.",
+        "Have a new tool ready. Record the change of the tool on the page of the machine.",
+        name="text",
+        station="count",
+        used="number",
+        life="number",
+        percent="number",
+    ),
+    "tool-life.no-station": entry(
+        "The machine {machine} has no station {station}.",
+        "Use the number of a station from the list of the tools of the machine.",
+        machine="text",
+        station="count",
+    ),
+    "tool-life.over": entry(
+        "The tool {name} in station {station} has worked {used:.0f} m, {percent:.0f} % of its "
+        "life of {life:.0f} m.",
+        "Change the tool and record the change, or check the tool and confirm that it is still "
+        "good.",
+        name="text",
+        station="count",
+        used="number",
+        life="number",
+        percent="number",
+    ),
 }

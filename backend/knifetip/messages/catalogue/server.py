@@ -118,6 +118,11 @@ MESSAGES: Final[Entries] = {
         "Correct the request as /api/openapi.json describes.",
         status="count",
     ),
+    "request.unknown-zone": entry(
+        "{zone!r} is not the name of a time zone.",
+        "Use a name such as Europe/Berlin or UTC.",
+        zone="text",
+    ),
     "request.upload-too-large": entry(
         "The file is larger than {limit} MB, which is the limit of this server.",
         "Send a smaller file, for example without pictures.",

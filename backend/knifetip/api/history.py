@@ -1,0 +1,100 @@
+"""Routes for ended jobs and for statistics of the machines, and the deletion of old jobs."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from typing import Annotated
+from urllib.parse import urlencode
+from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
+
+from fastapi import APIRouter, Query, Response
+
+from knifetip.api.jobs import jobs_out
+from knifetip.api.schemas.history import HistoryQuery, StatisticsOut, StatisticsQuery
+from knifetip.api.schemas.jobs import JobOut
+from knifetip.api.service import Service, ServiceDep, set_next_page
+from knifetip.errors import RequestError
+from knifetip.jobs.history_store import HistoryFilter
+
+router = APIRouter(tags=["history"])
+
+_DAY = 86_400.0
+_PAUSE = 3600.0  # seconds between two deletions of old jobs
+_END = 1e11  # later than all times
+_log = logging.getLogger("knifetip.api")
+
+
+@router.get("/history")
+def list_history(
+    service: ServiceDep, response: Response, wanted: Annotated[HistoryQuery, Query()]
+) -> list[JobOut]:
+    """List ended jobs, the last ended first; the header ``Link`` contains the URL of the next page.
+
+    Ended jobs are done, refused, interrupted, scrapped or cancelled.
+    """
+    conditions = HistoryFilter(
+        wanted.state, wanted.machine, wanted.board, wanted.drawing, wanted.since, wanted.until
+    )
+    after = None
+    if wanted.cursor is not None:
+        end, _, serial = wanted.cursor.partition("-")
+        after = float(end), int(serial)
+    rows = service.store.history.search(conditions, after, wanted.limit)
+    if len(rows) == wanted.limit:
+        asked = wanted.model_dump(exclude_defaults=True, exclude={"cursor", "limit"})
+        query = urlencode(asked, doseq=True)
+        cursor = f"{rows[-1].ended!r}-{rows[-1].serial}"
+        set_next_page(response, f"/api/history?{query}{'&' * bool(query)}", cursor, wanted.limit)
+    return jobs_out(service.store, rows)
+
+
+@router.get("/statistics")
+def get_statistics(
+    service: ServiceDep, wanted: Annotated[StatisticsQuery, Query()]
+) -> list[StatisticsOut]:
+    """Get statistics of each machine and period: jobs, sheets, lengths, time and interruptions.
+
+    A run counts for the period in which it ended.  Periods without runs are left out.
+    """
+    try:
+        zone = ZoneInfo(wanted.zone)
+    except (ZoneInfoNotFoundError, ValueError, OSError) as reason:
+        raise RequestError("request.unknown-zone", zone=wanted.zone[:60]) from reason
+    sums = service.store.statistics.sums(
+        wanted.since or 0.0,
+        _END if wanted.until is None else wanted.until,
+        wanted.step,
+        zone,
+        wanted.machine,
+    )
+    return [
+        StatisticsOut(
+            machine=one.machine,
+            start=one.start,
+            jobs=one.jobs,
+            copies=one.copies,
+            runs=one.runs,
+            interruptions=one.interruptions,
+            interrupted_share=one.interruptions / one.runs,
+            seconds=one.seconds,
+            sheets=one.sheets,
+            lengths={kind: length / 1000.0 for kind, length in one.lengths.items()},
+        )
+        for one in sums
+    ]
+
+
+async def delete_old_jobs(service: Service) -> None:
+    """Delete jobs that ended before the time for which ended jobs are kept, once an hour.
+
+    Runs until its asyncio task is cancelled.
+    """
+    days = service.settings.keep_history
+    while days > 0:
+        try:
+            end = service.store.database.clock() - days * _DAY
+            await asyncio.to_thread(service.store.history.delete_before, end)
+        except Exception:
+            _log.exception("old jobs were not deleted")
+        await asyncio.sleep(_PAUSE)

@@ -1,0 +1,141 @@
+"""Models for ended jobs, statistics of the machines, and the use of their tools."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from knifetip.api.schemas.common import Strict
+from knifetip.api.schemas.messages import MessageOut
+from knifetip.fields import LISTED
+
+Seconds = Annotated[float, Field(ge=0.0, le=1e11)]
+By = Annotated[str, Field(max_length=100)]
+
+
+class PeriodQuery(Strict):
+    """Query parameters that select a machine and a period."""
+
+    machine: str = Field(
+        default="", max_length=200, description="Name of the machine; empty for all machines"
+    )
+    since: Seconds | None = Field(
+        default=None, description="Earliest end (seconds since 1970-01-01 UTC); null for no limit"
+    )
+    until: Seconds | None = Field(
+        default=None,
+        description="Time before which the end is (seconds since 1970-01-01 UTC); null for "
+        "no limit",
+    )
+
+
+class HistoryQuery(PeriodQuery):
+    """Query parameters that select ended jobs; all conditions must be met."""
+
+    state: list[
+        Annotated[Literal["done", "refused", "interrupted", "scrapped", "cancelled"], LISTED]
+    ] = Field(default=[], description="States of the jobs; may be repeated; all if it is missing")
+    board: str = Field(
+        default="", max_length=200, description="Name of the board; empty for all boards"
+    )
+    drawing: str = Field(
+        default="",
+        max_length=200,
+        description="Part of the name of the drawing, in any case; empty for all drawings",
+    )
+    cursor: str | None = Field(
+        default=None,
+        max_length=60,
+        pattern=r"^\d{1,12}(\.\d{1,20})?-\d{1,18}$",
+        description="Position in the list where the page begins, from the Link header of the "
+        "previous page",
+    )
+    limit: int = Field(default=50, ge=1, le=500, description="Maximum number of jobs in the list")
+
+
+class StatisticsQuery(PeriodQuery):
+    """Query parameters that select statistics."""
+
+    step: Annotated[Literal["day", "week", "month"], LISTED] = Field(
+        default="week", description="Length of a period; weeks begin on Monday"
+    )
+    zone: str = Field(
+        default="UTC",
+        max_length=60,
+        description="Time zone in which periods begin at midnight, such as Europe/Berlin",
+    )
+
+
+class StatisticsOut(BaseModel):
+    """Sums of the runs of a machine that ended in a period; a run is one stay of a job on it."""
+
+    model_config = ConfigDict(from_attributes=True)
+
+    machine: str = Field(description="Name of the machine")
+    start: float = Field(description="Begin of the period (seconds since 1970-01-01 UTC)")
+    jobs: int = Field(description="Number of jobs that became done")
+    copies: int = Field(description="Number of completed copies")
+    runs: int = Field(description="Number of runs")
+    interruptions: int = Field(description="Number of runs that were interrupted")
+    interrupted_share: float = Field(description="Share of runs that were interrupted, 0 … 1")
+    seconds: float = Field(description="Time from the starts of the runs to their ends (s)")
+    sheets: dict[str, int] = Field(
+        description="Number of used sheets by name of the board, with those that were not completed"
+    )
+    lengths: dict[str, float] = Field(
+        description="Length that the tools worked in the board by line type, such as cut and "
+        "crease (m)"
+    )
+
+
+class ToolUseOut(BaseModel):
+    """The use of the tool in a station since the tool was changed."""
+
+    station: int = Field(description="Number of the station")
+    name: str = Field(description="Name of the station")
+    kind: str = Field(description="Kind of the tool, such as knife or crease-wheel")
+    used: float = Field(
+        description="Length that the tool has worked in the board since its last change, with "
+        "the job on the machine (m)"
+    )
+    life: float = Field(description="Length that the tool may work (m); 0 for no limit")
+    share: float = Field(description="Used fraction of the life; 0 if the life has no limit")
+    changed: float = Field(
+        description="Time of the last change (seconds since 1970-01-01 UTC); 0 if none is recorded"
+    )
+    changed_by: str = Field(description="Who changed the tool; empty if no change is recorded")
+    warning: Literal["", "near", "over"] = Field(
+        description="near: from 90 % of the life on. over: the life is used up, and the operator "
+        "must confirm the tool before a job starts. Empty: no warning"
+    )
+    message: MessageOut | None = Field(description="Text of the warning; null if there is none")
+
+
+class ToolChangeIn(Strict):
+    """A person has put a new tool into a station."""
+
+    by: By = Field(default="", description="Name of the person; empty if it is not known")
+
+
+class ToolLifeIn(Strict):
+    """The life of the tool in a station."""
+
+    life: float = Field(
+        ge=0.0, le=1e7, description="Length that the tool may work (m); 0 for no limit"
+    )
+    by: By = Field(default="", description="Name of the person; empty if it is not known")
+
+
+class ToolEventOut(BaseModel):
+    """A change of a tool, or of its life, by a person."""
+
+    station: int = Field(description="Number of the station")
+    kind: Literal["changed", "life"] = Field(
+        description="changed: a new tool was put into the station. life: another life was set"
+    )
+    at: float = Field(description="Time (seconds since 1970-01-01 UTC)")
+    who: str = Field(description="The person: operator, followed by the name if it is known")
+    length: float = Field(
+        description="Of a changed tool the length that it had worked; otherwise the new life (m)"
+    )

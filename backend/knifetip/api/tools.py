@@ -1,0 +1,116 @@
+"""Routes for the use of the tools of a machine: worked length, life and changes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from fastapi import APIRouter
+
+from knifetip.api.parameters import MachineName
+from knifetip.api.schemas.history import ToolChangeIn, ToolEventOut, ToolLifeIn, ToolUseOut
+from knifetip.api.service import ServiceDep, check_library_name
+from knifetip.errors import NoSuchJob
+from knifetip.jobs.job import Actor, ActorKind
+from knifetip.jobs.tool_store import ToolUse
+from knifetip.library import load
+from knifetip.messages import Message
+from knifetip.model.machine import Machine
+
+router = APIRouter(prefix="/machines/{name}/tools", tags=["tools"])
+
+
+@router.get("")
+def list_machine_tools(service: ServiceDep, name: MachineName) -> list[ToolUseOut]:
+    """List the tools of a machine with the lengths that they have worked, and their lives."""
+    return tools_out(service.store.tools.uses(_machine(name)))
+
+
+@router.get("/events")
+def list_tool_events(service: ServiceDep, name: MachineName) -> list[ToolEventOut]:
+    """List the last changes of the tools of a machine and of their lives, newest first."""
+    _machine(name)
+    return [
+        ToolEventOut.model_validate(
+            {
+                "station": event.station,
+                "kind": event.kind,
+                "at": event.at,
+                "who": event.who,
+                "length": event.length / 1000.0,
+            }
+        )
+        for event in service.store.tools.events(name)
+    ]
+
+
+@router.post("/{station}/changed")
+def record_tool_change(
+    service: ServiceDep, name: MachineName, station: int, change: ToolChangeIn | None = None
+) -> list[ToolUseOut]:
+    """Record that a person has put a new tool into a station; its used length is 0 again."""
+    machine = _with_station(name, station)
+    actor = Actor(ActorKind.OPERATOR, "" if change is None else change.by)
+    return tools_out(service.store.tools.record_change(machine, station, actor))
+
+
+@router.put("/{station}/life")
+def set_tool_life(
+    service: ServiceDep, name: MachineName, station: int, wanted: ToolLifeIn
+) -> list[ToolUseOut]:
+    """Set the life of the tool in a station; it replaces the life in the file of the machine."""
+    machine = _with_station(name, station)
+    actor = Actor(ActorKind.OPERATOR, wanted.by)
+    return tools_out(service.store.tools.set_life(machine, station, wanted.life * 1000.0, actor))
+
+
+def _machine(name: str) -> Machine:
+    return load.machine(check_library_name("machines", name), files=False)
+
+
+def _with_station(name: str, station: int) -> Machine:
+    """Return a machine that has a station with a number.
+
+    Raises
+    ------
+    NoSuchJob
+        The machine has no such station.
+    """
+    machine = _machine(name)
+    if station not in (one.number for one in machine.stations):
+        raise NoSuchJob("tool-life.no-station", machine=name, station=station)
+    return machine
+
+
+def tools_out(uses: Sequence[ToolUse]) -> list[ToolUseOut]:
+    """Return the API models of the uses of tools."""
+    return [
+        ToolUseOut.model_validate(
+            {
+                "station": use.station,
+                "name": use.name,
+                "kind": use.kind,
+                "used": use.used / 1000.0,
+                "life": use.life / 1000.0,
+                "share": use.share,
+                "changed": use.changed,
+                "changed_by": use.changed_by,
+                "warning": use.warning,
+                "message": warning_message(use),
+            }
+        )
+        for use in uses
+    ]
+
+
+def warning_message(use: ToolUse) -> Message | None:
+    """Return the warning about the life of a tool, None if there is none."""
+    if not use.warning:
+        return None
+    return Message(
+        "tool-life.over" if use.warning == "over" else "tool-life.near",
+        name=use.name,
+        station=use.station,
+        used=use.used / 1000.0,
+        life=use.life / 1000.0,
+        percent=100.0 * use.share,
+    )

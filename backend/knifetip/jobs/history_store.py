@@ -1,0 +1,88 @@
+"""Repository of ended jobs: find them, and delete old ones."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import sqlalchemy as sa
+
+from knifetip.jobs.database import Database, rows
+from knifetip.jobs.job import ENDED, State
+from knifetip.jobs.tables import Event, Job
+
+_BATCH: Final = 200  # jobs that one transaction deletes, so that gateways do not wait
+
+
+@dataclass(frozen=True, slots=True)
+class HistoryFilter:
+    """Conditions on ended jobs; an empty value is no condition."""
+
+    states: Sequence[str] = ()
+    machine: str = ""
+    board: str = ""
+    drawing: str = ""  #: part of the name of the drawing, in any case
+    since: float | None = None  #: earliest end (seconds since 1970)
+    until: float | None = None  #: end before this time (seconds since 1970)
+
+    def conditions(self) -> list[sa.ColumnElement[bool]]:
+        """Return the conditions as SQL expressions."""
+        found: list[sa.ColumnElement[bool]] = [Job.state.in_(self.states or ENDED)]
+        if self.machine:
+            found.append(Job.machine == self.machine)
+        if self.board:
+            found.append(Job.board == self.board)
+        if self.drawing:
+            found.append(Job.drawing_name.icontains(self.drawing, autoescape=True))
+        if self.since is not None:
+            found.append(Job.ended >= self.since)
+        if self.until is not None:
+            found.append(Job.ended < self.until)
+        return found
+
+
+class HistoryStore:
+    """Repository of ended jobs."""
+
+    def __init__(self, database: Database) -> None:
+        self._db = database
+
+    def search(
+        self, conditions: HistoryFilter, after: tuple[float, int] | None, limit: int
+    ) -> list[Job]:
+        """Return the ended jobs that meet conditions, the last ended first.
+
+        Parameters
+        ----------
+        conditions
+            Conditions on the jobs.
+        after
+            End and serial number of the last job of the previous page; None for the first page.
+        limit
+            Greatest number of jobs.
+        """
+        query = sa.select(Job).where(*conditions.conditions())
+        if after is not None:
+            query = query.where(sa.tuple_(Job.ended, Job.serial) < after)
+        with self._db.reading() as session:
+            return list(
+                session.scalars(query.order_by(Job.ended.desc(), Job.serial.desc()).limit(limit))
+            )
+
+    def delete_before(self, end: float) -> int:
+        """Delete the jobs that ended before a time, with their events; return their number.
+
+        Interrupted jobs are kept, because their board may be on the table.  The runs of deleted
+        jobs remain, so statistics and the use of tools do not change.
+        """
+        final = [state for state in ENDED if state is not State.INTERRUPTED]
+        old = sa.select(Job.id).where(Job.state.in_(final), Job.ended < end).limit(_BATCH)
+        deleted = 0
+        while True:
+            with self._db.writing() as session:
+                ids = list(session.scalars(old))
+                if not ids:
+                    return deleted
+                session.execute(sa.delete(Event).where(Event.subject.in_(ids)))
+                deleted += rows(session, sa.delete(Job).where(Job.id.in_(ids)))

@@ -1,0 +1,186 @@
+"""Repository of the use of tools: the length that each has worked, its life, and its changes.
+
+The use of a tool is the length of all runs of its machine that ended after the tool was changed,
+and of the run that is not finished.  A run during which the tool was changed counts for the new
+tool.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final, Literal
+
+import sqlalchemy as sa
+from sqlalchemy.orm import Session
+
+from knifetip.jobs.database import Database
+from knifetip.jobs.job import LEASED, Actor
+from knifetip.jobs.tables import Job, MachineRun, RunLength, ToolEvent
+from knifetip.jobs.worked_lengths import lengths_of_copies
+from knifetip.model.machine import Machine, Station
+from knifetip.model.tool import kind_of
+
+#: Share of the life from which the operator is warned.
+WARNING_SHARE: Final = 0.9
+
+
+@dataclass(frozen=True, slots=True)
+class ToolUse:
+    """The use of the tool of one station."""
+
+    station: int  #: number of the station
+    name: str  #: name of the station
+    kind: str  #: kind of the tool
+    used: float  #: worked length since the last change (mm)
+    life: float  #: length that the tool may work (mm); 0 for no limit
+    changed: float  #: time of the last change (seconds since 1970); 0 if there was none
+    changed_by: str  #: who changed it; empty if it is not known
+
+    @property
+    def share(self) -> float:
+        """Used fraction of the life; 0 if the life has no limit."""
+        return self.used / self.life if self.life > 0.0 else 0.0
+
+    @property
+    def warning(self) -> Literal["", "near", "over"]:
+        """``near`` from 90 % of the life on, ``over`` from its end on; the operator must then
+        confirm the tool.
+        """
+        if self.share >= 1.0:
+            return "over"
+        return "near" if self.share >= WARNING_SHARE else ""
+
+
+class ToolStore:
+    """Repository of the use of the tools of machines."""
+
+    def __init__(self, database: Database) -> None:
+        self._db = database
+
+    def uses(self, machine: Machine) -> list[ToolUse]:
+        """Return the use of the tool of each station of a machine, ordered by number."""
+        with self._db.reading() as session:
+            return self._uses(session, machine)
+
+    def _uses(self, session: Session, machine: Machine) -> list[ToolUse]:
+        present = _present_lengths(session, machine.name)
+        return [
+            _use(session, machine.name, station, present.get(station.number, 0.0))
+            for station in sorted(machine.stations, key=lambda station: station.number)
+        ]
+
+    def record_change(self, machine: Machine, station: int, actor: Actor) -> list[ToolUse]:
+        """Store that a person has put a new tool into a station; return the uses of all tools.
+
+        Parameters
+        ----------
+        machine
+            The machine.
+        station
+            Number of one of its stations.
+        actor
+            The person.
+        """
+        with self._db.writing() as session:
+            (use,) = (use for use in self._uses(session, machine) if use.station == station)
+            self._append(session, machine.name, station, "changed", actor, use.used)
+        return self.uses(machine)
+
+    def set_life(self, machine: Machine, station: int, life: float, actor: Actor) -> list[ToolUse]:
+        """Store the life of the tool of a station; return the uses of all tools.
+
+        Parameters
+        ----------
+        machine
+            The machine.
+        station
+            Number of one of its stations.
+        life
+            Length that the tool may work (mm); 0 for no limit.
+        actor
+            The person.
+        """
+        with self._db.writing() as session:
+            self._append(session, machine.name, station, "life", actor, life)
+        return self.uses(machine)
+
+    def _append(
+        self, session: Session, machine: str, station: int, kind: str, actor: Actor, length: float
+    ) -> None:
+        session.add(
+            ToolEvent(
+                machine=machine,
+                station=station,
+                kind=kind,
+                at=self._db.clock(),
+                who=str(actor)[:200],
+                length=length,
+            )
+        )
+
+    def events(self, machine: str, limit: int = 200) -> list[ToolEvent]:
+        """Return the last changes of the tools of a machine and of their lives, newest first."""
+        query = sa.select(ToolEvent).where(ToolEvent.machine == machine)
+        with self._db.reading() as session:
+            return list(session.scalars(query.order_by(ToolEvent.id.desc()).limit(limit)))
+
+
+def _use(session: Session, machine: str, station: Station, present: float) -> ToolUse:
+    """Return the use of the tool of a station.
+
+    Parameters
+    ----------
+    session
+        Session of the caller.
+    machine
+        Name of the machine.
+    station
+        The station.
+    present
+        Length that the tool has worked in the run that is not finished (mm).
+    """
+    changed = _last_event(session, machine, station.number, "changed")
+    life = _last_event(session, machine, station.number, "life")
+    length = (
+        sa.select(sa.func.coalesce(sa.func.sum(RunLength.length), 0.0))
+        .join(MachineRun, MachineRun.id == RunLength.run)
+        .where(
+            MachineRun.machine == machine,
+            MachineRun.ended > (0.0 if changed is None else changed.at),
+            RunLength.station == station.number,
+        )
+    )
+    return ToolUse(
+        station=station.number,
+        name=station.name,
+        kind=kind_of(station.tool).name,
+        used=float(session.scalar(length) or 0.0) + present,
+        life=station.life * 1000.0 if life is None else life.length,
+        changed=0.0 if changed is None else changed.at,
+        changed_by="" if changed is None else changed.who,
+    )
+
+
+def _last_event(session: Session, machine: str, station: int, kind: str) -> ToolEvent | None:
+    return session.scalar(
+        sa.select(ToolEvent)
+        .where(ToolEvent.machine == machine, ToolEvent.station == station, ToolEvent.kind == kind)
+        .order_by(ToolEvent.id.desc())
+        .limit(1)
+    )
+
+
+def _present_lengths(session: Session, machine: str) -> Mapping[int, float]:
+    """Return the lengths that stations have worked in the run that is not finished (mm)."""
+    columns = sa.select(Job.copies_done, Job.copies_before, Job.line, Job.lines, Job.lengths).where(
+        Job.machine == machine, Job.state.in_(LEASED)
+    )
+    lengths: dict[int, float] = {}
+    for done, before, line, lines, table in session.execute(columns):
+        copies = done - before
+        # Between two copies ``line`` is the last line of the completed copy.
+        begun = 0 if copies and line >= lines else line
+        for (station, _), length in lengths_of_copies(table, copies, begun).items():
+            lengths[station] = lengths.get(station, 0.0) + length
+    return lengths
