@@ -115,3 +115,17 @@ async def test_grbl_1_1_runs_a_program_without_c_and_outputs() -> None:
         assert course[-1].executed == program.count(b"\n")
         assert table.position == (90.0, 10.0, 20.0, 0.0)
         assert not table.oscillating
+
+
+async def test_a_controller_that_does_not_state_its_buffer_gets_one_line_at_a_time() -> None:
+    async with table_with(Firmware(sizes=False)) as (table, address):
+        controller = await driver.dial(address, SAFE, silence=1.0, poll=0.02)
+        try:
+            course = stream(PROGRAM, controller, limits=Limits.of(MACHINE), interval=0.001)
+            async with asyncio.timeout(20.0), aclosing(course) as steps:
+                pending = [controller.sent - controller.acknowledged async for _ in steps]
+        finally:
+            await controller.close()
+        assert max(pending) == 1
+        assert controller.acknowledged == PROGRAM.count(b"\n")
+        assert table.position == (80.0, 320.0, 20.0, 180.0)

@@ -80,6 +80,7 @@ class Firmware:
     axes: str = "XYZC"  #: letters in the order of status reports; one of them is A or C, or none
     outputs: int = 16  #: number of digital outputs (M64, M65)
     grblhal: bool = True  #: grblHAL, which states its axes and outputs; False for grbl 1.1
+    sizes: bool = True  #: whether it states the sizes of planner and receive buffer
 
 
 @dataclass(frozen=True, slots=True)
@@ -444,13 +445,16 @@ class Table:
         elif text == b"$I":
             axes = self.firmware.axes
             self.answer("[VER:1.1f.knifetip:simulated table]")
-            if self.firmware.grblhal:
+            if not self.firmware.sizes:
+                self.answer("[OPT:PHS]")
+            elif self.firmware.grblhal:
                 self.answer(f"[OPT:VNMSL,{BLOCKS},{self.window},{len(axes)},0]")
+            else:
+                self.answer(f"[OPT:V,{BLOCKS},{self.window}]")
+            if self.firmware.grblhal:
                 self.answer(f"[AXS:{len(axes)}:{axes}]")
                 self.answer("[FIRMWARE:grblHAL]")
                 self.answer(f"[AUX IO:0,{self.firmware.outputs},0,0]")
-            else:
-                self.answer(f"[OPT:V,{BLOCKS},{self.window}]")
         elif text == b"$C" and (idle or self._check):
             if self._check:
                 self.answer("[MSG:Disabled]")

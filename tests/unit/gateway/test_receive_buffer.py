@@ -75,3 +75,22 @@ def test_a_report_without_the_free_bytes_proves_nothing() -> None:
     buffer = filled(5)
     buffer.note_request(0.0)
     assert buffer.compare(None) == (Count.POSSIBLE, 0)
+
+
+def test_more_free_bytes_than_the_buffer_has_prove_nothing() -> None:
+    buffer = filled(5)
+    buffer.note_request(0.0)
+    assert buffer.compare(1024)[0] is Count.POSSIBLE
+
+
+def test_without_a_known_size_a_line_waits_for_the_answer_to_the_line_before() -> None:
+    buffer = ReceiveBuffer()
+    buffer.set_size(None)
+    assert buffer.has_room_for(LINE)
+    buffer.add(LINE)
+    assert not buffer.has_room_for(LINE)
+    buffer.remove_first()
+    assert buffer.has_room_for(LINE)
+    buffer.set_size(128)
+    buffer.add(LINE)
+    assert buffer.has_room_for(LINE)

@@ -182,8 +182,7 @@ class Grbl(GrblOperations):
         lines = await connection.command(b"$I")
         self._capabilities = found = Capabilities.read(lines, connection.axes)
         connection.rotary = found.rotary_axis
-        if found.buffer is not None:
-            connection.buffer.set_size(found.buffer)
+        connection.buffer.set_size(found.buffer)
         last = max(self._safe.outputs, default=-1) if self._safe else -1
         if found.outputs is not None and found.outputs <= last:
             raise connection.fail(

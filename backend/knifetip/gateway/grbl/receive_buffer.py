@@ -21,7 +21,7 @@ from enum import Enum, auto
 from knifetip.errors import ControllerError
 from knifetip.messages import Message
 
-#: Size of the receive buffer (bytes) if ``$I`` does not report it.
+#: Size of the receive buffer (bytes) until it is known, and longest line if it stays unknown.
 DEFAULT_SIZE = 128
 #: Most characters of a line that a message contains.
 _EXCERPT = 60
@@ -68,6 +68,7 @@ class ReceiveBuffer:
 
     def __init__(self) -> None:
         self.capacity = DEFAULT_SIZE - 1  #: bytes that unanswered lines may occupy
+        self._singly = False  # the size is unknown: send each line after the last answer
         self._lines: deque[PendingLine] = deque()
         self._used = 0
         self._longest = 0  # program line since all answers were assigned to lines
@@ -78,9 +79,14 @@ class ReceiveBuffer:
         self._last = Count.POSSIBLE
         self._repeats = 0  # consecutive reports with the result ``_last``
 
-    def set_size(self, size: int) -> None:
-        """Set the size of the buffer (bytes), as the controller reports it."""
-        self.capacity = max(size, 2) - 1
+    def set_size(self, size: int | None) -> None:
+        """Set the size of the buffer (bytes), as the controller reports it.
+
+        If it is None, the controller does not report it, and each line is sent only after the line
+        before it was answered.
+        """
+        self._singly = size is None
+        self.capacity = max(size or DEFAULT_SIZE, 2) - 1
 
     @property
     def first(self) -> PendingLine | None:
@@ -119,7 +125,9 @@ class ReceiveBuffer:
 
         Returns True if there is no unanswered line.
         """
-        return not self._lines or self._used + line.size + self._longest <= self.capacity
+        if not self._lines:
+            return True
+        return not self._singly and self._used + line.size + self._longest <= self.capacity
 
     def add(self, line: PendingLine) -> None:
         """Add a line that is being sent to the unanswered lines."""
@@ -197,7 +205,8 @@ class ReceiveBuffer:
         occupied = self._most_free - free
         if occupied > self._used:
             return Count.SURPLUS
-        if self.first is None or self._unrequested:
+        stated = free <= self.capacity + 1
+        if self.first is None or self._unrequested or not stated:
             return Count.POSSIBLE
         # The controller takes a line out of the buffer before it answers it, but only one.
         least = self._used - (self._sent - before) - self.first.size
