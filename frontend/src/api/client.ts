@@ -9,11 +9,12 @@ import createClient from "openapi-fetch";
 import type { Edges, Toolpath, VerdictColumns } from "../geometry/records";
 import { edgesOf, toolpathOf, verdictColumnsOf } from "./columns";
 import type { components, paths } from "./openapi.gen";
-import { fetchWithRetries, OWN_PAGE, upload } from "./transport";
+import { fetchOnce, fetchWithRetries, OWN_PAGE, upload } from "./transport";
 
 export { type Problem, pageProblem, ServiceError } from "./errors";
 
 type Schemas = components["schemas"];
+type StationPaths = paths["/api/machines/{name}/station"];
 export type Board = Schemas["BoardOut"];
 export type CornerAt = Schemas["CornerAt"];
 export type Corners = Schemas["Corners"];
@@ -34,6 +35,11 @@ export type JobState = Job["state"];
 export type ImportReportRow = Schemas["ImportReportRow"];
 export type Lift = Job["lift"];
 export type Machine = Schemas["MachineOut"];
+/** State of a machine for the person at it. */
+export type Station = StationPaths["get"]["responses"]["200"]["content"]["application/json"];
+export type Operation = Schemas["OperationOut"];
+/** What a person at a machine asks of it between two jobs. */
+export type OperationRequest = Schemas["OperationIn"];
 export type Override = Schemas["Override"];
 export type Profile = Schemas["ProfileOut"];
 export type ProfileDraft = Schemas["ProfileIn"];
@@ -42,6 +48,7 @@ export type Proposal = Schemas["ProposalOut"];
 export type ReportGroup = Schemas["ReportGroup"];
 export type Retyped = Schemas["ChangeOut"];
 export type Rule = Schemas["RuleOut"];
+export type Queue = Schemas["QueueOut"];
 export type Question = Schemas["QuestionOut"];
 export type Sheet = Schemas["Sheet"];
 export type ServiceStatus = Schemas["ServiceOut"];
@@ -61,6 +68,14 @@ const api = createClient<paths>({
   fetch: fetchWithRetries,
   headers: OWN_PAGE,
 });
+
+/** Time (s) after which a request of a person at a machine is given up: it must not arrive late. */
+const PATIENCE = 3;
+/** Time (s) after which a machine's state counts as not answered. */
+const SILENCE = 2;
+
+/** Options of a request that must arrive now or never. */
+const nowOrNever = () => ({ fetch: fetchOnce, signal: AbortSignal.timeout(PATIENCE * 1000) });
 
 /** JSON is not cached by the browser: a newer server may return more for the same revision. */
 const uncached = (signal?: AbortSignal) => ({ cache: "no-store", signal: signal ?? null }) as const;
@@ -193,6 +208,9 @@ export const service = {
     ),
   command: (id: string, command: JobCommand): Promise<Job> =>
     dataOf(api.POST(`/api/jobs/{id}/${command}`, { params: byId(id) })),
+  /** A command that starts motion: it is sent once, and never late. */
+  commandNow: (id: string, command: JobCommand): Promise<Job> =>
+    dataOf(api.POST(`/api/jobs/{id}/${command}`, { params: byId(id), ...nowOrNever() })),
   accept: (id: string, exceptions: Exceptions): Promise<Job> =>
     dataOf(api.POST("/api/jobs/{id}/exceptions", { params: byId(id), body: exceptions })),
   earlierExceptions: (id: string, signal?: AbortSignal): Promise<EarlierExceptions | null> =>
@@ -217,6 +235,33 @@ export const service = {
     dataOf(api.GET("/api/service", uncached(signal))),
   machines: (signal?: AbortSignal): Promise<Machine[]> =>
     dataOf(api.GET("/api/machines", uncached(signal))),
+  station: (name: string, signal: AbortSignal): Promise<Station> =>
+    dataOf(
+      api.GET("/api/machines/{name}/station", {
+        params: byName(name),
+        cache: "no-store",
+        fetch: fetchOnce,
+        signal: AbortSignal.any([signal, AbortSignal.timeout(SILENCE * 1000)]),
+      }),
+    ),
+  queue: (name: string, signal?: AbortSignal): Promise<Queue> =>
+    dataOf(api.GET("/api/machines/{name}/queue", { params: byName(name), ...uncached(signal) })),
+  operate: (name: string, request: OperationRequest): Promise<Operation> =>
+    dataOf(
+      api.POST("/api/machines/{name}/operations", {
+        params: byName(name),
+        body: request,
+        ...nowOrNever(),
+      }),
+    ),
+  operation: (name: string, id: string): Promise<Operation> =>
+    dataOf(
+      api.GET("/api/machines/{name}/operations/{id}", {
+        params: { path: { name, id } },
+        cache: "no-store",
+        ...nowOrNever(),
+      }),
+    ),
   formats: (signal?: AbortSignal): Promise<Format[]> =>
     dataOf(api.GET("/api/formats", uncached(signal))),
   boards: (signal?: AbortSignal): Promise<Board[]> =>

@@ -33,13 +33,20 @@ interface Attempt<T> {
   readonly body: () => string | Promise<string>;
 }
 
-/** Repeat a request while the server is busy; raises `ServiceError` for every other refusal. */
-async function withRetries<T>(request: () => Promise<Attempt<T>>, signal?: AbortSignal) {
+/**
+ * Repeat a request while the server is busy, at most until it was sent `attempts` times; raises
+ * `ServiceError` for every other refusal.
+ */
+async function withRetries<T>(
+  request: () => Promise<Attempt<T>>,
+  signal?: AbortSignal,
+  attempts = MAX_ATTEMPTS,
+) {
   for (let attempt = 1; ; attempt++) {
     const result = await request();
     if (result.ok) return result.answer;
     const delay = retryAfter(result.status, result.retryAfter, attempt);
-    if (delay === null) {
+    if (delay === null || attempt >= attempts) {
       if (result.status === 401) signIn();
       throw new ServiceError(parseProblem(result.status, result.statusText, await result.body()));
     }
@@ -64,6 +71,10 @@ async function attemptFetch(request: Request): Promise<Attempt<Response>> {
 /** `fetch` with retries and `ServiceError`. */
 export const fetchWithRetries = (request: Request): Promise<Response> =>
   withRetries(() => attemptFetch(request), request.signal);
+
+/** `fetch` with `ServiceError`, sent once: a repeated request would arrive late. */
+export const fetchOnce = (request: Request): Promise<Response> =>
+  withRetries(() => attemptFetch(request), request.signal, 1);
 
 function attemptUpload(
   file: File,

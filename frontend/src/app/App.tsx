@@ -1,4 +1,4 @@
-/** Layout of the page: side panels and the canvas between them. */
+/** The page: drawings, with side panels and the canvas between them, or the station of a machine. */
 
 import { useEffect, useRef } from "react";
 import { DocumentPanel } from "../panels/DocumentPanel";
@@ -27,11 +27,24 @@ import { DrawingError } from "./DrawingError";
 import { DropZone } from "./DropZone";
 import { Picture } from "./Picture";
 import { syncWithAddress } from "./routes";
+import { StationPage } from "./StationPage";
 import { listenToKeys, type PictureCommands } from "./shortcuts";
 import { TopBar } from "./TopBar";
 import { Welcome } from "./Welcome";
 
 export function App() {
+  const station = useUiStore((ui) => ui.station);
+  useEffect(() => {
+    const ends = [syncWithAddress(), subscribeToEvents(syncDrawing)];
+    return () => {
+      for (const end of ends) end();
+    };
+  }, []);
+  return station === null ? <DrawingPage /> : <StationPage key={station} machine={station} />;
+}
+
+/** The page on which drawings are prepared and jobs are sent. */
+function DrawingPage() {
   const picture = useRef<PictureCommands | null>(null);
   const drawing = useUiStore((ui) => ui.drawing);
   const editing = useUiStore((ui) => ui.editedProfile);
@@ -39,16 +52,7 @@ export function App() {
   const rightOpen = useUiStore((ui) => ui.rightOpen);
   const { error } = useDrawing();
 
-  useEffect(() => {
-    const ends = [
-      syncWithAddress(),
-      subscribeToEvents(syncDrawing),
-      listenToKeys(() => picture.current),
-    ];
-    return () => {
-      for (const end of ends) end();
-    };
-  }, []);
+  useEffect(() => listenToKeys(() => picture.current), []);
 
   const ready = useRef((keys: PictureCommands | null) => {
     picture.current = keys;

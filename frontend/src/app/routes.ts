@@ -1,9 +1,10 @@
 /**
- * Route in the hash of the address: the open drawing and job.
+ * Route in the hash of the address: the open drawing and job, or the station page of a machine.
  *
  *     #/                              no drawing
  *     #/drawings/ID                   a drawing
  *     #/drawings/ID/jobs/ID           a drawing and a job of it
+ *     #/station/MACHINE               the page of the person at a machine
  */
 
 import { useUiStore } from "../state/store";
@@ -11,23 +12,27 @@ import { useUiStore } from "../state/store";
 export interface Route {
   readonly drawing: string | null;
   readonly job: string | null;
+  /** The drawing and the job follow the machine while its station page is open. */
+  readonly station: string | null;
 }
 
+const ROUTES = /^#\/(?:drawings\/([^/]+)(?:\/jobs\/([^/]+))?|station\/([^/]+))$/;
+
+const decoded = (part: string | undefined): string | null =>
+  part === undefined ? null : decodeURIComponent(part);
+
 export function routeOf(hash: string): Route {
-  const found = /^#\/drawings\/([^/]+)(?:\/jobs\/([^/]+))?$/.exec(hash);
-  const [, drawing, job] = found ?? [];
+  const [, drawing, job, station] = ROUTES.exec(hash) ?? [];
   try {
-    return {
-      drawing: drawing === undefined ? null : decodeURIComponent(drawing),
-      job: job === undefined ? null : decodeURIComponent(job),
-    };
+    return { drawing: decoded(drawing), job: decoded(job), station: decoded(station) };
   } catch {
     // Invalid percent-encoding in a typed address.
-    return { drawing: null, job: null };
+    return { drawing: null, job: null, station: null };
   }
 }
 
-export function hashOf({ drawing, job }: Route): string {
+export function hashOf({ drawing, job, station }: Route): string {
+  if (station !== null) return `#/station/${encodeURIComponent(station)}`;
   if (drawing === null) return "#/";
   const page = `#/drawings/${encodeURIComponent(drawing)}`;
   return job === null ? page : `${page}/jobs/${encodeURIComponent(job)}`;
@@ -36,18 +41,20 @@ export function hashOf({ drawing, job }: Route): string {
 /** Keep address and store equal until the returned function is called. */
 export function syncWithAddress(): () => void {
   const read = () => {
-    const { drawing, job } = routeOf(window.location.hash);
+    const { drawing, job, station } = routeOf(window.location.hash);
     const page = useUiStore.getState();
-    if (page.drawing !== drawing || page.job !== job) page.open(drawing, job);
+    if (page.station !== station) page.openStation(station);
+    if (station === null && (page.drawing !== drawing || page.job !== job)) page.open(drawing, job);
   };
   read();
   window.addEventListener("hashchange", read);
   const stop = useUiStore.subscribe((page, before) => {
-    if (page.drawing === before.drawing && page.job === before.job) return;
+    const same = page.drawing === before.drawing && page.station === before.station;
+    if (same && page.job === before.job) return;
     const hash = hashOf(page);
     if (window.location.hash === hash) return;
     // Opening a drawing adds an entry to the browser history; opening a job replaces it.
-    if (page.drawing === before.drawing) window.history.replaceState(null, "", hash);
+    if (same) window.history.replaceState(null, "", hash);
     else window.history.pushState(null, "", hash);
   });
   return () => {

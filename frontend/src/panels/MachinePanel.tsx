@@ -43,7 +43,14 @@ export function MachinePanel() {
   return (
     <Section title="Machine and tools" flush aside={<Gateway machine={machine} />}>
       <div style={{ padding: "0 8px 6px" }} className={css.note}>
-        {machine.title || machine.name}, controller language {machine.language}
+        {machine.title || machine.name}, controller language {machine.language} ·{" "}
+        <a
+          className={css.link}
+          href={`#/station/${encodeURIComponent(machine.name)}`}
+          data-testid="open-station"
+        >
+          Open station page
+        </a>
       </div>
       {machine.carriages.map((carriage) => (
         <div key={carriage.number}>

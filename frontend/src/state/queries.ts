@@ -12,6 +12,7 @@ import {
   type ImportReportRow,
   type Job,
   type Page,
+  type Station,
   service,
 } from "../api/client";
 import { openEventStream } from "../api/events";
@@ -105,6 +106,22 @@ export const queries = {
       queryFn: ({ signal }) => service.machines(signal),
       refetchInterval: 4000,
     }),
+  queue: (name: string) =>
+    queryOptions({
+      queryKey: ["queue", name],
+      queryFn: ({ signal }) => service.queue(name, signal),
+      refetchInterval: 4000,
+    }),
+  station: (name: string) =>
+    queryOptions({
+      queryKey: ["station", name],
+      queryFn: ({ signal }) => service.station(name, signal),
+      // Each answer proves that the server can be reached, and keeps the gateway reporting often.
+      refetchInterval: 1000,
+      networkMode: "always",
+      retry: false,
+      staleTime: 0,
+    }),
   formats: () =>
     queryOptions({ queryKey: ["formats"], queryFn: ({ signal }) => service.formats(signal) }),
   boards: () =>
@@ -120,6 +137,9 @@ export const useDrawings = () =>
   useInfiniteQuery({ ...queries.drawings(), select: flattenPages<DrawingSummary> });
 export const useJobs = () => useInfiniteQuery({ ...queries.jobs(), select: flattenPages<Job> });
 export const useMachines = () => useQuery(queries.machines());
+export const useQueue = (machine: string) => useQuery(queries.queue(machine));
+/** State of a machine for the person at it. */
+export const useStation = (machine: string) => useQuery(queries.station(machine));
 export const useServiceStatus = () => useQuery(queries.status());
 export const useFormats = () => useQuery(queries.formats());
 export const useBoards = () => useQuery(queries.boards());
@@ -199,6 +219,7 @@ export function upsertJob(job: Job): void {
   // A job that starts or ends makes its machine busy or free.
   if (known?.state !== job.state) {
     void queryClient.invalidateQueries({ queryKey: queries.machines().queryKey });
+    void queryClient.invalidateQueries({ queryKey: queries.queue(job.machine).queryKey });
   }
   queryClient.setQueryData(queries.jobs().queryKey, (list) => {
     if (list === undefined) return list;
@@ -214,8 +235,17 @@ export function upsertJob(job: Job): void {
 const isJob = (data: unknown): data is Job =>
   typeof data === "object" && data !== null && "id" in data && "state" in data && "stage" in data;
 
+const isStation = (data: unknown): data is Station =>
+  typeof data === "object" && data !== null && "machine" in data && "operations" in data;
+
 const isDrawing = (data: unknown): data is DrawingSummary =>
   typeof data === "object" && data !== null && "id" in data && "revision" in data;
+
+/** Put the reported state of a machine in place of the last one, if the machine is on display. */
+function showStation(station: Station): void {
+  const { queryKey } = queries.station(station.machine);
+  queryClient.setQueryData(queryKey, (shown) => (shown === undefined ? shown : station));
+}
 
 /** Drop cached data of a drawing that is not on display. */
 function dropInactive(id: string): void {
@@ -236,10 +266,12 @@ export function subscribeToEvents(
   onDrawing: (drawing: Pick<DrawingSummary, "id" | "revision"> | null) => void,
 ): () => void {
   let broken = false;
-  return openEventStream("/api/events", ["job", "drawing", "deleted"], {
+  return openEventStream("/api/events", ["job", "drawing", "deleted", "station"], {
     onEvent: (name, data) => {
       if (name === "job" && isJob(data)) upsertJob(data);
-      else {
+      else if (name === "station") {
+        if (isStation(data)) showStation(data);
+      } else {
         // A drawing was added, changed or deleted.
         void queryClient.invalidateQueries({ queryKey: queries.drawings().queryKey });
         if (name === "drawing" && isDrawing(data)) {

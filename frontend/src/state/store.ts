@@ -47,6 +47,8 @@ export interface Upload {
 }
 
 export interface UiState {
+  /** Name of the machine whose station page is open; null while the page of drawings is. */
+  readonly station: string | null;
   readonly drawing: string | null;
   readonly job: string | null;
   readonly selection: ReadonlySet<number>;
@@ -87,6 +89,8 @@ export interface UiState {
   readonly editedProfile: string | null;
 
   open(drawing: string | null, job?: string | null): void;
+  /** Open the page of the person at a machine; null returns to the drawings. */
+  openStation(machine: string | null): void;
   openJob(job: string | null): void;
   selectEdges(rows: Iterable<number>, add?: boolean): void;
   setHover(hover: Hover | null): void;
@@ -142,6 +146,7 @@ const equalRows = (a: readonly number[], b: readonly number[]): boolean =>
   a.length === b.length && a.every((row, at) => row === b[at]);
 
 export const useUiStore = create<UiState>()((set) => ({
+  station: null,
   drawing: null,
   job: null,
   selection: NO_ROWS,
@@ -204,6 +209,7 @@ export const useUiStore = create<UiState>()((set) => ({
             corners: { ...page.corners, at: [] },
           },
     ),
+  openStation: (station) => set({ station }),
   openJob: (job) => set({ job, previewTime: null }),
   selectEdges: (rows, add = false) =>
     set(({ selection }) => {

@@ -22,9 +22,6 @@ import { listenToPointer } from "./pointer";
 import { Surroundings } from "./surroundings";
 import { ViewTransition } from "./viewTransition";
 
-/** Width of the controls above the canvas, at its sides (pixels). */
-const INSETS: Insets = { left: 56, top: 108, right: 64, bottom: 104 };
-
 /** Raised if the browser has no WebGL. */
 export class NoWebGL extends Error {
   override name = "NoWebGL";
@@ -68,6 +65,8 @@ export class Viewer {
     canvas: HTMLCanvasElement,
     colours: ViewerColours,
     private readonly events: ViewerEvents,
+    /** Width of what covers the canvas at its sides (pixels). */
+    private readonly insets: Insets,
   ) {
     try {
       this.renderer = new WebGLRenderer({ canvas, antialias: false, alpha: false });
@@ -220,7 +219,7 @@ export class Viewer {
   fit(box?: Box | null, animate = true): void {
     const all = box ?? this.everything();
     if (all === null) return;
-    this.transition.start(this.camera.frameBox(all, INSETS), animate, performance.now());
+    this.transition.start(this.camera.frameBox(all, this.insets), animate, performance.now());
     this.draw();
   }
 

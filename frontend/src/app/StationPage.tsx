@@ -1,0 +1,186 @@
+/** The page of the person at a machine, for a tablet beside the table. */
+
+import { useEffect, useRef, useState } from "react";
+import { StationAlarm } from "../panels/StationAlarm";
+import { StationControls } from "../panels/StationControls";
+import { StationHeader } from "../panels/StationHeader";
+import { StationJob } from "../panels/StationJob";
+import { StationOperations } from "../panels/StationOperations";
+import { StationOutcome } from "../panels/StationOutcome";
+import css from "../panels/station.module.css";
+import { type Check, checksKey, checksOf } from "../state/checks";
+import { useFollowedJob, useServerReached } from "../state/followMachine";
+import { isOnTable, needsOperator } from "../state/jobs";
+import { useBoards, useDrawing, useJob, useMachines, useStation } from "../state/queries";
+import { useUiStore } from "../state/store";
+import type { ViewerEvents } from "../viewer/contract";
+import { Canvas } from "./Canvas";
+import type { PictureCommands } from "./shortcuts";
+
+interface Props {
+  readonly machine: string;
+}
+
+type Tab = "job" | "machine";
+
+const INSETS = { left: 24, top: 24, right: 24, bottom: 24 };
+const LABEL = "The sheet on the table, the path of the head, and the head while a job runs.";
+/** Nothing is chosen in this picture: it is looked at from a distance. */
+const NO_EVENTS: ViewerEvents = {
+  onHover: () => {},
+  onSelect: () => {},
+  onCursor: () => {},
+  onView: () => {},
+  onBox: () => {},
+};
+const NO_CHECKS: readonly Check[] = [];
+
+export function StationPage({ machine: name }: Props) {
+  useFollowedJob(name);
+  const reached = useServerReached(name);
+  const { data: machines } = useMachines();
+  const { data: station } = useStation(name);
+  const { data: open } = useJob();
+  const [tab, setTab] = useState<Tab>("job");
+  const machine = machines?.find((one) => one.name === name);
+  const job = open?.machine === name ? open : undefined;
+  const { checks, ticked, tick } = useChecks(name);
+  const waits = job !== undefined && (needsOperator(job) || isOnTable(job));
+  // A job that asks for the person, or moves, comes to the front.
+  useEffect(() => {
+    if (waits) setTab("job");
+  }, [waits]);
+
+  if (machine === undefined) {
+    return (
+      <main className={css.page}>
+        <p className={css.lost} role="status">
+          {machines === undefined
+            ? "Loading the machine"
+            : `There is no machine named ${name}. Open the drawings and choose a machine there.`}{" "}
+          <a href="#/">Back to all drawings</a>
+        </p>
+      </main>
+    );
+  }
+  const shown = { machine, station, job, reached };
+  return (
+    <main className={css.page} data-testid="station-page">
+      <StationHeader {...shown} />
+      {!reached && (
+        <p className={css.lost} role="alert" data-testid="no-server">
+          <b>No connection to the server.</b> What you see may be out of date, and nothing that you
+          press would arrive. In danger, use the emergency stop of the machine.
+        </p>
+      )}
+      <div className={css.table} data-idle={job === undefined}>
+        {job === undefined ? (
+          <p className={css.idle}>No job waits for this machine.</p>
+        ) : (
+          <StationPicture place={needsOperator(job)} />
+        )}
+      </div>
+      <div className={css.side}>
+        {station !== undefined && <StationAlarm {...shown} station={station} />}
+        <div className={css.tabs} role="tablist" aria-label="Job or machine">
+          <TabButton id="job" title="Job" tab={tab} select={setTab} />
+          <TabButton id="machine" title="Move machine" tab={tab} select={setTab} />
+        </div>
+        <div id="station-tab" role="tabpanel" aria-labelledby={`tab-${tab}`}>
+          {tab === "machine" ? (
+            <StationOperations {...shown} />
+          ) : job === undefined ? (
+            <p className={css.message}>
+              The queue of this machine is empty. A job appears here as soon as it is sent to the
+              machine.
+            </p>
+          ) : (
+            <StationJob job={job} checks={checks} ticked={ticked} reached={reached} onTick={tick} />
+          )}
+        </div>
+      </div>
+      <StationOutcome />
+      <StationControls
+        machine={name}
+        station={station}
+        job={job}
+        reached={reached}
+        checked={checks.every(({ key }) => ticked.has(key))}
+      />
+    </main>
+  );
+}
+
+interface TabProps {
+  readonly id: Tab;
+  readonly title: string;
+  readonly tab: Tab;
+  select(tab: Tab): void;
+}
+
+function TabButton({ id, title, tab, select }: TabProps) {
+  return (
+    <button
+      type="button"
+      role="tab"
+      id={`tab-${id}`}
+      aria-selected={tab === id}
+      aria-controls="station-tab"
+      onClick={() => select(id)}
+      data-testid={`tab-${id}`}
+    >
+      {title}
+    </button>
+  );
+}
+
+/** The checks of the job, and which of them the person has ticked. */
+function useChecks(machine: string) {
+  const { data: job } = useJob();
+  const { data: drawing } = useDrawing();
+  const { data: boards } = useBoards();
+  const { data: machines } = useMachines();
+  const [ticks, setTicks] = useState({ of: "", keys: new Set<string>() as ReadonlySet<string> });
+  const found = machines?.find(({ name }) => name === machine);
+  const of = job === undefined ? "" : checksKey(job);
+  const board = boards?.find(({ name }) => name === job?.board);
+  const checks =
+    job === undefined || found === undefined ? NO_CHECKS : checksOf(job, board, found, drawing);
+  const ticked = ticks.of === of ? ticks.keys : new Set<string>();
+  const tick = (key: string) => {
+    const keys = new Set(ticked);
+    if (!keys.delete(key)) keys.add(key);
+    setTicks({ of, keys });
+  };
+  return { checks, ticked, tick };
+}
+
+/** The picture of the job; `place` shows the whole table, to lay the sheet in its place. */
+function StationPicture({ place }: { place: boolean }) {
+  const host = useRef<HTMLDivElement>(null);
+  const commands = useRef<PictureCommands | null>(null);
+  const drawing = useUiStore((ui) => ui.drawing);
+  const fit = useRef(() => {});
+  fit.current = () => {
+    if (place) commands.current?.fitTable();
+    else commands.current?.fit();
+  };
+  const ready = useRef((keys: PictureCommands | null) => {
+    commands.current = keys;
+    fit.current();
+  });
+  // biome-ignore lint/correctness/useExhaustiveDependencies: another drawing or purpose, another view
+  useEffect(() => fit.current(), [place, drawing]);
+  // A tablet is turned: the whole picture stays in view.
+  useEffect(() => {
+    if (host.current === null) return;
+    const watch = new ResizeObserver(() => fit.current());
+    watch.observe(host.current);
+    return () => watch.disconnect();
+  }, []);
+  return (
+    <div ref={host} className={css.picture}>
+      <Canvas label={LABEL} events={NO_EVENTS} insets={INSETS} onReady={ready.current} />
+    </div>
+  );
+}

@@ -1,0 +1,150 @@
+/** Start, Hold, Resume and Stop in large type, always in the same places. */
+
+import {
+  IconHandStop,
+  IconPlayerPauseFilled,
+  IconPlayerPlayFilled,
+  IconPlayerStopFilled,
+  IconPlayerTrackNextFilled,
+} from "@tabler/icons-react";
+import { type ReactNode, useEffect, useState } from "react";
+import type { Job, JobCommand, Station } from "../api/client";
+import { confirmationBefore, needsOperator } from "../state/jobs";
+import { commandJob, operate } from "../state/operations";
+import { type Stop, stopOf } from "../state/station";
+import { AskOnce } from "./AskOnce";
+import css from "./station.module.css";
+
+interface Props {
+  readonly machine: string;
+  readonly station: Station | undefined;
+  readonly job: Job | undefined;
+  readonly reached: boolean;
+  /** Whether the person has ticked all that is to be checked. */
+  readonly checked: boolean;
+}
+
+interface Control {
+  readonly name: string;
+  readonly testId: string;
+  readonly tone: string;
+  readonly icon: ReactNode;
+  /** Why it is disabled; null: it can be pressed. */
+  readonly reason: string | null;
+  act(): void;
+}
+
+const has = (job: Job | undefined, word: JobCommand): boolean =>
+  job?.actions.includes(word) === true;
+
+/** What `Start` waits for. */
+function reasonAgainstStart(job: Job | undefined, checked: boolean): string | null {
+  if (job === undefined) return "There is no job for this machine.";
+  if (!needsOperator(job) || !has(job, "confirm")) return "No job waits for its start.";
+  return checked ? null : "Check and tick everything that is listed first.";
+}
+
+/** Question before a job is ended whose machine does not move. */
+const questionOf = (job: Job) =>
+  confirmationBefore(job, "cancel") ?? {
+    title: "Cancel the job?",
+    text: "The job has not started. It leaves the queue of the machine.",
+    yes: "Cancel job",
+    no: "Keep job",
+  };
+
+export function StationControls({ machine, station, job, reached, checked }: Props) {
+  const [asking, setAsking] = useState<string | null>(null);
+  const stop = stopOf(station, job);
+  const asks = asking !== null && asking === job?.id && stop?.asks === true;
+  // A question that no longer applies must not return later.
+  useEffect(() => {
+    if (!asks) setAsking(null);
+  }, [asks]);
+
+  const send = (label: string, word: JobCommand) => {
+    if (job !== undefined) void commandJob(job.id, label, word);
+  };
+  const halt = ({ act, asks }: Stop) => {
+    if (act === "stop_jog") void operate(machine, "Stop", { operation: "stop_jog" });
+    else if (asks) setAsking(job?.id ?? null);
+    else send("Stop", "cancel");
+  };
+  const controls: readonly Control[] = [
+    {
+      name: "Start",
+      testId: "station-start",
+      tone: "green",
+      icon: <IconPlayerPlayFilled aria-hidden />,
+      reason: reasonAgainstStart(job, checked),
+      act: () => send("Start", "confirm"),
+    },
+    {
+      name: "Hold",
+      testId: "station-hold",
+      tone: "amber",
+      icon: <IconPlayerPauseFilled aria-hidden />,
+      reason: has(job, "hold") ? null : "No job runs.",
+      act: () => send("Hold", "hold"),
+    },
+    {
+      name: "Resume",
+      testId: "station-resume",
+      tone: "blue",
+      icon: <IconPlayerTrackNextFilled aria-hidden />,
+      // A job that waits for a sheet goes on with Start, after the checks.
+      reason: has(job, "resume") && !has(job, "confirm") ? null : "No job is held.",
+      act: () => send("Resume", "resume"),
+    },
+    {
+      name: "Stop",
+      testId: "station-stop",
+      tone: "red",
+      icon: <IconPlayerStopFilled aria-hidden />,
+      reason: stop === null ? "There is nothing to stop." : null,
+      act: () => stop !== null && halt(stop),
+    },
+  ];
+  return (
+    <section className={css.controls} aria-label="Job controls">
+      {asks && job !== undefined && (
+        <AskOnce
+          {...questionOf(job)}
+          disabled={!reached}
+          onNo={() => setAsking(null)}
+          onYes={() => {
+            setAsking(null);
+            send("Stop", "cancel");
+          }}
+        />
+      )}
+      <div className={css.big}>
+        {controls.map(({ name, testId, tone, icon, reason, act }) => {
+          const why = reached ? reason : "There is no connection to the server.";
+          return (
+            <button
+              key={name}
+              type="button"
+              className={css.control}
+              data-tone={tone}
+              data-testid={testId}
+              disabled={why !== null}
+              title={why ?? undefined}
+              onClick={act}
+            >
+              {icon}
+              {name}
+            </button>
+          );
+        })}
+        <p className={css.emergency} data-testid="emergency">
+          <IconHandStop size={34} color="var(--bad)" aria-hidden />
+          <span>
+            <b>This is not an emergency stop.</b> In danger, press the red emergency stop button on
+            the machine.
+          </span>
+        </p>
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,63 @@
+/** Head of the station page: the machine, its state in large type, and the connections. */
+
+import { IconPlugConnected, IconPlugConnectedX } from "@tabler/icons-react";
+import type { Job, Machine, Station } from "../api/client";
+import { AXES, titleOf } from "../state/station";
+import { TO_ALL_DRAWINGS } from "./labels";
+import css from "./station.module.css";
+
+interface Props {
+  readonly machine: Machine;
+  readonly station: Station | undefined;
+  readonly job: Job | undefined;
+  readonly reached: boolean;
+}
+
+export function StationHeader({ machine, station, job, reached }: Props) {
+  const { title, tone } = reached
+    ? titleOf(station, job)
+    : { title: "No connection to the server", tone: "red" as const };
+  const connected = reached && station?.connected === true;
+  return (
+    <header className={css.header}>
+      <div className={css.names}>
+        <h1 className={css.machine}>{machine.title || machine.name}</h1>
+        <div className={css.state} data-tone={tone} role="status" data-testid="station-state">
+          {title}
+        </div>
+      </div>
+      <Position station={reached ? station : undefined} />
+      <div className={css.links}>
+        <span
+          className={css.chip}
+          data-tone={connected ? "green" : "red"}
+          data-testid="station-connection"
+        >
+          {connected ? <IconPlugConnected aria-hidden /> : <IconPlugConnectedX aria-hidden />}
+          {!reached ? "No server" : connected ? "Connected" : "No controller"}
+        </span>
+        <a className={css.leave} href="#/">
+          {TO_ALL_DRAWINGS}
+        </a>
+      </div>
+    </header>
+  );
+}
+
+/** Position of the axes in the coordinates of programs. */
+function Position({ station }: { station: Station | undefined }) {
+  const position = station?.position ?? null;
+  return (
+    <dl className={css.position} aria-label="Position of the axes" data-testid="station-position">
+      {AXES.map((axis, at) => (
+        <div key={axis}>
+          <dt>{axis}</dt>
+          <dd>
+            {position === null ? "–" : (position[at] ?? 0).toFixed(1).replace("-", "\u2212")}
+            {axis === "C" && position !== null ? "°" : ""}
+          </dd>
+        </div>
+      ))}
+    </dl>
+  );
+}

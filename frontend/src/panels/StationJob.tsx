@@ -1,0 +1,179 @@
+/** The job of the machine: what to check before it starts, its progress, and how it ended. */
+
+import { IconCheck } from "@tabler/icons-react";
+import { useState } from "react";
+import type { Job, JobCommand } from "../api/client";
+import { renderHint, renderText } from "../messages/render";
+import type { Check } from "../state/checks";
+import { formatDuration, pluralize } from "../state/format";
+import { type Confirmation, confirmationBefore, isOnTable, needsOperator } from "../state/jobs";
+import { commandJob } from "../state/operations";
+import { useBoards } from "../state/queries";
+import { AskOnce } from "./AskOnce";
+import { StateBadge } from "./StateBadge";
+import css from "./station.module.css";
+
+interface Props {
+  readonly job: Job;
+  readonly checks: readonly Check[];
+  readonly ticked: ReadonlySet<string>;
+  readonly reached: boolean;
+  onTick(key: string): void;
+}
+
+export function StationJob({ job, checks, ticked, reached, onTick }: Props) {
+  const { data: boards } = useBoards();
+  const board = boards?.find(({ name }) => name === job.board);
+  return (
+    <section className={css.job} aria-label="Job" data-testid="station-job" data-state={job.state}>
+      <div className={css.jobHead}>
+        <h2>{job.drawing_name}</h2>
+        <StateBadge job={job} testId="station-job-state" />
+      </div>
+      <p className={css.jobFacts}>
+        {board?.title || job.board}
+        {job.copies > 1 && ` · ${pluralize(job.copies, "copy", "copies")}`}
+        {job.seconds > 0 && ` · ${formatDuration(job.seconds)} each`}
+      </p>
+      {isOnTable(job) && <Run job={job} />}
+      <Reason job={job} />
+      {needsOperator(job) && <Checks checks={checks} ticked={ticked} onTick={onTick} />}
+      {job.state === "interrupted" && <AfterInterruption job={job} reached={reached} />}
+    </section>
+  );
+}
+
+function Run({ job }: { job: Job }) {
+  const percent = Math.round(job.progress * 100);
+  return (
+    <div data-testid="station-run">
+      <div className={css.figures}>
+        <div>
+          <b>{percent}</b> %
+        </div>
+        {job.seconds_left !== null && (
+          <div data-testid="station-left">
+            <b>{formatDuration(job.seconds_left)}</b> left
+          </div>
+        )}
+        {job.copies > 1 && (
+          <div data-testid="station-copy">
+            copy <b>{Math.min(job.copies_done + 1, job.copies)}</b> of {job.copies}
+          </div>
+        )}
+      </div>
+      <progress
+        className={css.bar}
+        value={job.progress}
+        max={1}
+        aria-label="Progress of the job on the table"
+      />
+    </div>
+  );
+}
+
+/** Why the job waits or how it ended, with what to do. */
+function Reason({ job }: { job: Job }) {
+  if (job.state === "done") {
+    return (
+      <p className={css.message} data-tone="green" role="status" data-testid="station-done">
+        {pluralize(job.copies, "copy", "copies")} finished. The table is free for the next job.
+      </p>
+    );
+  }
+  const text = job.message === null ? "" : renderText(job.message);
+  if (text === "") {
+    return job.state === "cancelled" ? <p className={css.message}>The job was cancelled.</p> : null;
+  }
+  const hint = job.message === null ? "" : renderHint(job.message);
+  const tone = job.state === "interrupted" || needsOperator(job) ? "amber" : "grey";
+  return (
+    <div className={css.message} data-tone={tone} role="status" data-testid="station-reason">
+      <div>{text}</div>
+      {hint !== "" && <div className={css.todo}>{hint}</div>}
+    </div>
+  );
+}
+
+function Checks({ checks, ticked, onTick }: Pick<Props, "checks" | "ticked" | "onTick">) {
+  return (
+    <fieldset className={css.checks} data-testid="checks">
+      <legend>
+        Check at the table, then start ({checks.filter(({ key }) => ticked.has(key)).length} of{" "}
+        {checks.length})
+      </legend>
+      {checks.map(({ key, title, detail }) => (
+        <label key={key} className={css.check} data-testid="check">
+          <input type="checkbox" checked={ticked.has(key)} onChange={() => onTick(key)} />
+          <span className={css.box} aria-hidden>
+            <IconCheck className={css.tick} />
+          </span>
+          <span>
+            <b>{title}</b>
+            <small>{detail}</small>
+          </span>
+        </label>
+      ))}
+    </fieldset>
+  );
+}
+
+type Ending = Extract<JobCommand, "requeue" | "finish" | "scrap">;
+
+const ENDINGS: Readonly<Record<Ending, { title: string; note: string }>> = {
+  requeue: {
+    title: "Queue again from the start",
+    note: "Needs a new sheet: the whole copy is cut again.",
+  },
+  finish: { title: "It is finished", note: "Only if all sheets are completely cut." },
+  scrap: { title: "Board is scrap", note: "Ends the job. Remove the board first." },
+};
+
+const AGAIN: Confirmation = {
+  title: "Queue the job again from the start?",
+  text: "The sheet on the table cannot be used for it. Put a new sheet on the table before you start.",
+  yes: "Queue again",
+  no: "Do not queue",
+};
+
+/** Where the machine stopped is drawn in the picture; here is what can be done about it. */
+function AfterInterruption({ job, reached }: { job: Job; reached: boolean }) {
+  const [asking, setAsking] = useState<Ending | null>(null);
+  const words = job.actions.filter((word): word is Ending => word in ENDINGS);
+  if (asking !== null && words.includes(asking)) {
+    return (
+      <AskOnce
+        {...(confirmationBefore(job, asking) ?? AGAIN)}
+        disabled={!reached}
+        onNo={() => setAsking(null)}
+        onYes={() => {
+          setAsking(null);
+          void commandJob(job.id, ENDINGS[asking].title, asking);
+        }}
+      />
+    );
+  }
+  return (
+    <div className={css.ways} data-testid="after-interruption">
+      <p>
+        {job.line > 0
+          ? `The picture shows where the head stopped: line ${job.line.toLocaleString("en")} of ${job.lines.toLocaleString("en")}.`
+          : "The machine had not begun to cut."}
+      </p>
+      {words.map((word) => (
+        <div key={word} className={css.way}>
+          <button
+            type="button"
+            className={css.button}
+            disabled={!reached}
+            onClick={() => setAsking(word)}
+            data-testid={`station-${word}`}
+          >
+            {ENDINGS[word].title}
+          </button>
+          <small>{ENDINGS[word].note}</small>
+        </div>
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,156 @@
+/** Operations of the person at the machine between two jobs. */
+
+import { useState } from "react";
+import type { Job, Machine, OperationRequest, Station } from "../api/client";
+import { operate } from "../state/operations";
+import { type OperationName, outputsOf, reasonAgainst } from "../state/station";
+import { AskOnce } from "./AskOnce";
+import { JogPad } from "./JogPad";
+import css from "./station.module.css";
+
+interface Props {
+  readonly machine: Machine;
+  readonly station: Station | undefined;
+  readonly job: Job | undefined;
+  readonly reached: boolean;
+}
+
+interface Way {
+  readonly operation: Exclude<OperationName, "jog" | "switch" | "stop_jog">;
+  readonly title: string;
+  readonly note: string;
+  readonly request: OperationRequest;
+  /** Question that comes first; null for none. */
+  readonly question: { title: string; text: string; yes: string; no: string } | null;
+}
+
+const WAYS: readonly Way[] = [
+  {
+    operation: "home",
+    title: "Home",
+    note: "Finds the zero of all axes. The machine moves.",
+    request: { operation: "home" },
+    question: null,
+  },
+  {
+    operation: "park",
+    title: "Park",
+    note: "Lifts the tool and moves the head out of the way.",
+    request: { operation: "park" },
+    question: null,
+  },
+  {
+    operation: "zero",
+    title: "Set X Y zero here",
+    note: "Programs then begin at this place of the table.",
+    request: { operation: "zero", axes: "XY" },
+    question: {
+      title: "Set the zero of X and Y here?",
+      text: "Every program from now on is placed from this point. Home the machine to undo it.",
+      yes: "Set zero here",
+      no: "Leave it",
+    },
+  },
+  {
+    operation: "unlock",
+    title: "Unlock",
+    note: "Clears an alarm without homing. The position may be wrong.",
+    request: { operation: "unlock" },
+    question: null,
+  },
+];
+
+/** The reason that hinders all operations, stated once; null if some may be possible. */
+function commonReason({ machine, station, job, reached }: Props): string | null {
+  if (!reached) return "There is no connection to the server. Nothing that you press would arrive.";
+  const reasons = WAYS.map(({ operation }) => reasonAgainst(operation, station, machine, job));
+  const [first] = reasons;
+  return first !== null && reasons.every((one) => one === first) ? (first ?? null) : null;
+}
+
+export function StationOperations(props: Props) {
+  const { machine, station, job, reached } = props;
+  const [asking, setAsking] = useState<Way | null>(null);
+  const common = commonReason(props);
+  const ask = ({ title, request }: Way) => void operate(machine.name, title, request);
+  return (
+    <section className={css.operations} aria-label="Move the machine" data-testid="operations">
+      {common !== null && (
+        <p className={css.message} data-tone="amber" data-testid="operations-reason">
+          {common}
+        </p>
+      )}
+      <JogPad {...props} />
+      {asking?.question != null && (
+        <AskOnce
+          {...asking.question}
+          disabled={!reached}
+          onNo={() => setAsking(null)}
+          onYes={() => {
+            setAsking(null);
+            ask(asking);
+          }}
+        />
+      )}
+      <div className={css.wayGrid}>
+        {WAYS.map((way) => {
+          const reason = reasonAgainst(way.operation, station, machine, job);
+          return (
+            <div key={way.operation} className={css.way}>
+              <button
+                type="button"
+                className={css.button}
+                disabled={!reached || reason !== null}
+                onClick={() => (way.question === null ? ask(way) : setAsking(way))}
+                data-testid={`operation-${way.operation}`}
+              >
+                {way.title}
+              </button>
+              <small>{common === null && reason !== null ? reason : way.note}</small>
+            </div>
+          );
+        })}
+      </div>
+      <Outputs {...props} />
+    </section>
+  );
+}
+
+function Outputs({ machine, station, job, reached }: Props) {
+  const outputs = outputsOf(machine);
+  if (outputs.length === 0) return null;
+  const reason = reasonAgainst("switch", station, machine, job);
+  return (
+    <fieldset className={css.outputs} data-testid="outputs">
+      <legend>Outputs by hand, only at rest and with the tool lifted</legend>
+      {outputs.map(({ number, name }) => {
+        const on = station?.outputs.includes(number) === true;
+        return (
+          <button
+            key={number}
+            type="button"
+            role="switch"
+            aria-checked={on}
+            className={css.output}
+            disabled={!reached || reason !== null}
+            title={reason ?? undefined}
+            onClick={() =>
+              void operate(machine.name, `${name} ${on ? "off" : "on"}`, {
+                operation: "switch",
+                output: number,
+                on: !on,
+              })
+            }
+            data-testid={`output-${number}`}
+          >
+            <span>
+              {name}
+              <small>Output {number}</small>
+            </span>
+            <b>{on ? "On" : "Off"}</b>
+          </button>
+        );
+      })}
+    </fieldset>
+  );
+}

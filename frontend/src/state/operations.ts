@@ -1,0 +1,123 @@
+/**
+ * Actions of the person at a machine, each with what becomes of it.
+ *
+ * They do not wait for one another, so that a stop is never behind something else.
+ */
+
+import { create } from "zustand";
+import {
+  type Job,
+  type JobCommand,
+  type OperationRequest,
+  ServiceError,
+  service,
+} from "../api/client";
+import { renderHint, renderText } from "../messages/render";
+import { queries, queryClient, upsertJob } from "./queries";
+import { type Outcome, outcomeOf } from "./station";
+
+interface Outcomes {
+  /** The last action of the person; null before the first. */
+  readonly last: Outcome | null;
+  /** Number of actions so far: an older action does not replace the report of a newer one. */
+  readonly count: number;
+  begin(label: string): number;
+  report(number: number, outcome: Outcome): void;
+}
+
+export const useOutcomes = create<Outcomes>()((set, get) => ({
+  last: null,
+  count: 0,
+  begin: (label) => {
+    const count = get().count + 1;
+    set({ count, last: { label, state: "asked", text: "", hint: "" } });
+    return count;
+  },
+  report: (number, last) => {
+    if (number === get().count) set({ last });
+  },
+}));
+
+const sleep = (milliseconds: number): Promise<void> =>
+  new Promise((resolve) => setTimeout(resolve, milliseconds));
+
+/** Time between two questions for the result of an operation (ms), early and later. */
+const SOON = 150;
+const LATER = 600;
+/** Time (ms) after which an operation is asked for less often. */
+const EARLY = 4000;
+/** Time (s) in which a machine carries out a command of a job, or something is wrong. */
+const PROMPT = 3;
+
+/** A failure as an outcome: what the server refused, or that nothing arrived. */
+function failureOf(label: string, cause: unknown): Outcome {
+  if (!(cause instanceof ServiceError)) throw cause;
+  const { problem } = cause;
+  return { label, state: "refused", text: renderText(problem), hint: renderHint(problem) };
+}
+
+/** Ask for an operation, and follow it until it is done, refused or expired. */
+export async function operate(
+  machine: string,
+  label: string,
+  request: OperationRequest,
+): Promise<Outcome> {
+  const { begin, report } = useOutcomes.getState();
+  const number = begin(label);
+  const began = Date.now();
+  let outcome: Outcome;
+  try {
+    let operation = await service.operate(machine, request);
+    outcome = outcomeOf(label, operation);
+    report(number, outcome);
+    while (outcome.state === "taken") {
+      await sleep(Date.now() - began < EARLY ? SOON : LATER);
+      operation = await service.operation(machine, operation.id);
+      outcome = outcomeOf(label, operation);
+    }
+  } catch (cause) {
+    outcome = failureOf(label, cause);
+  }
+  report(number, outcome);
+  return outcome;
+}
+
+/** Whether the machine has carried out a command of a job. */
+export function isCarriedOut(word: JobCommand, job: Job): boolean {
+  if (job.requested_action !== "") return false;
+  if (word === "hold") return job.state !== "running";
+  if (word === "resume") return job.state !== "held";
+  if (word === "confirm") return job.waiting_for === "" && job.state !== "queued";
+  return job.state !== "running" && job.state !== "held";
+}
+
+/** Commands that start motion: they are sent once and given up rather than sent late. */
+const STARTS: ReadonlySet<JobCommand> = new Set(["confirm", "resume"]);
+
+/** Send a command of a job, and follow it until the machine has carried it out. */
+export async function commandJob(job: string, label: string, word: JobCommand): Promise<void> {
+  const { begin, report } = useOutcomes.getState();
+  const number = begin(label);
+  try {
+    const send = STARTS.has(word) ? service.commandNow : service.command;
+    upsertJob(await send(job, word));
+    report(number, { label, state: "taken", text: "", hint: "" });
+    const began = Date.now();
+    for (;;) {
+      const now = queryClient.getQueryData(queries.job(job).queryKey);
+      if (now === undefined || isCarriedOut(word, now)) break;
+      if (Date.now() - began > PROMPT * 1000) {
+        report(number, {
+          label,
+          state: "taken",
+          text: `The machine has not reacted for ${PROMPT} s.`,
+          hint: STARTS.has(word) ? "" : "If it must stop now, press its emergency stop.",
+        });
+      }
+      await sleep(SOON);
+    }
+    report(number, { label, state: "done", text: "", hint: "" });
+  } catch (cause) {
+    report(number, failureOf(label, cause));
+  }
+}

@@ -1,0 +1,131 @@
+import { describe, expect, test } from "vitest";
+import type { Job, Machine, Station } from "../api/client";
+import { jogDistance, jogFeed, moves, reasonAgainst, stopOf, titleOf } from "./station";
+
+const axis = (low: number, high: number, velocity: number) => ({ low, high, velocity });
+const MACHINE = {
+  travel_z: 20,
+  axes: {
+    x: axis(0, 1000, 500),
+    y: axis(-5, 800, 20),
+    z: axis(-5, 60, 100),
+    c: axis(-360, 360, 90),
+  },
+} as unknown as Machine;
+
+const station = (part: Partial<Station>): Station => ({
+  machine: "table",
+  gateway: "gw",
+  connected: true,
+  state: "idle",
+  alarm: null,
+  position: [10, 10, 20, 0],
+  outputs: [],
+  operations: ["unlock", "home", "jog", "stop_jog", "zero", "park", "switch"],
+  job: "",
+  seen_seconds_ago: 0.1,
+  ...part,
+});
+const ALARM = { code: "stored.text", arguments: {}, text: "limit", hint: "" } as Station["alarm"];
+
+const job = (part: Partial<Job>): Job =>
+  ({
+    id: "j",
+    state: "running",
+    actions: [],
+    waiting_for: "",
+    requested_action: "",
+    ...part,
+  }) as Job;
+
+describe("title", () => {
+  test("an alarm comes before the state of the job", () => {
+    expect(titleOf(station({ alarm: ALARM }), job({})).title).toBe("Alarm");
+  });
+  test("a job on the table comes before the state of the controller", () => {
+    expect(titleOf(station({ state: "run" }), job({ state: "held" })).title).toBe("Paused");
+  });
+  test("a finished job leaves the state of the controller", () => {
+    expect(titleOf(station({ state: "jog" }), job({ state: "done" })).title).toBe("Moving by hand");
+  });
+  test("a silent gateway is not at rest", () => {
+    expect(titleOf(station({ gateway: "", state: "" }), undefined).title).toBe(
+      "Machine not connected",
+    );
+  });
+});
+
+describe("stop", () => {
+  test("a running job is stopped at once", () => {
+    expect(stopOf(station({ state: "run" }), job({ actions: ["cancel"] }))).toEqual({
+      act: "cancel",
+      asks: false,
+    });
+  });
+  test.each(["held", "queued"] as const)("a job that is %s and at rest is asked about", (state) => {
+    const waiting = job({ state, actions: ["cancel"], waiting_for: "confirmation" });
+    expect(stopOf(station({}), waiting)).toEqual({ act: "cancel", asks: true });
+  });
+  test("a held job is stopped at once while the machine still moves", () => {
+    const held = job({ state: "held", actions: ["cancel"] });
+    expect(stopOf(station({ state: "run" }), held)?.asks).toBe(false);
+    expect(stopOf(station({}), { ...held, requested_action: "resume" })?.asks).toBe(false);
+  });
+  test("a jog is stopped, and a machine at rest is not", () => {
+    expect(stopOf(station({ state: "jog" }), undefined)).toEqual({ act: "stop_jog", asks: false });
+    expect(stopOf(station({}), undefined)).toBeNull();
+  });
+  test("a job between two sheets does not move", () => {
+    expect(moves(station({}), job({ waiting_for: "sheet" }))).toBe(false);
+  });
+});
+
+describe("reason against an operation", () => {
+  const why = (part: Partial<Station>, operation: Parameters<typeof reasonAgainst>[0]) =>
+    reasonAgainst(operation, station(part), MACHINE, undefined);
+
+  test("none at rest", () => {
+    expect(why({}, "jog")).toBeNull();
+    expect(why({}, "park")).toBeNull();
+  });
+  test("a job runs or is held", () => {
+    expect(reasonAgainst("home", station({}), MACHINE, job({}))).toMatch(/A job runs/);
+    expect(reasonAgainst("home", station({}), MACHINE, job({ state: "held" }))).toMatch(/is held/);
+  });
+  test("an alarm leaves homing and unlocking", () => {
+    expect(why({ alarm: ALARM, state: "alarm" }, "jog")).toMatch(/alarm locks/);
+    expect(why({ alarm: ALARM, state: "alarm" }, "home")).toBeNull();
+    expect(why({ alarm: ALARM, state: "alarm" }, "unlock")).toBeNull();
+    expect(why({}, "unlock")).toMatch(/no alarm/);
+  });
+  test("a lowered tool moves up only", () => {
+    const down = station({ position: [10, 10, 3, 0] });
+    expect(reasonAgainst("jog", down, MACHINE, undefined, "X")).toMatch(/Raise Z to 20/);
+    expect(reasonAgainst("jog", down, MACHINE, undefined, "Z")).toBeNull();
+    expect(reasonAgainst("switch", down, MACHINE, undefined)).toMatch(/Raise Z/);
+  });
+  test("a moving machine takes only the end of a jog", () => {
+    expect(why({ state: "jog" }, "park")).toMatch(/moves/);
+    expect(why({ state: "jog" }, "stop_jog")).toBeNull();
+  });
+  test("what the controller cannot do", () => {
+    expect(why({ operations: ["jog"] }, "home")).toMatch(/cannot do this/);
+  });
+});
+
+describe("jog", () => {
+  test("ends inside the travel", () => {
+    expect(jogDistance(MACHINE, [995, 0, 0, 0], "X", 10)).toBeCloseTo(5);
+    expect(jogDistance(MACHINE, [1000, 0, 0, 0], "X", 10)).toBe(0);
+    expect(jogDistance(MACHINE, [1000, 0, 0, 0], "X", -10)).toBe(-10);
+    expect(jogDistance(MACHINE, [0, 0, 0, 0], "Y", -10)).toBe(-5);
+  });
+  test("from beyond the travel only leads back", () => {
+    expect(jogDistance(MACHINE, [1010, 0, 0, 0], "X", 5)).toBe(0);
+    expect(jogDistance(MACHINE, [1010, 0, 0, 0], "X", -5)).toBe(-10);
+  });
+  test("is not faster than its axis", () => {
+    expect(jogFeed(MACHINE, "X")).toBe(3000);
+    expect(jogFeed(MACHINE, "Y")).toBe(1200);
+  });
+});

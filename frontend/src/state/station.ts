@@ -1,0 +1,183 @@
+/** The person at a machine: what is on its table, what may be asked of it, and why not. */
+
+import type { Job, Machine, Operation, OperationRequest, Station } from "../api/client";
+import { renderText } from "../messages/render";
+import { isFinal, isOnTable, needsOperator, stateStyleOf } from "./jobs";
+
+export type Tone = "grey" | "blue" | "green" | "amber" | "red";
+
+export interface StationTitle {
+  readonly title: string;
+  readonly tone: Tone;
+}
+
+export const AXES = ["X", "Y", "Z", "C"] as const;
+export type Axis = (typeof AXES)[number];
+export type OperationName = OperationRequest["operation"];
+
+const STATES: Readonly<Record<Station["state"], StationTitle>> = {
+  "": { title: "Controller not connected", tone: "grey" },
+  idle: { title: "At rest", tone: "green" },
+  run: { title: "Moving", tone: "blue" },
+  hold: { title: "Held", tone: "amber" },
+  jog: { title: "Moving by hand", tone: "blue" },
+  home: { title: "Homing", tone: "blue" },
+  check: { title: "Checking a program", tone: "blue" },
+  door: { title: "Safety door open", tone: "red" },
+  alarm: { title: "Alarm", tone: "red" },
+  busy: { title: "Busy", tone: "blue" },
+};
+
+/** A job that is or was on the table decides what the page shows; a final one only informs. */
+const occupies = (job: Job | undefined): job is Job => job !== undefined && !isFinal(job);
+
+/** The one title that a person reads from two metres away. */
+export function titleOf(station: Station | undefined, job: Job | undefined): StationTitle {
+  if (station === undefined) return { title: "Connecting", tone: "grey" };
+  if (station.gateway === "") return { title: "Machine not connected", tone: "grey" };
+  if (station.alarm !== null) return { title: "Alarm", tone: "red" };
+  if (!station.connected) return { title: "Controller not connected", tone: "red" };
+  if (occupies(job) && (isOnTable(job) || needsOperator(job) || job.state === "interrupted")) {
+    return stateStyleOf(job);
+  }
+  return STATES[station.state];
+}
+
+const MOVING: ReadonlySet<Station["state"]> = new Set(["run", "jog", "home"]);
+
+/** Whether the machine moves, or may move at any moment. */
+export function moves(station: Station | undefined, job: Job | undefined): boolean {
+  return (
+    MOVING.has(station?.state ?? "") ||
+    (job?.state === "running" && job.waiting_for === "") ||
+    // Taken, but not carried out yet.
+    job?.requested_action === "resume"
+  );
+}
+
+/** What the Stop button does now; null if there is nothing to stop. */
+export interface Stop {
+  readonly act: "cancel" | "stop_jog";
+  /** Whether a question comes first. A moving machine is stopped at once. */
+  readonly asks: boolean;
+}
+
+export function stopOf(station: Station | undefined, job: Job | undefined): Stop | null {
+  if (job?.actions.includes("cancel") && (isOnTable(job) || needsOperator(job)))
+    return { act: "cancel", asks: !moves(station, job) };
+  if (station?.state === "jog" && station.operations.includes("stop_jog"))
+    return { act: "stop_jog", asks: false };
+  return null;
+}
+
+/** Heights may be this much below the lift (mm): rounding of reports. */
+const ROUNDING = 0.01;
+
+/** Height from which the head may move across the board (mm). */
+const liftOf = ({ travel_z, axes }: Machine): number =>
+  Math.min(travel_z, axes.z?.high ?? travel_z);
+
+const isLifted = (station: Station, machine: Machine): boolean =>
+  station.position !== null && station.position[2] >= liftOf(machine) - ROUNDING;
+
+/**
+ * Why an operation cannot be asked for now; null if it can.
+ *
+ * The server and the gateway check again: this only saves the person a refusal.
+ */
+export function reasonAgainst(
+  operation: OperationName,
+  station: Station | undefined,
+  machine: Machine,
+  job: Job | undefined,
+  axis?: Axis,
+): string | null {
+  if (station === undefined) return "The state of the machine is not known yet.";
+  if (station.gateway === "") return "The machine is not connected.";
+  if (!station.connected) return "The controller of the machine is not connected.";
+  if (job !== undefined && isOnTable(job)) {
+    return job.state === "held"
+      ? "A job is held on this machine. Resume or stop it first."
+      : "A job runs on this machine. Wait until it has ended, or stop it.";
+  }
+  if (!station.operations.includes(operation))
+    return "The controller of this machine cannot do this.";
+  if (operation === "unlock") return station.alarm === null ? "There is no alarm." : null;
+  if (operation === "home") return null;
+  if (station.alarm !== null) return "An alarm locks the machine. Home it, or unlock it, first.";
+  if (operation === "stop_jog") return null;
+  if (station.state !== "idle") return "The machine moves. Wait until it is at rest.";
+  const acrossBoard = operation === "switch" || (operation === "jog" && axis !== "Z");
+  if (acrossBoard && !isLifted(station, machine))
+    return `The tool is down. Raise Z to ${liftOf(machine)} mm first.`;
+  return null;
+}
+
+/** Lowest and highest position of an axis; null if the machine does not state them. */
+export function travelOf(machine: Machine, axis: Axis): readonly [number, number] | null {
+  const { low, high } = machine.axes[axis.toLowerCase()] ?? {};
+  return low === undefined || high === undefined ? null : [low, high];
+}
+
+/** A jog of one axis, shortened so that it ends inside the travel; 0 at its limit. */
+export function jogDistance(
+  machine: Machine,
+  position: Station["position"],
+  axis: Axis,
+  wanted: number,
+): number {
+  const travel = travelOf(machine, axis);
+  if (travel === null || position === null) return wanted;
+  const here = position[AXES.indexOf(axis)] ?? 0;
+  const target = Math.min(Math.max(here + wanted, travel[0]), travel[1]);
+  // A position outside the travel is not made worse, and only jogs back to it.
+  const distance = target - here;
+  return Math.abs(distance) < ROUNDING || distance * wanted < 0 ? 0 : distance;
+}
+
+/** Speeds of jogs (mm/min, degrees/min): slow enough to watch the tool. */
+const JOG_FEED: Readonly<Record<Axis, number>> = { X: 3000, Y: 3000, Z: 600, C: 3600 };
+
+export function jogFeed(machine: Machine, axis: Axis): number {
+  const fastest = machine.axes[axis.toLowerCase()]?.velocity;
+  return fastest === undefined ? JOG_FEED[axis] : Math.min(JOG_FEED[axis], fastest * 60);
+}
+
+/** Outputs of the machine that a person may switch, with the station that each lowers. */
+export function outputsOf(machine: Machine): readonly { number: number; name: string }[] {
+  const found = machine.stations.filter(({ output }) => output >= 0);
+  return found.map(({ output, name }) => ({ number: output, name }));
+}
+
+/** An action of the person, and what has become of it. */
+export interface Outcome {
+  readonly label: string;
+  /** asked: on its way to the server. taken: the server has it, the machine not yet. */
+  readonly state: "asked" | "taken" | "done" | "refused" | "expired";
+  readonly text: string;
+  readonly hint: string;
+}
+
+export const OUTCOME_TITLES: Readonly<Record<Outcome["state"], string>> = {
+  asked: "sending",
+  taken: "taken, the machine is told",
+  done: "done",
+  refused: "refused",
+  expired: "expired, nothing was done",
+};
+
+export const OUTCOME_TONES: Readonly<Record<Outcome["state"], Tone>> = {
+  asked: "grey",
+  taken: "blue",
+  done: "green",
+  refused: "red",
+  expired: "amber",
+};
+
+/** What has become of an operation of which the server has told the state. */
+export const outcomeOf = (label: string, { state, message }: Operation): Outcome => ({
+  label,
+  state: state === "waiting" ? "taken" : state,
+  text: message === null ? "" : renderText(message),
+  hint: "",
+});
