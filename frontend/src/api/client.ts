@@ -46,12 +46,14 @@ export type ProfileDraft = Schemas["ProfileIn"];
 export type Preview = Schemas["PreviewOut"];
 export type Proposal = Schemas["ProposalOut"];
 export type ReportGroup = Schemas["ReportGroup"];
+export type RestChoice = Schemas["RestIn"];
 export type Retyped = Schemas["ChangeOut"];
 export type Rule = Schemas["RuleOut"];
 export type Queue = Schemas["QueueOut"];
 export type Question = Schemas["QuestionOut"];
 export type Sheet = Schemas["Sheet"];
 export type ServiceStatus = Schemas["ServiceOut"];
+export type Track = Schemas["TrackOut"];
 export type Unit = NonNullable<Drawing["unit"]>;
 export type Verdict = Schemas["VerdictOut"];
 export type VerdictSummary = Schemas["VerdictSummary"];
@@ -211,6 +213,10 @@ export const service = {
   /** A command that starts motion: it is sent once, and never late. */
   commandNow: (id: string, command: JobCommand): Promise<Job> =>
     dataOf(api.POST(`/api/jobs/{id}/${command}`, { params: byId(id), ...nowOrNever() })),
+  tracks: (id: string, signal?: AbortSignal): Promise<readonly Track[]> =>
+    dataOf(api.GET("/api/jobs/{id}/tracks", { params: byId(id), ...uncached(signal) })),
+  continueJob: (id: string, choice: RestChoice): Promise<Job> =>
+    dataOf(api.POST("/api/jobs/{id}/rest", { params: byId(id), body: choice })),
   accept: (id: string, exceptions: Exceptions): Promise<Job> =>
     dataOf(api.POST("/api/jobs/{id}/exceptions", { params: byId(id), body: exceptions })),
   earlierExceptions: (id: string, signal?: AbortSignal): Promise<EarlierExceptions | null> =>

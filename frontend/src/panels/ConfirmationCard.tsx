@@ -20,6 +20,7 @@ const CHECKS: Readonly<Record<string, string>> = {
 
 function buttonOf(job: Job): string {
   if (job.waiting_for === "sheet") return "New sheet is on the table: start next copy";
+  if (job.is_rest && job.state === "queued") return "Sheet is in place: continue cutting";
   return job.state === "queued" ? "Table is ready: start machine" : "Table is ready: continue job";
 }
 

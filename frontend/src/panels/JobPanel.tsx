@@ -27,6 +27,7 @@ import {
   STATE_STYLES,
 } from "../state/jobs";
 import { useEdges, useJob } from "../state/queries";
+import { canContinue } from "../state/rest";
 import { rowsOfHandles } from "../state/rows";
 import { SHOWN_STAGES, stageProgress } from "../state/stages";
 import { useUiStore } from "../state/store";
@@ -34,6 +35,7 @@ import { ConfirmationCard } from "./ConfirmationCard";
 import { ConfirmDialog } from "./ConfirmDialog";
 import jobCss from "./job.module.css";
 import css from "./panels.module.css";
+import { RestPanel } from "./RestPanel";
 import { Section } from "./Section";
 import { StateBadge } from "./StateBadge";
 import { VerdictCard } from "./VerdictCard";
@@ -51,6 +53,7 @@ export function JobPanel() {
         {isOnTable(job) && <Running job={job} />}
         <Outcome job={job} />
         <Controls job={job} />
+        {canContinue(job) && <Rest key={job.id} job={job} />}
         <VerdictCard job={job} />
         {hasProgram(job) && (
           <Button
@@ -69,6 +72,19 @@ export function JobPanel() {
         )}
       </div>
     </Section>
+  );
+}
+
+/** Where another job continues; open at once where a sheet lies half cut on the table. */
+function Rest({ job }: { job: Job }) {
+  const [open, setOpen] = useState(job.state === "interrupted");
+  return (
+    <details open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
+      <summary className={jobCss.summary} data-testid="rest-open">
+        Rest of the sheet, or one more copy
+      </summary>
+      {open && <RestPanel job={job} />}
+    </details>
   );
 }
 

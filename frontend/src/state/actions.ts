@@ -5,6 +5,7 @@ import {
   type JobCommand,
   type Profile,
   pageProblem,
+  type RestChoice,
   ServiceError,
   service,
   type Unit,
@@ -216,6 +217,15 @@ export function acceptShortfalls(job: string, exceptions: Exceptions): Promise<v
         queryClient.invalidateQueries({ queryKey: query(job).queryKey }),
       ),
     );
+  });
+}
+
+/** Order a job that makes the rest of a sheet, or the whole program again, and open it. */
+export function continueJob(job: string, choice: RestChoice): Promise<void> {
+  return enqueue(async () => {
+    const rest = await service.continueJob(job, choice);
+    upsertJob(rest);
+    useUiStore.getState().openJob(rest.id);
   });
 }
 

@@ -93,6 +93,15 @@ export const queries = {
       staleTime: Number.POSITIVE_INFINITY,
       structuralSharing: false,
     }),
+  /** Tracks and their states; the states belong to the last executed line of the job. */
+  tracks: (id: string, line: number) =>
+    queryOptions({
+      queryKey: ["tracks", id, line],
+      queryFn: ({ signal }) => service.tracks(id, signal),
+      staleTime: Number.POSITIVE_INFINITY,
+      // Programs of older versions have no tracks; a retry would not help.
+      retry: false,
+    }),
   status: () =>
     queryOptions({
       queryKey: ["service"],
@@ -166,6 +175,12 @@ export function useLearned(wanted: boolean) {
   const id = useUiStore((ui) => ui.drawing);
   return useQuery({ ...queries.learned(id ?? ""), enabled: id !== null && wanted });
 }
+
+/** Tracks of the program of a job. */
+export const useTracks = (job: Job) => useQuery(queries.tracks(job.id, job.line));
+
+/** Tool path of any job, which need not be open. */
+export const useToolpathOf = (id: string) => useQuery(queries.toolpath(id));
 
 /** The open job. */
 export function useJob() {

@@ -1,0 +1,235 @@
+/** Chooses where another job continues a sheet: in a picture of the tracks, or in their list. */
+
+import { Button, Checkbox, SegmentedControl } from "@mantine/core";
+import { IconPlayerTrackNext } from "@tabler/icons-react";
+import { type KeyboardEvent, useMemo, useState } from "react";
+import type { Job, Track } from "../api/client";
+import type { Toolpath } from "../geometry/records";
+import { continueJob } from "../state/actions";
+import { pluralize } from "../state/format";
+import { useToolpathOf, useTracks } from "../state/queries";
+import {
+  chosenTracks,
+  proposedTrack,
+  type RestMode,
+  restChoice,
+  trackNumbers,
+  trackOutlines,
+  unconfirmedTracks,
+  workBox,
+} from "../state/rest";
+import { useUiStore } from "../state/store";
+import css from "./rest.module.css";
+
+const MODES: readonly { value: RestMode; label: string }[] = [
+  { value: "from", label: "Continue from here" },
+  { value: "tool", label: "Only this tool" },
+  { value: "whole", label: "One more copy" },
+];
+
+const STATES: Readonly<Record<Track["state"], string>> = {
+  cut: "cut",
+  begun: "begun",
+  uncut: "not cut",
+};
+
+/** The tracks of a job's program; the user chooses those that a new job makes, and orders it. */
+export function RestPanel({ job }: { job: Job }) {
+  const { data: tracks, error } = useTracks(job);
+  const { data: toolpath } = useToolpathOf(job.id);
+  const busy = useUiStore((ui) => ui.busy);
+  const [mode, setMode] = useState<RestMode>("from");
+  const [picked, setPicked] = useState<number | null>(null);
+  const [made, setMade] = useState(false);
+  if (error !== null) return <div className={css.note}>{error.message}</div>;
+  if (tracks === undefined || tracks.length === 0) return null;
+  const first = picked ?? proposedTrack(tracks);
+  const chosen = chosenTracks(tracks, mode, first);
+  const unconfirmed = mode === "whole" ? [] : unconfirmedTracks(tracks, mode, first);
+  const pick = (number: number) => {
+    setPicked(number);
+    setMade(false);
+    if (mode === "whole") setMode("from");
+  };
+  return (
+    <div className={css.rest} data-testid="rest">
+      {toolpath !== undefined && (
+        <TrackPicture tracks={tracks} toolpath={toolpath} chosen={chosen} onPick={pick} />
+      )}
+      <Legend />
+      <TrackList tracks={tracks} chosen={chosen} first={first} job={job} onPick={pick} />
+      <SegmentedControl
+        fullWidth
+        size="md"
+        classNames={{ label: css.mode ?? "" }}
+        data={[...MODES]}
+        value={mode}
+        onChange={(value) => {
+          setMode(value as RestMode);
+          setMade(false);
+        }}
+        data-testid="rest-mode"
+      />
+      <div className={css.note} role="status" data-testid="rest-summary">
+        {summaryOf(tracks, chosen, mode)}
+      </div>
+      {unconfirmed.length > 0 && (
+        <Checkbox
+          checked={made}
+          onChange={(event) => setMade(event.currentTarget.checked)}
+          label={`I have checked on the sheet: ${pluralize(unconfirmed.length, "track")} left out (${trackNumbers(unconfirmed)}) ${unconfirmed.length === 1 ? "is" : "are"} completely made`}
+          data-testid="rest-made"
+        />
+      )}
+      <Button
+        size="md"
+        leftSection={<IconPlayerTrackNext size={16} aria-hidden />}
+        disabled={busy || (unconfirmed.length > 0 && !made)}
+        onClick={() => void continueJob(job.id, restChoice(tracks, mode, first, made))}
+        data-testid="rest-order"
+      >
+        {mode === "whole" ? "Queue one more copy" : `Queue ${pluralize(chosen.length, "track")}`}
+      </Button>
+    </div>
+  );
+}
+
+function summaryOf(tracks: readonly Track[], chosen: readonly Track[], mode: RestMode): string {
+  if (mode === "whole") {
+    return "Clear the table. A new job makes the whole program again on a new sheet.";
+  }
+  const again = chosen.filter(({ state }) => state === "cut");
+  const begun = chosen.filter(({ state }) => state === "begun");
+  const parts = [
+    `Leave the sheet in its place. A new job makes ${chosen.length} of ${pluralize(tracks.length, "track")}: ${trackNumbers(chosen)}.`,
+  ];
+  if (begun.length > 0) parts.push("The track that was begun is made again from its start.");
+  if (again.length > 0) {
+    parts.push(
+      `${pluralize(again.length, "track")} reported as cut will be made again: ${trackNumbers(again)}.`,
+    );
+  }
+  return parts.join(" ");
+}
+
+interface PictureProps {
+  readonly tracks: readonly Track[];
+  readonly toolpath: Toolpath;
+  /** Tracks that the new job makes. */
+  readonly chosen: readonly Track[];
+  readonly onPick: (number: number) => void;
+}
+
+/** Picture of the tracks on the sheet, in different strokes for cut, begun and uncut. */
+export function TrackPicture({ tracks, toolpath, chosen, onPick }: PictureProps) {
+  const outlines = useMemo(() => trackOutlines(toolpath, tracks), [toolpath, tracks]);
+  const box = useMemo(() => workBox(tracks, toolpath), [toolpath, tracks]);
+  const marked = new Set(chosen);
+  const margin = 0.04 * Math.max(box.width, box.height);
+  const view = [
+    box.x - margin,
+    -(box.y + box.height) - margin,
+    box.width + 2 * margin,
+    box.height + 2 * margin,
+  ];
+  return (
+    <svg
+      className={css.picture}
+      viewBox={view.join(" ")}
+      aria-label="Tracks of the program on the sheet"
+      data-testid="rest-picture"
+    >
+      <g transform="scale(1 -1)">
+        {tracks.map((track, index) => (
+          <path
+            key={track.number}
+            d={outlines[index]}
+            className={css.track}
+            data-state={track.state}
+            data-chosen={marked.has(track)}
+          />
+        ))}
+        {tracks.map((track, index) => (
+          // biome-ignore lint/a11y/noStaticElementInteractions: the list below is the keyboard's way
+          <path
+            key={track.number}
+            d={outlines[index]}
+            className={css.target}
+            onClick={() => onPick(track.number)}
+            data-track={track.number}
+          >
+            <title>{`Track ${track.number}, station ${track.station}, ${STATES[track.state]}`}</title>
+          </path>
+        ))}
+      </g>
+    </svg>
+  );
+}
+
+function Legend() {
+  return (
+    <div className={css.legend} aria-hidden>
+      {(["cut", "begun", "uncut"] as const).map((state) => (
+        <span key={state}>
+          <svg width="26" height="8" viewBox="0 0 26 8" aria-hidden="true">
+            <path d="M1 4H25" className={css.track} data-state={state} />
+          </svg>
+          {STATES[state]}
+        </span>
+      ))}
+      <span>
+        <svg width="26" height="8" viewBox="0 0 26 8" aria-hidden="true">
+          <path d="M1 4H25" className={css.track} data-chosen="true" />
+        </svg>
+        will be made
+      </span>
+    </div>
+  );
+}
+
+interface ListProps {
+  readonly tracks: readonly Track[];
+  readonly chosen: readonly Track[];
+  readonly first: number;
+  readonly job: Job;
+  readonly onPick: (number: number) => void;
+}
+
+/** List of the tracks; the chosen one is where the new job begins. */
+function TrackList({ tracks, chosen, first, job, onPick }: ListProps) {
+  const marked = new Set(chosen);
+  const tools = new Map(job.tools.map(({ station, name }) => [station, name]));
+  const move = (event: KeyboardEvent, number: number) => {
+    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    if (step === undefined || tracks[number - 1 + step] === undefined) return;
+    event.preventDefault();
+    onPick(number + step);
+    const item = event.currentTarget.parentElement;
+    const next = step > 0 ? item?.nextElementSibling : item?.previousElementSibling;
+    next?.querySelector("button")?.focus();
+  };
+  return (
+    <ol className={css.list} data-testid="rest-list">
+      {tracks.map((track) => (
+        <li key={track.number}>
+          <button
+            type="button"
+            className={css.row}
+            aria-pressed={track.number === first}
+            data-chosen={marked.has(track)}
+            onClick={() => onPick(track.number)}
+            onKeyDown={(event) => move(event, track.number)}
+            data-testid="rest-track"
+          >
+            <span>{track.number}</span>
+            <span>{tools.get(track.station) ?? `Station ${track.station}`}</span>
+            <span className={css.lines}>
+              lines {track.first_line} – {track.last_line}
+            </span>
+            <span data-state={track.state}>{STATES[track.state]}</span>
+          </button>
+        </li>
+      ))}
+    </ol>
+  );
+}
