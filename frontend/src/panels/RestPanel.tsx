@@ -2,7 +2,7 @@
 
 import { Button, Checkbox, SegmentedControl } from "@mantine/core";
 import { IconPlayerTrackNext } from "@tabler/icons-react";
-import { type KeyboardEvent, useMemo, useState } from "react";
+import { type KeyboardEvent, useEffect, useMemo, useRef, useState } from "react";
 import type { Job, Track } from "../api/client";
 import type { Toolpath } from "../geometry/records";
 import { continueJob } from "../state/actions";
@@ -60,7 +60,7 @@ export function RestPanel({ job }: { job: Job }) {
       <TrackList tracks={tracks} chosen={chosen} first={first} job={job} onPick={pick} />
       <SegmentedControl
         fullWidth
-        size="md"
+        size="sm"
         classNames={{ label: css.mode ?? "" }}
         data={[...MODES]}
         value={mode}
@@ -197,6 +197,17 @@ interface ListProps {
 
 /** List of the tracks; the chosen one is where the new job begins. */
 function TrackList({ tracks, chosen, first, job, onPick }: ListProps) {
+  const list = useRef<HTMLOListElement>(null);
+  // The list alone is scrolled: the picture must stay where it was clicked.
+  useEffect(() => {
+    const row = list.current?.children[first - 1];
+    if (!(row instanceof HTMLElement) || list.current === null) return;
+    const { offsetTop, offsetHeight } = row;
+    const { scrollTop, clientHeight } = list.current;
+    if (offsetTop < scrollTop || offsetTop + offsetHeight > scrollTop + clientHeight) {
+      list.current.scrollTop = offsetTop - (clientHeight - offsetHeight) / 2;
+    }
+  }, [first]);
   const marked = new Set(chosen);
   const tools = new Map(job.tools.map(({ station, name }) => [station, name]));
   const move = (event: KeyboardEvent, number: number) => {
@@ -209,7 +220,7 @@ function TrackList({ tracks, chosen, first, job, onPick }: ListProps) {
     next?.querySelector("button")?.focus();
   };
   return (
-    <ol className={css.list} data-testid="rest-list">
+    <ol ref={list} className={css.list} data-testid="rest-list">
       {tracks.map((track) => (
         <li key={track.number}>
           <button
