@@ -83,6 +83,23 @@ class Machine:
         """Return X, Y, Z and C of the joints, (4,)."""
         return np.array(self.get("joint_pos").split()[:4], float)
 
+    @property
+    def address(self) -> str:
+        """HOST:PORT of the remote shell."""
+        host, port = self.socket.getpeername()
+        return f"{host}:{port}"
+
+    def pin(self, name: str) -> bool:
+        """Return the value of a HAL pin, such as ``motion.digital-out-01``."""
+        command = ["halcmd", "getp", name]
+        if os.geteuid() == 0:
+            command = ["runuser", "-u", "nobody", "--", *command]
+        return subprocess.check_output(command, text=True, timeout=10).strip() == "TRUE"
+
+    def lowered(self) -> list[int]:
+        """Return the digital outputs that are on; the configuration has 8."""
+        return [output for output in range(8) if self.pin(f"motion.digital-out-{output:02}")]
+
     def run(self, program: bytes, seconds: float = 60.0) -> np.ndarray:
         """Run a program to its end; return the sampled positions of the joints, (n, 4)."""
         path = self.directory / "program.ngc"
@@ -171,6 +188,8 @@ def _stop(process: subprocess.Popen[bytes], machine: Machine | None, port: int) 
                 last.sendall(b"hello EMC x 1.0\r\nset enable EMCTOO\r\nshutdown\r\n")
                 time.sleep(1.0)
         else:
+            # A gateway may have taken the permission to send commands.
+            machine.send("set enable EMCTOO")
             machine.send("shutdown")
     except OSError:
         pass

@@ -33,6 +33,7 @@ import httpx
 
 from knifetip.errors import ControllerError, KnifetipError
 from knifetip.gateway.controller import Controller, SafeState, State
+from knifetip.gateway.interpreter import tool_offsets
 from knifetip.gateway.job_run import (
     JobCancelled,
     JobEnd,
@@ -264,6 +265,7 @@ class _GatewayLoop:
             text,
             controller,
             limits=Limits.of(self._settings.machine),
+            tools=tool_offsets(self._settings.machine),
             check=copy == 0,
             interval=min(self._settings.beat / 2.0, 0.1),
         )

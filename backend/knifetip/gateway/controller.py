@@ -1,7 +1,8 @@
 """controller: interface of a controller that receives program lines and sends status reports.
 
 ``Controller`` is a connected controller; ``Driver`` is a function that connects to one.  There is a
-``Driver`` for each controller language whose programs can be sent line by line, such as grbl's.
+``Driver`` for each controller language whose programs a controller can execute under supervision.
+A controller is either a ``LineController`` or a ``ProgramController``.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 from knifetip.errors import ControllerError
 from knifetip.gateway.motion import Pose
@@ -41,7 +42,8 @@ class Status:
     number: int = 0  #: N word of the line being executed, 0 if not reported
     free: int | None = None  #: free blocks of the planner, None if not reported
     feed: float = 0.0  #: mm/min
-    sent: int = 0  #: lines of programs sent since the controller was opened
+    #: lines of programs that the machine may have begun since the controller was opened
+    sent: int = 0
     located: bool = True  #: the work offset is known, so the position is reliable
 
 
@@ -92,6 +94,9 @@ class Observer(Protocol):
 
 class Controller(Protocol):
     """Interface of a connected controller of one machine.
+
+    These are the methods that all controllers have.  How a program gets to the machine is defined
+    by ``LineController`` and ``ProgramController``.
 
     The first failure (alarm, reset, silence, lost connection or refused line) is kept in ``fault``.
     Until ``stop`` or ``open`` has brought the machine into its safe state, all methods that use the
@@ -153,32 +158,6 @@ class Controller(Protocol):
         """
         ...
 
-    async def send(self, line: bytes, number: int) -> None:
-        """Send a program line as soon as the receive buffer of the controller has room for it.
-
-        Parameters
-        ----------
-        line
-            Text of the program line, without newline.
-        number
-            Number of the program line, from 1, for error messages.
-        """
-        ...
-
-    async def drain(self) -> None:
-        """Wait until the controller has answered every line that was sent."""
-        ...
-
-    async def settle(self) -> Status:
-        """Wait until the machine is at rest and all lines are answered; return the last status.
-
-        Raises
-        ------
-        ControllerError
-            The controller has failed, or has sent an answer that belongs to no line.
-        """
-        ...
-
     async def status(self) -> Status:
         """Request a status report and return it."""
         ...
@@ -212,6 +191,52 @@ class Controller(Protocol):
 
     async def close(self) -> None:
         """Close the connection to the controller; nothing is sent to the machine."""
+        ...
+
+
+@runtime_checkable
+class LineController(Controller, Protocol):
+    """Interface of a ``Controller`` that receives a program line by line, such as grbl."""
+
+    async def send(self, line: bytes, number: int) -> None:
+        """Send a program line as soon as the receive buffer of the controller has room for it.
+
+        Parameters
+        ----------
+        line
+            Text of the program line, without newline.
+        number
+            Number of the program line, from 1, for error messages.
+        """
+        ...
+
+    async def drain(self) -> None:
+        """Wait until the controller has answered every line that was sent."""
+        ...
+
+    async def settle(self) -> Status:
+        """Wait until the machine is at rest and all lines are answered; return the last status.
+
+        Raises
+        ------
+        ControllerError
+            The controller has failed, or has sent an answer that belongs to no line.
+        """
+        ...
+
+
+@runtime_checkable
+class ProgramController(Controller, Protocol):
+    """Interface of a ``Controller`` that runs whole programs by itself, such as LinuxCNC."""
+
+    async def run(self, text: bytes) -> Status:
+        """Run a program; return the status of the machine at rest after its end.
+
+        Raises
+        ------
+        ControllerError
+            The controller has failed, or the machine has stopped before the end of the program.
+        """
         ...
 
 

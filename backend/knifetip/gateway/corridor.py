@@ -16,6 +16,7 @@ from __future__ import annotations
 import math
 import re
 from collections import deque
+from collections.abc import Mapping
 
 from knifetip.errors import ControllerError
 from knifetip.gateway.controller import State, Status
@@ -51,11 +52,19 @@ class Corridor:
     capacity
         Number of blocks that the planner of the controller can hold; if None, ``PLANNER`` blocks
         are assumed.
+    tools
+        Offset of each tool, by its number (see ``Interpreter``).
     """
 
-    def __init__(self, text: bytes, start: Status, capacity: int | None) -> None:
+    def __init__(
+        self,
+        text: bytes,
+        start: Status,
+        capacity: int | None,
+        tools: Mapping[int, Pose] | None = None,
+    ) -> None:
         self._lines = lines_of(text)
-        self._interpreter = Interpreter(start.position)
+        self._interpreter = Interpreter(start.position, tools)
         self._base = start.sent
         self._held = (capacity or PLANNER) + MARGIN
         self._moves: deque[tuple[int, Move]] = deque()

@@ -1,7 +1,10 @@
-"""interpreter: the effect of one line of G-code, in the dialect that grblHAL understands.
+"""interpreter: the effect of one line of G-code, in the dialect of grblHAL or of LinuxCNC.
 
 For example ``b"G2 X10 Y0 I5 J0 C-90 F1200"`` becomes a ``Block`` with a ``Move``.  A line that the
 controller refuses raises ``LineRefused`` with grbl's error number.
+
+LinuxCNC adds the offset of the selected tool to the programmed positions (``T2 M6 G43``).  Programs
+for grblHAL contain the offsets already.  In both cases the moves are those of the axes.
 
 The simulated table executes the blocks.  For a real machine, the gateway checks whether the
 reported positions are on the moves of the blocks.
@@ -11,9 +14,11 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from knifetip.gateway.motion import Move, Pose
+from knifetip.model.machine import Machine
 
 #: End point and start point of an arc may differ in radius by this (mm), or a thousandth of it.
 ROUND = 0.005
@@ -45,6 +50,26 @@ _GROUP: dict[tuple[str, float], str] = {
     **{("M", code): "coolant" for code in (7.0, 8.0, 9.0)},
     **{("M", code): "output" for code in (62.0, 63.0, 64.0, 65.0)},
 }
+
+# The same with the commands that only LinuxCNC understands.
+_LINUXCNC_GROUP: dict[tuple[str, float], str] = {
+    **_GROUP,
+    ("G", 43.0): "length",
+    **{("G", code): "path" for code in (61.0, 61.1, 64.0)},
+    ("M", 6.0): "change",
+}
+
+#: Letters of the words that are not commands.
+_LETTERS = "XYZACFIJKNPST"
+#: No tool offset.
+_NONE: Pose = (0.0, 0.0, 0.0, 0.0)
+
+
+def tool_offsets(machine: Machine) -> dict[int, Pose]:
+    """Return the offset that LinuxCNC's tool table contains for each station, by its number."""
+    return {
+        station.number: (station.x, station.y, station.z, station.c) for station in machine.stations
+    }
 
 
 class LineRefused(Exception):
@@ -91,9 +116,25 @@ def switches_output(line: bytes) -> bool:
 
 
 class Interpreter:
-    """Interprets the program lines of a controller one by one, and keeps its modal state."""
+    """Interprets the program lines of a controller one by one, and keeps its modal state.
 
-    def __init__(self, position: Pose = (0.0, 0.0, 0.0, 0.0)) -> None:
+    Parameters
+    ----------
+    position
+        Present position of the axes.
+    tools
+        Offset of each tool, by its number; None for the dialect of grblHAL, which has no tool
+        table.
+    """
+
+    def __init__(
+        self,
+        position: Pose = (0.0, 0.0, 0.0, 0.0),
+        tools: Mapping[int, Pose] | None = None,
+    ) -> None:
+        self._tools = tools
+        self._groups = _GROUP if tools is None else _LINUXCNC_GROUP
+        self._letters = _LETTERS if tools is None else _LETTERS + "Q"
         self.reset(position)
 
     def reset(self, position: Pose) -> None:
@@ -110,6 +151,8 @@ class Interpreter:
         self._inches = False
         self._relative = False
         self._inverse = False
+        self._tool = 0
+        self._offset = _NONE
 
     def read(self, line: bytes) -> Block:
         """Return the effect of a program line, and change the modal state accordingly.
@@ -122,10 +165,10 @@ class Interpreter:
         text = strip_comments(line)
         if not text or text == b"%":
             return EMPTY_BLOCK
-        words, commands = _split(text)
+        words, commands = _split(text, self._letters)
         groups = {}
         for command in commands:
-            group = _GROUP.get(command)
+            group = self._groups.get(command)
             if group is None:
                 raise LineRefused(20)
             if group in groups:
@@ -138,6 +181,7 @@ class Interpreter:
         scale = 25.4 if inches else 1.0
         number = int(words.pop("N", 0.0))
         words.pop("S", None)
+        tool, offset = self._read_tool(words, groups)
         feed = words.pop("F", None)
         if feed is not None and feed < 0.0:
             raise LineRefused(4)
@@ -150,7 +194,7 @@ class Interpreter:
         else:
             modal_feed = self.feed if feed is None else feed
         move = None
-        target = self._target(words, scale, relative)
+        target = self._target(words, scale, offset, relative)
         if target is not None:
             if dwell is not None:
                 raise LineRefused(24)
@@ -165,6 +209,7 @@ class Interpreter:
             raise LineRefused(36)
         self._inches, self._relative, self._inverse = inches, relative, inverse
         self._motion, self.feed = motion, modal_feed
+        self._tool, self._offset = tool, offset
         if move is not None:
             self.position = move.end
         program = groups.get("program")
@@ -181,7 +226,35 @@ class Interpreter:
             end=program in (2.0, 30.0),
         )
 
-    def _target(self, words: dict[str, float], scale: float, relative: bool) -> Pose | None:
+    def _read_tool(self, words: dict[str, float], groups: dict[str, float]) -> tuple[int, Pose]:
+        """Return number and offset of the tool after a line for LinuxCNC.
+
+        Removes the words of the tool and of the path tolerance from ``words``.
+
+        Parameters
+        ----------
+        words
+            Number in each word of the line, by letter.
+        groups
+            Number of the command in each modal group of the line.
+        """
+        if self._tools is None:
+            return 0, _NONE
+        tool = int(words.pop("T", self._tool))
+        if groups.get("path") == 64.0:
+            words.pop("P", None)
+            words.pop("Q", None)
+        if "length" not in groups:
+            return tool, self._offset
+        if groups["length"] == 49.0:
+            return tool, _NONE
+        if tool not in self._tools:
+            raise LineRefused(36)
+        return tool, self._tools[tool]
+
+    def _target(
+        self, words: dict[str, float], scale: float, offset: Pose, relative: bool
+    ) -> Pose | None:
         """Return the pose at the end of a line, None if the line has no axis words.
 
         Removes the axis words from ``words``.
@@ -192,6 +265,8 @@ class Interpreter:
             Number in each word of the line, by letter.
         scale
             Millimetres per length unit of the program: 1 or 25.4.
+        offset
+            Offset of the tool, which is added to the axis words.
         relative
             Whether the axis words are distances from the present position (G91).
         """
@@ -202,7 +277,7 @@ class Interpreter:
         for letter in named:
             axis = _AXES[letter]
             value = words.pop(letter) * (scale if axis < 3 else 1.0)
-            pose[axis] = pose[axis] + value if relative else value
+            pose[axis] = pose[axis] + value if relative else value + offset[axis]
         return pose[0], pose[1], pose[2], pose[3]
 
     def _move(
@@ -243,7 +318,7 @@ class Interpreter:
         return Move(start, target, centre=centre, sweep=sweep, rate=rate, minutes=minutes)
 
 
-def _split(text: bytes) -> tuple[dict[str, float], list[tuple[str, float]]]:
+def _split(text: bytes, letters: str) -> tuple[dict[str, float], list[tuple[str, float]]]:
     """Split a program line into its words, and return the words in two groups.
 
     A word is a letter with a number, such as ``X10.5`` or ``G1``.
@@ -252,6 +327,8 @@ def _split(text: bytes) -> tuple[dict[str, float], list[tuple[str, float]]]:
     ----------
     text
         The line without comments and blanks, in capital letters.
+    letters
+        Letters of the words that are not commands.
 
     Returns
     -------
@@ -278,7 +355,7 @@ def _split(text: bytes) -> tuple[dict[str, float], list[tuple[str, float]]]:
         at = match.end()
         if letter in "GM":
             commands.append((letter, value))
-        elif letter in "XYZACFIJKNPST":
+        elif letter in letters:
             if letter in words or (letter in "AC" and ("A" in words or "C" in words)):
                 raise LineRefused(25)
             words[letter] = value

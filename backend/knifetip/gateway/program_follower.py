@@ -17,7 +17,7 @@ stored, so memory does not grow with the program.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from knifetip.gateway.controller import Status
@@ -49,7 +49,11 @@ class _Line:
     seconds: float
 
 
-def blocks_of(text: bytes, start: Pose = (0.0, 0.0, 0.0, 0.0)) -> Iterator[Block]:
+def blocks_of(
+    text: bytes,
+    start: Pose = (0.0, 0.0, 0.0, 0.0),
+    tools: Mapping[int, Pose] | None = None,
+) -> Iterator[Block]:
     """Yield the effect of each line of a program; an empty block for a line that is refused.
 
     Parameters
@@ -58,8 +62,10 @@ def blocks_of(text: bytes, start: Pose = (0.0, 0.0, 0.0, 0.0)) -> Iterator[Block
         The program.
     start
         Pose of the axes before the first line.
+    tools
+        Offset of each tool, by its number (see ``Interpreter``).
     """
-    interpreter = Interpreter(start)
+    interpreter = Interpreter(start, tools)
     for line in lines_of(text):
         try:
             yield interpreter.read(line)
@@ -83,10 +89,18 @@ class ProgramFollower:
         Limits of the axes, from which the nominal durations of the lines are computed.
     start
         Pose at the start of the program.
+    tools
+        Offset of each tool, by its number (see ``Interpreter``).
     """
 
-    def __init__(self, text: bytes, limits: Limits, start: Pose = (0.0, 0.0, 0.0, 0.0)) -> None:
-        self._blocks = blocks_of(text, start)
+    def __init__(
+        self,
+        text: bytes,
+        limits: Limits,
+        start: Pose = (0.0, 0.0, 0.0, 0.0),
+        tools: Mapping[int, Pose] | None = None,
+    ) -> None:
+        self._blocks = blocks_of(text, start, tools)
         self._limits = limits
         self._window: deque[_Line] = (
             deque()

@@ -15,11 +15,17 @@ from __future__ import annotations
 import asyncio
 import logging
 import math
-from collections.abc import AsyncGenerator
+from collections.abc import AsyncGenerator, Mapping
 from dataclasses import dataclass
 
 from knifetip.errors import ControllerAlarm, ControllerError
-from knifetip.gateway.controller import Controller, State, Status
+from knifetip.gateway.controller import (
+    Controller,
+    LineController,
+    ProgramController,
+    State,
+    Status,
+)
 from knifetip.gateway.corridor import Corridor
 from knifetip.gateway.interpreter import switches_output
 from knifetip.gateway.motion import Limits, Pose
@@ -60,6 +66,7 @@ async def stream(
     controller: Controller,
     *,
     limits: Limits = TYPICAL,
+    tools: Mapping[int, Pose] | None = None,
     check: bool = True,
     interval: float = 0.1,
 ) -> AsyncGenerator[Progress, None]:
@@ -73,6 +80,9 @@ async def stream(
         Open and idle controller.
     limits
         Limits of the axes, to estimate the remaining time.
+    tools
+        Offset of each tool in the tool table of the controller, by its number; None for a
+        controller without tool table.
     check
         Whether the controller first parses the whole program without motion.
     interval
@@ -99,9 +109,9 @@ async def stream(
         raise ControllerError(
             "controller.not-ready", name=controller.name, state=status.state.value
         )
-    lines, total = await _measure(text, limits, status.position)
-    follower = ProgramFollower(text, limits, status.position)
-    corridor = Corridor(text, status, controller.capacity)
+    lines, total = await _measure(text, limits, status.position, tools)
+    follower = ProgramFollower(text, limits, status.position, tools)
+    corridor = Corridor(text, status, controller.capacity, tools)
     clock = _Clock(total)
     base = status
     controller.observer = corridor
@@ -209,7 +219,9 @@ def _progress_message(executed: int, sent: int, lines: int) -> Message:
     return Message("run.in-buffer", executed=executed, lines=lines, rest=rest)
 
 
-async def _measure(text: bytes, limits: Limits, start: Pose) -> tuple[int, float]:
+async def _measure(
+    text: bytes, limits: Limits, start: Pose, tools: Mapping[int, Pose] | None
+) -> tuple[int, float]:
     """Return the number of lines of a program and its nominal duration (s).
 
     Gives other tasks a turn after every ``TURN`` lines.
@@ -222,9 +234,11 @@ async def _measure(text: bytes, limits: Limits, start: Pose) -> tuple[int, float
         Limits of the axes.
     start
         Pose at the start of the program.
+    tools
+        Offset of each tool, by its number.
     """
     lines, total = 0, 0.0
-    for block in blocks_of(text, start):
+    for block in blocks_of(text, start, tools):
         lines += 1
         total += seconds_of(block, limits)
         if lines % TURN == 0:
@@ -235,6 +249,10 @@ async def _measure(text: bytes, limits: Limits, start: Pose) -> tuple[int, float
 async def _feed(text: bytes, controller: Controller, corridor: Corridor, check: bool) -> None:
     if check:
         await controller.check(lines_of(text))
+    if isinstance(controller, ProgramController):
+        corridor.check_rest(await controller.run(text))
+        return
+    assert isinstance(controller, LineController)
     for number, line in enumerate(lines_of(text), 1):
         if switches_output(line):
             # grblHAL switches an output when it reads M64 or M65, even while axes move.

@@ -1,7 +1,6 @@
 """linuxcnc: the language record of the dialect of RS274/NGC that LinuxCNC reads."""
 
 from knifetip.languages.language import Language
-from knifetip.messages import Message
 
 LANGUAGE = Language(
     name="linuxcnc",
@@ -10,7 +9,7 @@ LANGUAGE = Language(
     emitter="knifetip.post.rs274.linuxcnc:emit",
     reader="knifetip.verification.reading.rs274.reader:READER",
     timing="knifetip.sequencing.linuxcnc:halts",
-    no_driver=Message("language.open-in-linuxcnc"),
+    driver="knifetip.gateway.linuxcnc.driver:dial",
     linear_axes="XYZUVW",
     rotary_axes="ABC",
 )

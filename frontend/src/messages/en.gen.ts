@@ -2411,10 +2411,6 @@ export const TEXTS = {
     "text": "{path} is not allowed, because {language} has no settings",
     "hint": "Remove the section [controller]."
   },
-  "language.open-in-linuxcnc": {
-    "text": "Download the program and open it in LinuxCNC.",
-    "hint": ""
-  },
   "language.unknown": {
     "text": "The controller language {name!r} does not exist.",
     "hint": "Choose one of {known:, }."
@@ -2454,6 +2450,70 @@ export const TEXTS = {
   "lift.not-stated": {
     "text": "The machine file of {machine} does not state turn_clearance, so the least lift is not known.",
     "hint": "Choose the lift to the clearance of the machine, or set turn_clearance in the machine file, for example to 0.5 mm for board that lies flat."
+  },
+  "linuxcnc.bad-address": {
+    "text": "{address!r} is not the address of a LinuxCNC.",
+    "hint": "Write HOST:PORT, or linuxcnc://HOST:PORT/?OPTION=VALUE&OPTION=VALUE with the options {options:, }; values have no blanks."
+  },
+  "linuxcnc.cause": {
+    "text": ": {texts:; }",
+    "hint": ""
+  },
+  "linuxcnc.estop": {
+    "text": "LinuxCNC at {name} is in emergency stop.",
+    "hint": "Check the table, release the emergency stop button, then press Unlock, or reset the emergency stop and switch the machine on in LinuxCNC."
+  },
+  "linuxcnc.folder-not-writable": {
+    "text": "The program file for LinuxCNC cannot be written to the folder {folder} ({reason}).",
+    "hint": "Create the folder, and permit the user of the gateway to write to it."
+  },
+  "linuxcnc.lost": {
+    "text": "The connection to LinuxCNC at {name} is lost. LinuxCNC may still execute its program.",
+    "hint": "Keep clear of the table until the machine has stopped, or press the emergency stop button. Then check that LinuxCNC and linuxcncrsh run."
+  },
+  "linuxcnc.machine-off": {
+    "text": "The machine of LinuxCNC at {name} is switched off.",
+    "hint": "Check the table, then press Unlock, or switch the machine on in LinuxCNC."
+  },
+  "linuxcnc.not-at-rest": {
+    "text": "The machine of LinuxCNC at {name} has not come to rest within {seconds:g} s.",
+    "hint": "Press the emergency stop button if the machine still moves, then check the table."
+  },
+  "linuxcnc.not-begun": {
+    "text": "LinuxCNC at {name} has not begun the program within {seconds:g} s.",
+    "hint": "Look for a message of LinuxCNC at the machine, then try again."
+  },
+  "linuxcnc.not-homed": {
+    "text": "The machine of LinuxCNC at {name} is not homed (joints {joints:, }).",
+    "hint": "Check that the table is clear, then press Home, or home all joints in LinuxCNC."
+  },
+  "linuxcnc.not-secured": {
+    "text": "The tool was not lifted and the stations were not raised. {cause}",
+    "hint": "{cause:hint}"
+  },
+  "linuxcnc.program-not-opened": {
+    "text": "LinuxCNC at {name} cannot open the program file {path}{cause}.",
+    "hint": "If LinuxCNC runs on another computer, share a folder with it and give its path on both computers: linuxcnc://HOST:PORT/?programs=FOLDER&remote=FOLDER_THERE. The user of LinuxCNC must be able to read it."
+  },
+  "linuxcnc.refused": {
+    "text": "LinuxCNC at {name} refused the command {command!r}{cause}.",
+    "hint": "Check the table and LinuxCNC, then try again."
+  },
+  "linuxcnc.rejected-in-check": {
+    "text": "LinuxCNC at {name} refused the program before anything moved{cause}.",
+    "hint": "If a tool is missing, write the tool table of the machine (knifetip machine NAME --tool-table) to LinuxCNC. Otherwise compile the job again for this controller."
+  },
+  "linuxcnc.silent": {
+    "text": "LinuxCNC at {name} has not responded for {seconds:g} s. It may still execute its program.",
+    "hint": "Keep clear of the table until the machine has stopped, or press the emergency stop button. Then check that LinuxCNC and linuxcncrsh run."
+  },
+  "linuxcnc.stopped": {
+    "text": "LinuxCNC at {name} reported an error near program line {line}{cause}.",
+    "hint": "Check the table and the board before the next job."
+  },
+  "linuxcnc.wrong-password": {
+    "text": "linuxcncrsh at {name} refused the password of the option {option}.",
+    "hint": "Give the passwords of linuxcncrsh in the address: linuxcnc://HOST:PORT/?password=CONNECTPW&enable=ENABLEPW."
   },
   "machine.busy": {
     "text": "Job {job} already occupies the table of {machine}.",

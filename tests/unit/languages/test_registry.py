@@ -41,8 +41,8 @@ def test_an_unknown_name_is_refused_with_the_known_ones() -> None:
 
 
 def test_a_language_without_a_driver_has_a_hint_instead() -> None:
-    with pytest.raises(ControllerError, match=r"LinuxCNC.*Download the program"):
-        find_language("linuxcnc").load_driver(load.machine("demo-table"))
+    with pytest.raises(ControllerError, match=r"HPGL.*Download the program"):
+        find_language("hpgl").load_driver(load.machine("demo-table"))
 
 
 def test_a_machine_with_an_unknown_language_is_refused_when_it_is_read(tmp_path: Path) -> None:
@@ -143,7 +143,7 @@ def test_reading_a_record_does_not_import_its_components() -> None:
 
 
 def test_no_other_package_names_a_language() -> None:
-    own = {"languages", "rs274", "hpgl", "grbl", "linuxcnc.py"}
+    own = {"languages", "rs274", "hpgl", "grbl", "linuxcnc", "linuxcnc.py"}
     package = ROOM.parent
     for file in package.rglob("*.py"):
         if own & set(file.relative_to(package).parts):

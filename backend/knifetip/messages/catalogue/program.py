@@ -252,7 +252,6 @@ MESSAGES: Final[Entries] = {
         path="text",
         language="text",
     ),
-    "language.open-in-linuxcnc": entry("Download the program and open it in LinuxCNC."),
     "language.unknown": entry(
         "The controller language {name!r} does not exist.",
         "Choose one of {known:, }.",

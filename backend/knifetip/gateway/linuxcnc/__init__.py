@@ -1,0 +1,1 @@
+"""linuxcnc: the driver of LinuxCNC, which runs programs through the remote shell linuxcncrsh."""

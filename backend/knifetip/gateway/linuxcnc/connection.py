@@ -1,0 +1,285 @@
+"""connection: a connected LinuxCNC, its status reports and its fault.
+
+A report is composed of several variables, which are requested one after another.  The position is
+requested before the program line, so it never lies on a line after the reported one.
+
+The shell answers from its own copy of the status.  It does so even after the task controller of
+LinuxCNC has died.  If nothing changes while a program runs, a harmless command is therefore sent,
+which only the task controller can confirm.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Iterable
+from contextlib import suppress
+from dataclasses import dataclass
+
+from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected
+from knifetip.gateway.controller import Observer, State, Status
+from knifetip.gateway.linuxcnc.address import LinuxcncAddress
+from knifetip.gateway.linuxcnc.remote_shell import RemoteShell
+from knifetip.gateway.motion import Pose
+from knifetip.messages import Message
+
+#: Time between two reports while no program runs (s).
+WATCH = 0.5
+#: Time without any change after which the task controller must confirm a command (s).
+_UNCHANGED = 0.5
+#: Indices of X, Y, Z and C in the positions of linuxcncrsh: X Y Z A B C, and later U V W.
+_AXES = (0, 1, 2, 5)
+#: Least time between two positions that are compared (s); LinuxCNC updates them every 1 ms.
+_APART = 0.01
+#: Change of a position that counts as motion (mm or degrees): positions have 6 decimals.
+_MOTION = 2e-6
+
+
+@dataclass(slots=True)
+class RunningProgram:
+    """The program that LinuxCNC executes or checks."""
+
+    before: int  #: lines of earlier programs
+    lines: int
+    checking: bool = False  #: LinuxCNC only parses it
+    line: int = 0  #: line being executed, from 1; 0 if it is not known
+    first: int | None = None  #: line in the first report of the running program
+
+    def update(self, line: int) -> None:
+        """Store the line of a report of the running program.
+
+        Until LinuxCNC executes its first line, it reports a line of the last program.  A line is
+        therefore not known before it differs from the first report.
+        """
+        if self.first is None:
+            self.first = line
+        if self.line > 0 or line != self.first:
+            self.line = min(line, self.lines)
+
+
+class LinuxcncConnection:
+    """A connection to LinuxCNC, with its fault and its last status report.
+
+    Parameters
+    ----------
+    address
+        Address of the LinuxCNC.
+    silence
+        Seconds after which LinuxCNC counts as silent if a request has no reply.
+    """
+
+    def __init__(self, address: LinuxcncAddress, silence: float) -> None:
+        self.shell = RemoteShell(address, silence)
+        self.silence = silence
+        self.fault: ControllerError | None = None
+        self.observer: Observer | None = None
+        self.recovering = False  #: reports are not compared with a program and set no fault
+        self.program: RunningProgram | None = None
+        self.executed = 0  #: lines of the programs that have ended
+        self.sent = 0  #: lines of all programs that LinuxCNC has begun to execute
+        self.status: Status | None = None  #: last report
+        self.alarm: Message | None = None  #: why the last report has the state ``ALARM``
+        self._joints = address.joints
+        self._changed = 0.0
+        self._reference: tuple[float, Pose] | None = None  # time and position of an earlier report
+        self._still = False
+        self._watching: asyncio.Task[None] | None = None
+
+    @property
+    def name(self) -> str:
+        """Host and port, for messages."""
+        return self.shell.name
+
+    # -- opening and closing ----------------------------------------------------------------------
+
+    async def open(self) -> None:
+        """Connect to LinuxCNC; do nothing else."""
+        await self.shell.open()
+        await self.shell.messages()  # of earlier programs
+        if self._watching is None:
+            self._watching = asyncio.create_task(self._watch(), name="linuxcnc watch")
+
+    async def reach(self) -> None:
+        """Clear the recorded fault; reconnect if the connection is lost.
+
+        Raises
+        ------
+        ControllerError
+            LinuxCNC cannot be reached.
+        """
+        if self.shell.connected:
+            await self.shell.enable()  # another client may have taken the permission
+        else:
+            await self.open()
+        await self.shell.messages()
+        self.fault = None
+
+    async def close(self) -> None:
+        """Close the connection; LinuxCNC continues with what it does."""
+        watching, self._watching = self._watching, None
+        if watching is not None:
+            watching.cancel()
+            await asyncio.gather(watching, return_exceptions=True)
+        await self.shell.close()
+
+    async def _watch(self) -> None:
+        """Request a report from time to time, so that failures are noticed also between jobs."""
+        while True:
+            await asyncio.sleep(WATCH)
+            if self.shell.connected and not self.recovering:
+                with suppress(ControllerError):
+                    await self.report()
+
+    # -- status reports ---------------------------------------------------------------------------
+
+    async def report(self) -> Status:
+        """Request a status report and return it.
+
+        A failure that the report shows is recorded as the fault.
+
+        Raises
+        ------
+        ControllerError
+            The connection is lost, or LinuxCNC is silent; this is recorded as the fault, too.
+        """
+        try:
+            status = await self._read_status()
+            if status.state is State.RUN:
+                await self._require_task_controller(status)
+            # Messages about other commands are read where the command was sent.
+            runs = self.program is not None and not self.program.checking
+            messages = await self.shell.messages() if runs else []
+        except ControllerError as error:
+            raise self.fail(error) from None
+        self.status = status
+        if not self.recovering:
+            self._check(status, messages)
+        return status
+
+    def fail(self, error: ControllerError) -> ControllerError:
+        """Record an error as the fault, unless there is a fault already; return the fault."""
+        if self.fault is None:
+            self.fault = error
+        return self.fault
+
+    def raise_fault(self) -> None:
+        """Raise the fault if there is one."""
+        if self.fault is not None:
+            raise self.fault
+
+    async def _read_status(self) -> Status:
+        get, program = self.shell.get, self.program
+        activity = await get("program_status")
+        values = (await get("rel_act_pos")).split()
+        x, y, z, c = (float(values[index]) for index in _AXES)
+        position: Pose = (x, y, z, c)
+        if program is not None and activity != "IDLE":
+            program.update(int(await get("program_line")))
+        self.alarm = await self._read_alarm()
+        still = self._compare(position)
+        if self.alarm is not None:
+            state = State.ALARM
+        elif activity == "PAUSED":
+            state = State.HOLD
+        elif activity == "RUNNING":
+            state = State.CHECK if self._checks() else State.RUN
+            if program is None and await get("mode") != "AUTO":
+                state = State.JOG
+        else:
+            state = State.IDLE if still else State.JOG
+        done = self.executed if program is None or program.checking else program.before
+        begun = 0 if program is None or program.checking else program.line
+        located = program is None or program.checking or program.line > 0
+        return Status(
+            state, position, done + begun, still, free=1, sent=done + begun, located=located
+        )
+
+    def _compare(self, position: Pose) -> bool:
+        """Return whether no axis has moved since an earlier report, at least ``_APART`` ago."""
+        now = asyncio.get_running_loop().time()
+        if self._reference is None:
+            self._reference = now, position
+        elif now - self._reference[0] >= _APART:
+            self._still = _is_near(self._reference[1], position)
+            self._reference = now, position
+        return self._still
+
+    async def _read_alarm(self) -> Message | None:
+        """Return why LinuxCNC cannot move the machine; None if it can."""
+        get = self.shell.get
+        if await get("estop") != "OFF":
+            return Message("linuxcnc.estop", name=self.name)
+        if await get("machine") != "ON":
+            return Message("linuxcnc.machine-off", name=self.name)
+        homed = (await get("joint_homed")).split()[: self._joints]
+        missing = [str(joint) for joint, word in enumerate(homed) if word != "YES"]
+        return Message("linuxcnc.not-homed", name=self.name, joints=missing) if missing else None
+
+    async def _require_task_controller(self, status: Status) -> None:
+        """Raise ``ControllerSilent`` if nothing changes because the task controller has died."""
+        now = asyncio.get_running_loop().time()
+        last = self.status
+        if last is None or not status.still or last.acknowledged != status.acknowledged:
+            self._changed = now
+        elif now - self._changed > _UNCHANGED:
+            self._changed = now
+            await self.shell.set(f"optional_stop {await self.shell.get('optional_stop')}")
+
+    def _checks(self) -> bool:
+        return self.program is not None and self.program.checking
+
+    def _check(self, status: Status, messages: list[str]) -> None:
+        """Record a fault if a report shows an alarm, an error, or a position off the program."""
+        if self.alarm is not None:
+            self.fail(ControllerAlarm(self.alarm))
+        elif messages and self.program is not None:
+            cause = Message("linuxcnc.cause", texts=messages)
+            self.fail(
+                ControllerRejected(
+                    "linuxcnc.stopped", name=self.name, line=self.program.line, cause=cause
+                )
+            )
+        elif (
+            self.observer is not None
+            and self.program is not None
+            and (error := self.observer.observe(status)) is not None
+        ):
+            self.fail(error)
+
+    # -- single commands --------------------------------------------------------------------------
+
+    async def execute(self, lines: Iterable[str], patience: float = 0.0) -> None:
+        """Execute lines of G-code (MDI) one after another; return when the machine is at rest.
+
+        Parameters
+        ----------
+        lines
+            The lines.  If LinuxCNC refuses one of them, the others are executed nevertheless.
+        patience
+            Time until the end of the motion of a line (s), in addition to the limit of silence.
+
+        Raises
+        ------
+        ControllerRejected
+            LinuxCNC refuses lines.
+        ControllerError
+            The connection is lost, LinuxCNC is silent, or a motion has not ended in time.
+        """
+        refusals = []
+        await self.shell.messages()  # about earlier commands
+        await self.shell.set("mode mdi")
+        await self.shell.set("set_wait done")
+        try:
+            for line in lines:
+                try:
+                    await self.shell.set(f"mdi {line}", self.silence + patience)
+                except ControllerRejected as refused:
+                    refusals.append(refused.message)
+        finally:
+            if self.shell.connected:
+                await self.shell.set("set_wait received")
+        if refusals:
+            raise ControllerRejected("controller.refused-safe-state", refusals=refusals)
+
+
+def _is_near(first: Pose, second: Pose) -> bool:
+    return all(abs(a - b) <= _MOTION for a, b in zip(first, second, strict=True))

@@ -1,0 +1,326 @@
+"""driver: runs programs on LinuxCNC through its remote shell, linuxcncrsh.
+
+LinuxCNC runs whole program files.  The driver writes the file, lets LinuxCNC open and run it, and
+follows it by reports of the position and of the program line.  The reported position is that of the
+axes, without the work offset: it contains the offset of the tool.
+
+Every failure raises an error: ``ControllerAlarm`` (emergency stop, machine off, not homed),
+``ControllerRejected`` (an error message of LinuxCNC), ``ControllerSilent`` (no reply) and
+``ControllerError`` (the connection is lost).  Afterwards ``stop`` brings the machine into its safe
+state (``recovery``).  The reasons for this design are in docs/decisions/0071.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Iterable
+
+from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected
+from knifetip.gateway.controller import Observer, SafeState, State, Status
+from knifetip.gateway.linuxcnc import recovery
+from knifetip.gateway.linuxcnc.address import LinuxcncAddress
+from knifetip.gateway.linuxcnc.connection import LinuxcncConnection, RunningProgram
+from knifetip.gateway.linuxcnc.operating import LinuxcncOperations
+from knifetip.gateway.linuxcnc.program_folder import ProgramFolder
+
+#: Longest time until LinuxCNC begins a program (s).
+_START = 2.0
+#: Time until the next report after one that deviates from the program (s).
+_DOUBTFUL = 0.01
+#: Consecutive reports of rest after which a program has ended: an error message may come late.
+_ENDED = 2
+
+
+class Linuxcnc(LinuxcncOperations):
+    """A LinuxCNC; the methods are those of ``ProgramController`` and ``Operable``.
+
+    Parameters
+    ----------
+    address
+        Address of the LinuxCNC.
+    safe
+        Safe state into which ``open`` and ``stop`` bring the machine.  If None, they only end the
+        running program.
+    silence
+        Seconds after which LinuxCNC counts as silent if a request has no reply.
+    poll
+        Time between two reports while a program runs (s).
+    """
+
+    #: Moves that may be executed at the same time: LinuxCNC reports the line that it executes.
+    capacity: int | None = 1
+
+    def __init__(
+        self,
+        address: LinuxcncAddress,
+        *,
+        safe: SafeState | None = None,
+        silence: float = 1.5,
+        poll: float = 0.05,
+    ) -> None:
+        self._connection = LinuxcncConnection(address, silence)
+        self._folder = ProgramFolder(address)
+        self._safe = safe
+        self._poll = poll
+
+    @property
+    def name(self) -> str:
+        """Address of the controller, for messages."""
+        return self._connection.name
+
+    @property
+    def fault(self) -> ControllerError | None:
+        """First failure since the machine was last in its safe state; None if there is none."""
+        return self._connection.fault
+
+    @property
+    def acknowledged(self) -> int:
+        """Number of program lines that LinuxCNC has begun since ``open``."""
+        return 0 if self._connection.status is None else self._connection.status.acknowledged
+
+    @property
+    def sent(self) -> int:
+        """Number of lines of the programs that LinuxCNC has begun since ``open``."""
+        return self._connection.sent
+
+    @property
+    def observer(self) -> Observer | None:
+        """Object that compares each status report with the program; None if no program runs."""
+        return self._connection.observer
+
+    @observer.setter
+    def observer(self, observer: Observer | None) -> None:
+        self._connection.observer = observer
+
+    # -- opening and closing ----------------------------------------------------------------------
+
+    async def open(self, *, stop_motion: bool = False) -> None:
+        """Take control of the machine and bring it into its safe state.
+
+        Parameters
+        ----------
+        stop_motion
+            Whether to stop a machine that executes a program, because it is one of this gateway.
+            If False, such a machine is left as it is, and an error is raised.
+
+        Raises
+        ------
+        ControllerAlarm
+            The machine is off, in emergency stop or not homed; nothing has moved.
+        ControllerError
+            LinuxCNC is busy or does not answer, or refuses to raise Z or to switch an output off.
+        """
+        connection = self._connection
+        await connection.open()
+        # The first report cannot show whether an axis moves.
+        await connection.report()
+        await asyncio.sleep(self._poll)
+        status = await connection.report()
+        connection.raise_fault()
+        if status.state is State.IDLE:
+            await self._secure()
+        elif stop_motion:
+            await self.stop()
+        else:
+            raise ControllerError("controller.busy", name=self.name, state=status.state.value)
+
+    async def close(self) -> None:
+        """Close the connection; LinuxCNC continues with what it does."""
+        await self._connection.close()
+        self._folder.remove()
+        self._connection.fail(ControllerError("controller.closed", name=self.name))
+
+    def lock(self, alarm: ControllerAlarm) -> None:
+        """Record an alarm as the fault of the controller, until ``unlock`` or ``home``."""
+        self._connection.fail(alarm)
+
+    # -- programs ---------------------------------------------------------------------------------
+
+    async def check(self, lines: Iterable[bytes]) -> None:
+        """Let LinuxCNC parse a program without motion (``run -1``).
+
+        Raises
+        ------
+        ControllerRejected
+            LinuxCNC refuses a line; nothing has moved.
+        """
+        connection = self._connection
+        text = b"".join(line + b"\n" for line in lines)
+        await self._open_program(text)
+        connection.program = RunningProgram(connection.executed, 0, checking=True)
+        try:
+            await connection.shell.set("run -1")
+            await self._wait_until_ended()
+            cause = await connection.shell.cause()
+        finally:
+            connection.program = None
+            # The interpreter is at the end of the program; abort takes it back to the machine.
+            if connection.shell.connected:
+                await connection.shell.set("abort")
+        if cause is not None:
+            raise ControllerRejected("linuxcnc.rejected-in-check", name=self.name, cause=cause)
+
+    async def run(self, text: bytes) -> Status:
+        """Run a program; return the status of the machine at rest after its end.
+
+        Raises
+        ------
+        ControllerError
+            LinuxCNC cannot open the program, or the machine has stopped before its end.
+        """
+        connection = self._connection
+        await self._open_program(text)
+        lines = text.count(b"\n")
+        program = RunningProgram(connection.executed, lines)
+        connection.sent += lines
+        connection.program = program
+        await connection.shell.set("run")
+        await self._wait_until_begun()
+        await self._wait_until_ended()
+        connection.executed, connection.program = program.before + lines, None
+        # A program releases everything at its end, but not if another client has aborted it there.
+        if self._safe is not None:
+            await connection.execute(recovery.release_lines(self._safe))
+        return await self.status()
+
+    async def _open_program(self, text: bytes) -> None:
+        """Write a program file and let LinuxCNC open it."""
+        connection = self._connection
+        connection.raise_fault()
+        path = self._folder.write(text)
+        await connection.shell.messages()  # about earlier commands
+        await connection.shell.set("mode auto")
+        await connection.shell.set(f"open {path}")
+        cause = await connection.shell.cause()
+        if cause is not None or await connection.shell.get("program") != path:
+            raise ControllerError(
+                "linuxcnc.program-not-opened", name=self.name, path=path, cause=cause
+            )
+
+    async def _wait_until_begun(self) -> None:
+        clock = asyncio.get_running_loop()
+        deadline = clock.time() + _START
+        while (await self.status()).state is State.IDLE:
+            if clock.time() > deadline:
+                raise self._connection.fail(
+                    ControllerError("linuxcnc.not-begun", name=self.name, seconds=_START)
+                )
+            await asyncio.sleep(self._poll)
+
+    async def _wait_until_ended(self) -> None:
+        idle = 0
+        while idle < _ENDED:
+            status = await self.status()
+            idle = idle + 1 if status.state is State.IDLE else 0
+            doubtful = self.observer is not None and self.observer.doubtful
+            await asyncio.sleep(_DOUBTFUL if doubtful else self._poll)
+
+    async def status(self) -> Status:
+        """Request a status report and return it.
+
+        Raises
+        ------
+        ControllerError
+            The fault of the controller, if it has failed before or now.
+        """
+        self._connection.raise_fault()
+        status = await self._connection.report()
+        self._connection.raise_fault()
+        return status
+
+    async def hold(self) -> None:
+        """Decelerate to a stop from which ``resume`` or ``step`` can continue."""
+        # A pause of an idle LinuxCNC would hold the next program.
+        if (await self.status()).state is State.RUN:
+            await self._connection.shell.set("pause")
+
+    async def resume(self) -> None:
+        """Let the machine continue after a hold."""
+        if (await self.status()).state is State.HOLD:
+            await self._connection.shell.set("resume")
+
+    async def step(self) -> None:
+        """Let the machine execute one program line after a hold, and hold again."""
+        # A step of an idle LinuxCNC would begin the program again.
+        if (await self.status()).state is State.HOLD and self._connection.program is not None:
+            await self._connection.shell.set("step")
+
+    async def stop(self) -> Status:
+        """Discard the rest of the program and bring the machine into its safe state.
+
+        Clears earlier failures; reconnects if the connection is lost.
+
+        Returns
+        -------
+        Status
+            Status of the machine at rest, after Z was raised to its safe height.
+
+        Raises
+        ------
+        ControllerError
+            The machine is off, in emergency stop or not homed, LinuxCNC refuses to raise Z or to
+            switch an output off, or it cannot be reached.
+        """
+        connection = self._connection
+        connection.recovering = True
+        done = False
+        try:
+            status = await recovery.make_safe(connection, self._safe)
+            done = True
+            self._switched_on = frozenset()
+        except ControllerError as unsafe:
+            connection.fault = None  # the present fault matters more than the first one
+            raise connection.fail(unsafe) from None
+        finally:
+            connection.recovering = False
+            if not done:
+                connection.fail(ControllerError("controller.not-recovered", name=self.name))
+        connection.executed = connection.sent
+        return status
+
+    async def _secure(self) -> None:
+        await recovery.secure(self._connection, self._safe)
+        self._switched_on = frozenset()
+
+
+async def dial(
+    address: str,
+    safe: SafeState | None = None,
+    *,
+    stop_motion: bool = False,
+    silence: float = 1.5,
+    poll: float = 0.05,
+) -> Linuxcnc:
+    """Connect to a LinuxCNC, take control of it and bring its machine into the safe state.
+
+    A LinuxCNC that is switched off, in emergency stop or not homed is returned with this alarm as
+    its ``fault``: a person at the machine can then call ``unlock`` or ``home``.
+
+    Parameters
+    ----------
+    address
+        Address of the LinuxCNC (see ``address``).
+    safe
+        Safe state of the machine; if None, the tool is not raised and no output is switched off.
+    stop_motion
+        Whether to stop a machine that executes a program, because it is one of this gateway.  If
+        False, such a machine is left as it is, and an error is raised.
+    silence
+        Seconds after which LinuxCNC counts as silent.
+    poll
+        Time between two reports while a program runs (s).
+
+    Raises
+    ------
+    ControllerError
+        LinuxCNC does not answer or is busy.
+    """
+    controller = Linuxcnc(LinuxcncAddress.of(address), safe=safe, silence=silence, poll=poll)
+    try:
+        await controller.open(stop_motion=stop_motion)
+    except ControllerAlarm as locked:
+        controller.lock(locked)
+    except BaseException:
+        await controller.close()
+        raise
+    return controller

@@ -1,0 +1,140 @@
+"""operating: operations of a person at a machine with LinuxCNC, such as unlock and jog.
+
+- ``unlock`` resets the emergency stop of LinuxCNC and switches the machine on.  LinuxCNC refuses
+  while a button is pressed.
+- ``home`` homes all joints in their order in the INI file.
+- Jogs and the move to the park position are lines of G-code, so that the limits of LinuxCNC hold.
+- ``zero`` is ``G10 L20 P1``: it stores the present position as the zero of G54.
+- ``switch`` is M64 or M65.
+"""
+
+from __future__ import annotations
+
+import asyncio
+
+from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected
+from knifetip.gateway.controller import SafeState, Status
+from knifetip.gateway.linuxcnc import recovery
+from knifetip.gateway.linuxcnc.connection import LinuxcncConnection
+from knifetip.gateway.operations import OperationName
+from knifetip.messages import Message
+
+#: Longest time until all joints are homed (s).
+HOMING_SECONDS = 180.0
+#: Speed of the move to the park position (mm/min).
+PARK_FEED = 6000.0
+#: Time between two reports during homing (s).
+_POLL = 0.1
+
+
+class LinuxcncOperations:
+    """The methods of ``operations.Operable`` for LinuxCNC."""
+
+    _connection: LinuxcncConnection
+    _safe: SafeState | None
+    _switched_on: frozenset[int] = frozenset()
+
+    @property
+    def operations(self) -> frozenset[str]:
+        """Names of the operations that the controller can do: all."""
+        return frozenset(OperationName)
+
+    @property
+    def alarm(self) -> Message | None:
+        """Why LinuxCNC cannot move the machine, with what to do; None if it can."""
+        return self._connection.alarm
+
+    @property
+    def last_status(self) -> Status | None:
+        """Last status report, also after a failure; None if there is none since connecting."""
+        return self._connection.status
+
+    @property
+    def switched_on(self) -> frozenset[int]:
+        """Numbers of the digital outputs that ``switch`` has switched on."""
+        return self._switched_on
+
+    async def unlock(self) -> None:
+        """Reset the emergency stop and switch the machine on.
+
+        If the joints are homed, the tool is then lifted, and all outputs are switched off.
+        """
+        connection = self._connection
+        await connection.reach()
+        connection.recovering = True
+        try:
+            await connection.shell.set("estop off")
+            await connection.shell.set("machine on")
+            await connection.report()
+            if connection.alarm is None:
+                await recovery.secure(connection, self._safe)
+            elif connection.alarm.code != "linuxcnc.not-homed":
+                raise connection.fail(ControllerAlarm(connection.alarm))
+        finally:
+            connection.recovering = False
+        self._switched_on = frozenset()
+
+    async def home(self) -> None:
+        """Home all joints, lift the tool and switch all outputs off."""
+        connection = self._connection
+        await connection.reach()
+        connection.recovering = True
+        try:
+            await connection.shell.messages()  # about earlier commands
+            await connection.shell.set("mode manual")
+            await connection.shell.set("teleop_enable off")
+            await connection.shell.set("home -1")
+            await self._wait_until_homed()
+            await recovery.secure(connection, self._safe)
+        finally:
+            connection.recovering = False
+        self._switched_on = frozenset()
+
+    async def _wait_until_homed(self) -> None:
+        connection, clock = self._connection, asyncio.get_running_loop()
+        deadline = clock.time() + HOMING_SECONDS
+        while clock.time() < deadline:
+            status = await connection.report()
+            if (cause := await connection.shell.cause()) is not None:
+                raise ControllerRejected(
+                    "linuxcnc.refused", name=connection.name, command="home", cause=cause
+                )
+            if connection.alarm is None and status.still:
+                return
+            await asyncio.sleep(_POLL)
+        raise ControllerError("linuxcnc.not-at-rest", name=connection.name, seconds=HOMING_SECONDS)
+
+    async def jog(self, axis: str, distance: float, feed: float) -> None:
+        """Begin to move one axis by a distance (mm or degrees) at a feed (per minute)."""
+        await self._begin(f"G91 G1 {axis}{distance:.4f} F{max(feed, 1.0):.0f}")
+
+    async def stop_jog(self) -> None:
+        """Decelerate the running jog to a stop and discard the rest of it."""
+        await self._connection.shell.set("abort")
+
+    async def zero(self, axes: str) -> None:
+        """Store the present position of axes as their zero in G54."""
+        words = " ".join(f"{axis}0" for axis in axes)
+        await self._connection.execute([recovery.MODES, f"G10 L20 P1 {words}"])
+
+    async def park(self) -> None:
+        """Lift the tool, then begin to move X and Y to the park position of the machine."""
+        await recovery.secure(self._connection, self._safe)
+        self._switched_on = frozenset()
+        if self._safe is not None:
+            x, y = self._safe.park
+            await self._begin(f"G90 G1 X{x:.4f} Y{y:.4f} F{PARK_FEED:.0f}")
+
+    async def switch(self, output: int, on: bool) -> None:
+        """Switch a digital output on or off."""
+        await self._connection.execute([f"M64 P{output}" if on else f"M65 P{output}"])
+        self._switched_on = self._switched_on | {output} if on else self._switched_on - {output}
+
+    async def _begin(self, line: str) -> None:
+        """Begin to execute a line of G-code, in work coordinates without a tool offset."""
+        await self._connection.execute([recovery.MODES])
+        await self._connection.shell.set(f"mdi {line}")
+        if (cause := await self._connection.shell.cause()) is not None:
+            raise ControllerRejected(
+                "linuxcnc.refused", name=self._connection.name, command=line, cause=cause
+            )

@@ -1,0 +1,209 @@
+"""The conversation with LinuxCNC's remote shell, against a fake shell."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from pathlib import Path
+
+import pytest
+
+from knifetip.errors import ControllerAlarm, ControllerError, ControllerSilent
+from knifetip.gateway.controller import SafeState, State
+from knifetip.gateway.interpreter import Interpreter, LineRefused
+from knifetip.gateway.linuxcnc.address import LinuxcncAddress
+from knifetip.gateway.linuxcnc.connection import RunningProgram
+from knifetip.gateway.linuxcnc.driver import Linuxcnc, dial
+
+SAFE = SafeState((0, 2), 20.0)
+
+
+class Shell:
+    """A fake linuxcncrsh with an idle machine that executes Z moves at once."""
+
+    def __init__(self) -> None:
+        self.values = {
+            "estop": "OFF",
+            "machine": "ON",
+            "joint_homed": "YES YES YES YES NO NO",
+            "program_status": "IDLE",
+            "program_line": "0",
+            "rel_act_pos": "1.0 2.0 -0.3 0.0 0.0 45.0",
+            "error": "OK",
+            "mode": "MANUAL",
+        }
+        self.commands: list[str] = []
+        self.deaf = False
+        self.server: asyncio.Server | None = None
+
+    async def serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        while line := (await reader.readline()).decode().strip():
+            if not self.deaf:
+                writer.write(f"{self.reply(line)}\r\n".encode())
+        writer.close()
+
+    def reply(self, line: str) -> str:
+        kind, _, rest = line.partition(" ")
+        if kind == "hello":
+            return "HELLO ACK EMCNETSVR 1.1" if rest.startswith("EMC ") else "HELLO NAK"
+        if kind == "get":
+            return f"{rest.upper()} {self.values[rest]}"
+        self.commands.append(rest)
+        name = rest.split()[0]
+        if name == "echo":
+            return line
+        if name == "mdi" and " Z" in rest:
+            self.values["rel_act_pos"] = "1.0 2.0 20.0 0.0 0.0 45.0"
+        # The line end in front is like that of LinuxCNC after some of its messages.
+        return f"\r\nSET {name.upper()} ACK"
+
+
+@asynccontextmanager
+async def served(shell: Shell) -> AsyncIterator[str]:
+    server = await asyncio.start_server(shell.serve, "127.0.0.1", 0)
+    try:
+        yield f"127.0.0.1:{server.sockets[0].getsockname()[1]}"
+    finally:
+        server.close()
+
+
+@asynccontextmanager
+async def dialled(shell: Shell) -> AsyncIterator[Linuxcnc]:
+    async with served(shell) as address:
+        controller = await dial(address, SAFE, silence=0.3, poll=0.01)
+        try:
+            yield controller
+        finally:
+            await controller.close()
+
+
+async def test_opening_lifts_the_tool_and_switches_every_output_off() -> None:
+    shell = Shell()
+    async with dialled(shell) as controller:
+        status = await controller.status()
+    assert status.state is State.IDLE
+    assert status.position == (1.0, 2.0, 20.0, 45.0)
+    lines = [command for command in shell.commands if command.startswith("mdi")]
+    assert lines[1:] == ["mdi G1 Z20.0000 F6000", "mdi M5", "mdi M65 P0", "mdi M65 P2"]
+
+
+@pytest.mark.parametrize(
+    ("variable", "value", "code"),
+    [
+        ("estop", "ON", "linuxcnc.estop"),
+        ("machine", "OFF", "linuxcnc.machine-off"),
+        ("joint_homed", "YES NO YES YES", "linuxcnc.not-homed"),
+    ],
+)
+async def test_a_machine_that_is_not_ready_is_left_as_it_is(
+    variable: str, value: str, code: str
+) -> None:
+    shell = Shell()
+    shell.values[variable] = value
+    async with dialled(shell) as controller:
+        assert isinstance(controller.fault, ControllerAlarm)
+        assert controller.fault.message.code == code
+        assert controller.fault.hint
+        assert controller.alarm == controller.fault.message
+    # It is neither switched on nor homed nor moved.
+    allowed = {"echo", "verbose", "enable", "set_wait"}
+    assert {command.split()[0] for command in shell.commands} <= allowed
+
+
+async def test_a_busy_machine_is_left_as_it_is() -> None:
+    shell = Shell()
+    shell.values["program_status"] = "RUNNING"
+    with pytest.raises(ControllerError, match="busy"):
+        async with dialled(shell):
+            pass
+    assert "abort" not in shell.commands
+
+
+async def test_silence_is_a_fault_soon() -> None:
+    shell = Shell()
+    async with dialled(shell) as controller:
+        shell.deaf = True
+        with pytest.raises(ControllerSilent):
+            await asyncio.wait_for(controller.status(), 1.0)
+        with pytest.raises(ControllerSilent):
+            await controller.status()
+        shell.deaf = False
+        await controller.stop()
+        assert controller.fault is None
+
+
+async def test_a_cancelled_request_does_not_shift_the_replies() -> None:
+    shell = Shell()
+    async with dialled(shell) as controller:
+        for _ in range(20):
+            asking = asyncio.create_task(controller.status())
+            await asyncio.sleep(0)
+            asking.cancel()
+        assert (await controller.status()).position[0] == 1.0
+
+
+async def test_a_wrong_password_is_reported() -> None:
+    async with served(Shell()) as address:
+        with pytest.raises(ControllerError, match="password"):
+            await dial(f"linuxcnc://{address}/?password=OTHER", SAFE, silence=0.3)
+
+
+def test_the_options_of_an_address_are_read() -> None:
+    assert LinuxcncAddress.of("table").name == "table:5007"
+    address = LinuxcncAddress.of("linuxcnc://table:5008/?programs=/here&remote=/there&joints=5")
+    assert (address.name, address.programs, address.remote) == ("table:5008", "/here", "/there")
+    assert address.joints == 5
+
+
+@pytest.mark.parametrize(
+    "address",
+    [
+        "",
+        "http://table:5007",
+        "linuxcnc://table:port",
+        "linuxcnc://table/?joints=many",
+        "linuxcnc://table/?joints=0",
+        "linuxcnc://table/?programme=/here",
+        "linuxcnc://table/?programs=/a%20folder",
+    ],
+)
+def test_a_bad_address_is_refused(address: str) -> None:
+    with pytest.raises(ControllerError, match="not the address of a LinuxCNC"):
+        LinuxcncAddress.of(address)
+
+
+async def test_a_folder_that_cannot_be_written_is_reported(tmp_path: Path) -> None:
+    async with served(Shell()) as address:
+        missing = tmp_path / "missing"
+        controller = await dial(f"linuxcnc://{address}/?programs={missing}", SAFE, silence=0.3)
+        with pytest.raises(ControllerError, match="cannot be written to the folder"):
+            await controller.check([b"M2"])
+        await controller.close()
+
+
+def test_a_line_of_the_last_program_is_not_taken_for_the_present_one() -> None:
+    program = RunningProgram(0, 50)
+    seen = []
+    for line in (46, 46, 2, 4, 4, 46, 60):
+        program.update(line)
+        seen.append(program.line)
+    assert seen == [0, 0, 2, 4, 4, 46, 50]
+
+
+def test_the_offset_of_the_tool_is_added_from_g43_to_g49() -> None:
+    interpreter = Interpreter(tools={2: (60.0, 0.0, -1.5, 10.0)})
+    ends = []
+    for line in (b"G0 X5 Z20", b"T2 M6 G43", b"G64 P0.005 Q0.005", b"G0 X100", b"G0 C5", b"G49"):
+        if (move := interpreter.read(line).move) is not None:
+            ends.append(move.end)
+    interpreter.read(b"G0 X1")
+    assert ends == [(5.0, 0.0, 20.0, 0.0), (160.0, 0.0, 20.0, 0.0), (160.0, 0.0, 20.0, 15.0)]
+    assert interpreter.position == (1.0, 0.0, 20.0, 15.0)
+
+
+def test_a_tool_without_offset_is_refused_and_grblhal_has_no_tools() -> None:
+    with pytest.raises(LineRefused):
+        Interpreter(tools={2: (0.0, 0.0, 0.0, 0.0)}).read(b"T3 M6 G43")
+    with pytest.raises(LineRefused):
+        Interpreter().read(b"T2 M6 G43")
