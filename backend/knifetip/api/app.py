@@ -19,6 +19,7 @@ from starlette.exceptions import HTTPException
 
 from knifetip import errors
 from knifetip.api import (
+    definitions,
     drawings,
     events,
     gateway,
@@ -139,6 +140,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         machines,
         tools,
         library,
+        definitions,
         profiles,
         gateway,
     ):

@@ -19,17 +19,18 @@ from knifetip.api.schemas.gateway import Claim, ClaimIn, FinishIn, HeartbeatIn, 
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.schemas.messages import MessageIn
 from knifetip.api.schemas.stations import StationAnswer, StationIn
-from knifetip.api.service import ServiceDep, bytes_response, check_library_name
+from knifetip.api.service import ServiceDep, bytes_response
 from knifetip.api.wake import wake_on_change
-from knifetip.errors import MachineBusy, WrongState
+from knifetip.errors import MachineBusy, StaleVersion, WrongState
 from knifetip.jobs.gateway_store import GatewayReport
 from knifetip.jobs.job import ON_TABLE, State
 from knifetip.jobs.station_store import OperationResult, StationReport
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE
-from knifetip.library import load
+from knifetip.library.definition import Shelf, machine_of
 from knifetip.messages import Message
 from knifetip.messages.codes import STORED
+from knifetip.model.machine import Machine
 
 router = APIRouter(prefix="/gateway", tags=["gateway"])
 
@@ -44,9 +45,9 @@ async def claim(service: ServiceDep, request: Request, claimant: ClaimIn) -> Cla
 
     The status is 204 if no job is available within ``wait`` seconds, a field of the request.  If
     ``confirm`` is true in the response, the gateway must send nothing to the machine before the
-    operator confirms the job.
+    operator confirms the job.  The status is 412 if the machine has changed since the gateway
+    loaded its definition.
     """
-    check_library_name("machines", claimant.machine)
     deadline = time.monotonic() + claimant.wait
     recorded_at = -_CONTACT_INTERVAL
     with wake_on_change(service.store.changes) as changed:
@@ -78,9 +79,31 @@ async def claim(service: ServiceDep, request: Request, claimant: ClaimIn) -> Cla
     return Response(status_code=204)
 
 
+def _current_machine(service: ServiceDep, claimant: ClaimIn) -> Machine:
+    """Return the machine of a gateway.
+
+    Raises
+    ------
+    LibraryError
+        There is no such machine.
+    StaleVersion
+        The machine has changed since the gateway loaded its definition.
+    """
+    machine = service.store.library.definition(Shelf.MACHINES, claimant.machine)
+    if claimant.machine_version not in (None, machine.version):
+        raise StaleVersion(
+            "gateway.outdated-machine",
+            gateway=claimant.gateway,
+            machine=claimant.machine,
+            version=claimant.machine_version,
+            newest=machine.version,
+        )
+    return machine_of(machine)
+
+
 def _claim_next(service: ServiceDep, claimant: ClaimIn) -> Job | None:
+    manual = _current_machine(service, claimant).feed == "manual"
     try:
-        manual = load.machine(claimant.machine, files=False).feed == "manual"
         return service.store.gateways.claim(claimant.machine, claimant.gateway, manual=manual)
     except MachineBusy:
         return None
@@ -138,9 +161,9 @@ async def report_station(
     The response is sent as soon as there is an operation, at the latest after ``wait`` seconds, a
     field of the request.  Each operation is sent only once, and only if it is younger than 3 s.
     """
-    check_library_name("machines", station.machine)
     began = time.monotonic()
     stations, threads = service.store.stations, service.threads
+    await threads.reports(service.store.library.definition, Shelf.MACHINES, station.machine)
     with wake_on_change(service.store.changes) as changed:
         await threads.reports(
             stations.report,

@@ -23,7 +23,6 @@ from knifetip.api.service import (
     Service,
     ServiceDep,
     bytes_response,
-    check_library_name,
     customer_rules,
     fingerprint,
     set_next_page,
@@ -39,6 +38,7 @@ from knifetip.jobs.readings import StoredDrawing
 from knifetip.jobs.request_key import RequestKey
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Drawing, Job
+from knifetip.library.definition import Shelf
 from knifetip.messages import Message, hint, render
 from knifetip.model.acceptance import Exceptions, Shortfall
 from knifetip.model.choices import Choices
@@ -72,8 +72,8 @@ def order_job(
 
 
 def _ordered(service: Service, order: JobIn, key: RequestKey | None) -> Job:
-    check_library_name("machines", order.machine)
-    check_library_name("boards", order.board)
+    machine = service.store.library.definition(Shelf.MACHINES, order.machine)
+    board = service.store.library.definition(Shelf.BOARDS, order.board)
     # Questions, the stored job and the compile all use this one revision.
     drawing = service.store.drawings.get_with(order.drawing, "content", "overrides", "edges")
     check_revision(order.revision, drawing)
@@ -84,7 +84,7 @@ def _ordered(service: Service, order: JobIn, key: RequestKey | None) -> Job:
             drawing.content, drawing.edges, interpretation_of(drawing, drawing.overrides)
         ),
         interpretation,
-        order.machine,
+        machine,
     )
     if questions:
         raise OpenQuestions(questions)
@@ -96,6 +96,8 @@ def _ordered(service: Service, order: JobIn, key: RequestKey | None) -> Job:
         priority=order.priority,
         release=order.release,
         exceptions=_exceptions(service, order.exceptions),
+        machine_version=machine.version,
+        board_version=board.version,
     )
     return service.store.jobs.add(drawing, ordered, key)
 
@@ -313,6 +315,17 @@ def accept_shortfalls(service: ServiceDep, id: JobId, exceptions: ExceptionsIn) 
 def release_job(service: ServiceDep, id: JobId) -> JobOut:
     """Queue a job that has the state ``ready``, so that its machine can claim it."""
     return job_out(service.store, service.store.operators.release(id))
+
+
+@router.post("/{id}/recompile")
+def recompile_job(service: ServiceDep, id: JobId) -> JobOut:
+    """Compile a job again for the newest versions of its machine and its board.
+
+    This is necessary if one of them has changed since the compile.  A job that was queued is queued
+    again when its new program is accepted.  The status is 409 if the job is neither ``ready`` nor
+    ``queued``, or if its machine or board was deleted.
+    """
+    return job_out(service.store, service.store.operators.recompile(id))
 
 
 @router.post("/{id}/confirm")

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from dataclasses import asdict
 
-from fastapi import APIRouter
+from fastapi import APIRouter, Response
 
 from knifetip.api.parameters import BoardName
 from knifetip.api.schemas.library import BoardOut, CalibrationIn, CalibrationOut, FormatOut
 from knifetip.api.schemas.machines import StationTool
-from knifetip.api.service import check_library_name
+from knifetip.api.service import ServiceDep
 from knifetip.formats import FORMATS
-from knifetip.library import deflection, load
+from knifetip.library import deflection
 from knifetip.library.load import find_cutter
-from knifetip.model.board import Deflection
+from knifetip.model.board import Board, Deflection
 from knifetip.model.tool import kind_of
 
 router = APIRouter(tags=["library"])
@@ -29,26 +29,32 @@ def list_formats() -> list[FormatOut]:
 
 
 @router.get("/boards")
-def list_boards() -> list[BoardOut]:
-    """List the boards of the library."""
-    return [get_board(name) for name in load.names("boards")]
+def list_boards(service: ServiceDep) -> list[BoardOut]:
+    """List the boards: those of users and those of knifetip's library."""
+    return [_board_out(board) for board in service.store.library.boards()]
 
 
 @router.get("/boards/{name}")
-def get_board(name: BoardName) -> BoardOut:
-    """Get a board of the library."""
-    board = asdict(load.board(check_library_name("boards", name)))
-    return BoardOut.model_validate({field: board[field] for field in BoardOut.model_fields})
+def get_board(service: ServiceDep, response: Response, name: BoardName) -> BoardOut:
+    """Get a board of a user or of knifetip's library."""
+    board = service.store.library.board(name)
+    response.headers["ETag"] = f'"{board.version}"'
+    return _board_out(board)
+
+
+def _board_out(board: Board) -> BoardOut:
+    fields = asdict(board)
+    return BoardOut.model_validate({field: fields[field] for field in BoardOut.model_fields})
 
 
 @router.post("/boards/{name}/deflection")
-def calibrate(name: BoardName, order: CalibrationIn) -> CalibrationOut:
+def calibrate(service: ServiceDep, name: BoardName, order: CalibrationIn) -> CalibrationOut:
     """Compute the deflection of a cutter in the board ``name`` from points measured on a contour.
 
     Nothing is stored; ``toml`` in the response contains the text lines for the file of the board.
     """
-    check_library_name("boards", name)
-    station = find_cutter(load.machine(check_library_name("machines", order.machine)), order.tool)
+    service.store.library.board(name)
+    station = find_cutter(service.store.library.machine(order.machine), order.tool)
     # The engines import numba, which listing the library does not need.
     from knifetip.compensation.calibration import calibrate as fit_deflection
 
@@ -70,12 +76,12 @@ def calibrate(name: BoardName, order: CalibrationIn) -> CalibrationOut:
 
 
 @router.get("/tools")
-def list_tools() -> list[StationTool]:
-    """List the tools of all machines of the library."""
+def list_tools(service: ServiceDep) -> list[StationTool]:
+    """List the tools in the stations of all machines."""
     return [
         StationTool.model_validate(
             {
-                "machine": name,
+                "machine": machine.name,
                 "station": station.number,
                 "name": station.name,
                 "kind": kind_of(station.tool).name,
@@ -83,6 +89,6 @@ def list_tools() -> list[StationTool]:
                 "footprint": station.tool.footprint,
             }
         )
-        for name in load.names("machines")
-        for station in load.machine(name).stations
+        for machine in service.store.library.machines()
+        for station in machine.stations
     ]

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from fastapi import APIRouter
+from fastapi import APIRouter, Response
 
 from knifetip.api.parameters import MachineName, OperationId
 from knifetip.api.schemas.machines import MachineOut
 from knifetip.api.schemas.stations import OperationIn, OperationOut, StationOut
-from knifetip.api.service import ServiceDep, check_library_name
+from knifetip.api.service import Service, ServiceDep
 from knifetip.api.waiting import ABSENT
 from knifetip.jobs.station_store import StationView
 from knifetip.jobs.tables import Operation
-from knifetip.library import load
+from knifetip.library.definition import Shelf
 from knifetip.model.machine import Machine
 from knifetip.model.tool import kind_of
 from knifetip.presentation.machine import machine_json, station_json
@@ -21,24 +21,30 @@ router = APIRouter(prefix="/machines", tags=["machines"])
 
 @router.get("")
 def list_machines(service: ServiceDep) -> list[MachineOut]:
-    """List the machines of the library with their current jobs."""
+    """List the machines with their current jobs: those of users and those of the library."""
     connected = service.store.machines.connected_machines(ABSENT)
     on_table = service.store.machines.jobs_on_tables()
     return [
-        _machine_out(load.machine(name), name in connected, on_table.get(name))
-        for name in load.names("machines")
+        _machine_out(machine, machine.name in connected, on_table.get(machine.name))
+        for machine in service.store.library.machines()
     ]
 
 
 @router.get("/{name}")
-def get_machine(service: ServiceDep, name: MachineName) -> MachineOut:
-    """Get a machine of the library with its current job."""
-    machine = load.machine(check_library_name("machines", name))
+def get_machine(service: ServiceDep, response: Response, name: MachineName) -> MachineOut:
+    """Get a machine of a user or of knifetip's library, with its current job."""
+    machine = service.store.library.machine(name)
+    response.headers["ETag"] = f'"{machine.version}"'
     return _machine_out(
         machine,
         name in service.store.machines.connected_machines(ABSENT),
         service.store.machines.jobs_on_tables().get(name),
     )
+
+
+async def _check_machine(service: Service, name: str) -> None:
+    """Raise LibraryError if there is no machine with a name."""
+    await service.threads.reports(service.store.library.definition, Shelf.MACHINES, name)
 
 
 @router.get("/{name}/station")
@@ -48,7 +54,7 @@ async def get_station(service: ServiceDep, name: MachineName) -> StationOut:
     While this request is repeated every few seconds, the gateway reports more often, and the stream
     of events contains an event ``station`` for each change.
     """
-    check_library_name("machines", name)
+    await _check_machine(service, name)
     return station_out(await service.threads.reports(service.store.stations.get, name))
 
 
@@ -62,7 +68,7 @@ async def ask_for_operation(
     after it was asked for, and is never carried out later.  The emergency stop of the machine does
     not depend on this route.
     """
-    check_library_name("machines", name)
+    await _check_machine(service, name)
     asked = request.model_dump(exclude_none=True)
     return _operation_out(await service.threads.reports(service.store.stations.ask, name, asked))
 
@@ -70,7 +76,7 @@ async def ask_for_operation(
 @router.get("/{name}/operations/{id}")
 async def get_operation(service: ServiceDep, name: MachineName, id: OperationId) -> OperationOut:
     """Get the state of an operation of a machine; operations are kept for some minutes."""
-    check_library_name("machines", name)
+    await _check_machine(service, name)
     return _operation_out(await service.threads.reports(service.store.stations.operation, name, id))
 
 

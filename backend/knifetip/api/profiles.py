@@ -6,10 +6,9 @@ and jobs keep the rules of the profile version with which they were made.
 
 from __future__ import annotations
 
-import re
-from typing import Annotated, Any
+from typing import Any
 
-from fastapi import APIRouter, Depends, Header, Request, Response
+from fastapi import APIRouter, Request, Response
 from pydantic import ValidationError
 
 from knifetip.api.parameters import DrawingId, ProfileName
@@ -21,7 +20,8 @@ from knifetip.api.service import (
     check_library_name,
     require_customer_profile,
 )
-from knifetip.errors import ProfileError, RequestError
+from knifetip.api.versions import TOML, TOML_RESPONSE, Body, VersionMatch, version_of
+from knifetip.errors import ProfileError
 from knifetip.fields import field_message
 from knifetip.jobs import profiling
 from knifetip.jobs.interpretations import interpretation_of
@@ -30,7 +30,6 @@ from knifetip.library import custom_profiles, load
 
 router = APIRouter(tags=["profiles"])
 
-TOML = "application/toml"
 _FORMS: dict[str, Any] = {
     "requestBody": {
         "required": True,
@@ -40,22 +39,6 @@ _FORMS: dict[str, Any] = {
         },
     }
 }
-_TEXT: dict[int | str, dict[str, Any]] = {200: {"content": {TOML: {"schema": {"type": "string"}}}}}
-IfMatch = Annotated[
-    str | None,
-    Header(
-        alias="If-Match",
-        max_length=40,
-        description="ETag of the version on which the change is based; * for any version",
-    ),
-]
-
-
-async def _body(request: Request) -> bytes:
-    return await request.body()
-
-
-Body = Annotated[bytes, Depends(_body)]
 
 
 @router.get("/profiles")
@@ -67,12 +50,12 @@ def list_profiles(service: ServiceDep) -> list[ProfileOut]:
     return [_stored_out(row) for row in stored] + [_shipped_out(name) for name in shipped]
 
 
-@router.get("/profiles/{name}.toml", response_class=Response, responses=_TEXT)
+@router.get("/profiles/{name}.toml", response_class=Response, responses=TOML_RESPONSE)
 def export_profile(service: ServiceDep, request: Request, name: ProfileName) -> Response:
     """Download a profile as TOML."""
     row = service.store.profiles.get(name)
     text = (
-        custom_profiles.library_text(check_library_name("profiles", name))
+        load.library_text("profiles", check_library_name("profiles", name))
         if row is None
         else row.text
     )
@@ -98,7 +81,7 @@ def keep_profile(
     response: Response,
     name: ProfileName,
     body: Body,
-    match: IfMatch = None,
+    match: VersionMatch = None,
 ) -> ProfileOut:
     """Create or replace the profile of a customer; the request body is the profile as TOML or JSON.
 
@@ -106,7 +89,7 @@ def keep_profile(
     """
     custom_profiles.check_name(name)
     require_customer_profile(service, name)
-    version, any_version = _version(match)
+    version, any_version = version_of(match)
     if "json" in request.headers.get("content-type", "").lower():
         sent = _profile_in(body)
         if match is None:
@@ -122,10 +105,10 @@ def keep_profile(
 
 
 @router.delete("/profiles/{name}", status_code=204)
-def delete_profile(service: ServiceDep, name: ProfileName, match: IfMatch = None) -> None:
+def delete_profile(service: ServiceDep, name: ProfileName, match: VersionMatch = None) -> None:
     """Delete a customer's profile; drawings and jobs keep the rules with which they were made."""
     require_customer_profile(service, name)
-    service.store.profiles.delete(name, _version(match)[0])
+    service.store.profiles.delete(name, version_of(match)[0])
 
 
 @router.post("/drawings/{id}/preview")
@@ -167,21 +150,6 @@ def fields_of(profile: ProfileIn) -> dict[str, Any]:
     if profile.extends is not None:
         fields |= {"extends": profile.extends, "overrules": profile.overrules}
     return fields
-
-
-def _version(match: str | None) -> tuple[int | None, bool]:
-    """Return the version in an If-Match header, and whether the header is ``*``.
-
-    The version is None if the header is missing or ``*``, which matches any version.
-    """
-    if match is None:
-        return None, False
-    if match.strip() == "*":
-        return None, True
-    version = re.fullmatch(r'\s*(?:W/)?"?(\d{1,9})"?\s*', match)
-    if version is None:
-        raise RequestError("profile.bad-if-match", match=match)
-    return int(version[1]), False
 
 
 def _profile_in(body: bytes) -> ProfileIn:
@@ -231,7 +199,7 @@ def _text(name: str, body: bytes) -> str:
 
 
 def _shipped_out(name: str) -> ProfileOut:
-    return _out(name, custom_profiles.library_text(name), shipped=True)
+    return _out(name, load.library_text("profiles", name), shipped=True)
 
 
 def _stored_out(row: Profile) -> ProfileOut:

@@ -12,7 +12,7 @@ from knifetip.api.parameters import JobId, MachineName
 from knifetip.api.queue import queued
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.schemas.queues import MoveIn, QueueOut, TransferIn, WaitingChangeIn
-from knifetip.api.service import ServiceDep, check_library_name
+from knifetip.api.service import ServiceDep
 from knifetip.errors import KnifetipError, PlanError
 from knifetip.jobs import tasks
 from knifetip.jobs.compile_service import compile_arguments, kernels_for
@@ -21,6 +21,7 @@ from knifetip.jobs.machine_queues import is_waiting
 from knifetip.jobs.process_pool import TaskFailed
 from knifetip.jobs.queue_store import Place, WaitingChange, check_transferable, order_version
 from knifetip.jobs.tables import Job
+from knifetip.library.definition import Shelf, machine_of
 from knifetip.messages import Message
 
 router = APIRouter(tags=["queues"])
@@ -39,7 +40,7 @@ IfMatch = Annotated[
 @router.get("/machines/{name}/queue")
 def get_queue(service: ServiceDep, response: Response, name: MachineName) -> QueueOut:
     """Get the queue of a machine in the order in which the jobs run, with estimated times."""
-    check_library_name("machines", name)
+    service.store.library.machine(name)
     rows = service.store.queues.jobs(name)
     waiting = [row for row in rows if is_waiting(row)]
     response.headers["ETag"] = f'"{order_version(waiting)}"'
@@ -130,14 +131,14 @@ def transfer_job(service: ServiceDep, id: JobId, target: TransferIn) -> JobOut:
     The job stays unchanged at its place if it cannot be made on the other machine; the response
     contains the reason.
     """
-    check_library_name("machines", target.machine)
+    machine = service.store.library.definition(Shelf.MACHINES, target.machine)
     row = service.store.jobs.get(id)
     if row.machine == target.machine:
         return job_out(service.store, row)
     check_transferable(row)
     try:
-        arguments = compile_arguments(service.store, row, target.machine)
-        service.warm_up.wait(*kernels_for(target.machine))
+        arguments = compile_arguments(service.store, row, machine)
+        service.warm_up.wait(*kernels_for(machine_of(machine)))
         result = service.run(tasks.compile, *arguments)
     except KnifetipError as reason:
         raise _does_not_fit(row, target.machine, reason.message) from reason
@@ -146,7 +147,7 @@ def transfer_job(service: ServiceDep, id: JobId, target: TransferIn) -> JobOut:
         raise _does_not_fit(row, target.machine, crash) from reason
     if result.message is not None:
         raise _does_not_fit(row, target.machine, result.message)
-    moved = service.store.queues.transfer(row, target.machine, result, _actor(target.by))
+    moved = service.store.queues.transfer(row, machine, result, _actor(target.by))
     return job_out(service.store, moved)
 
 

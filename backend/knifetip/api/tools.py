@@ -8,11 +8,10 @@ from fastapi import APIRouter
 
 from knifetip.api.parameters import MachineName
 from knifetip.api.schemas.history import ToolChangeIn, ToolEventOut, ToolLifeIn, ToolUseOut
-from knifetip.api.service import ServiceDep, check_library_name
+from knifetip.api.service import Service, ServiceDep
 from knifetip.errors import NoSuchJob
 from knifetip.jobs.job import Actor, ActorKind
 from knifetip.jobs.tool_store import ToolUse
-from knifetip.library import load
 from knifetip.messages import Message
 from knifetip.model.machine import Machine
 
@@ -22,13 +21,13 @@ router = APIRouter(prefix="/machines/{name}/tools", tags=["tools"])
 @router.get("")
 def list_machine_tools(service: ServiceDep, name: MachineName) -> list[ToolUseOut]:
     """List the tools of a machine with the lengths that they have worked, and their lives."""
-    return tools_out(service.store.tools.uses(_machine(name)))
+    return tools_out(service.store.tools.uses(_machine(service, name)))
 
 
 @router.get("/events")
 def list_tool_events(service: ServiceDep, name: MachineName) -> list[ToolEventOut]:
     """List the last changes of the tools of a machine and of their lives, newest first."""
-    _machine(name)
+    _machine(service, name)
     return [
         ToolEventOut.model_validate(
             {
@@ -48,7 +47,7 @@ def record_tool_change(
     service: ServiceDep, name: MachineName, station: int, change: ToolChangeIn | None = None
 ) -> list[ToolUseOut]:
     """Record that a person has put a new tool into a station; its used length is 0 again."""
-    machine = _with_station(name, station)
+    machine = _with_station(service, name, station)
     actor = Actor(ActorKind.OPERATOR, "" if change is None else change.by)
     return tools_out(service.store.tools.record_change(machine, station, actor))
 
@@ -58,16 +57,16 @@ def set_tool_life(
     service: ServiceDep, name: MachineName, station: int, wanted: ToolLifeIn
 ) -> list[ToolUseOut]:
     """Set the life of the tool in a station; it replaces the life in the file of the machine."""
-    machine = _with_station(name, station)
+    machine = _with_station(service, name, station)
     actor = Actor(ActorKind.OPERATOR, wanted.by)
     return tools_out(service.store.tools.set_life(machine, station, wanted.life * 1000.0, actor))
 
 
-def _machine(name: str) -> Machine:
-    return load.machine(check_library_name("machines", name), files=False)
+def _machine(service: Service, name: str) -> Machine:
+    return service.store.library.machine(name)
 
 
-def _with_station(name: str, station: int) -> Machine:
+def _with_station(service: Service, name: str, station: int) -> Machine:
     """Return a machine that has a station with a number.
 
     Raises
@@ -75,7 +74,7 @@ def _with_station(name: str, station: int) -> Machine:
     NoSuchJob
         The machine has no such station.
     """
-    machine = _machine(name)
+    machine = _machine(service, name)
     if station not in (one.number for one in machine.stations):
         raise NoSuchJob("tool-life.no-station", machine=name, station=station)
     return machine

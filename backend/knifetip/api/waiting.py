@@ -7,6 +7,7 @@ The field ``waiting_for`` is one of
 - ``machine``: the job is next, but its machine has not claimed it,
 - ``turn``: other jobs of the machine come first,
 - ``hold``: an operator put the job on hold in the queue,
+- ``compile``: the machine or the board has changed, so the job must be compiled again,
 - empty: the job does not wait.
 """
 
@@ -17,15 +18,15 @@ from typing import Literal, NamedTuple
 
 from knifetip.errors import LibraryError
 from knifetip.jobs.job import Confirmation, State
+from knifetip.jobs.library_store import LibraryStore
 from knifetip.jobs.machine_queues import Queue
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.languages.registry import find_language
-from knifetip.library import load
 from knifetip.messages import Message
 from knifetip.model.sheet import Sheet
 
-WaitingFor = Literal["", "confirmation", "sheet", "machine", "turn", "hold"]
+WaitingFor = Literal["", "confirmation", "sheet", "machine", "turn", "hold", "compile"]
 
 #: Seconds without a request after which a gateway counts as absent.
 ABSENT = 6.0
@@ -42,15 +43,27 @@ def waiting_of(store: Store, jobs: Sequence[Job]) -> list[Waiting]:
     """Return the reasons why jobs wait, one per job; queries the store only if a job is queued."""
     machines = {row.machine for row in jobs if row.state == State.QUEUED}
     queues = store.machines.queues(machines, ABSENT) if machines else {}
-    return [_waiting(row, queues.get(row.machine)) for row in jobs]
+    changes = store.library.changes([row for row in jobs if _can_be_outdated(row)])
+    return [
+        Waiting("compile", Message("waiting.outdated", changes=changes[row.id]))
+        if row.id in changes
+        else _waiting(store.library, row, queues.get(row.machine))
+        for row in jobs
+    ]
 
 
-def _waiting(row: Job, queue: Queue | None) -> Waiting:
+def _can_be_outdated(row: Job) -> bool:
+    """Return whether a job waits for a start that is refused if its machine or board changes."""
+    return row.state in (State.READY, State.QUEUED) or row.confirmation == Confirmation.SHEET
+
+
+def _waiting(library: LibraryStore, row: Job, queue: Queue | None) -> Waiting:
     if row.confirmation == Confirmation.AWAITED:
+        machine, board = library.titles(row)
         code = "waiting.for-start" if row.state == State.QUEUED else "waiting.unconfirmed-run"
         required = {
-            "machine": _title(row.machine),
-            "board": _board_title(row.board),
+            "machine": machine,
+            "board": board,
             "sheet": _sheet(row),
             "tools": _tools(row),
         }
@@ -63,12 +76,12 @@ def _waiting(row: Job, queue: Queue | None) -> Waiting:
             "waiting.for-sheet",
             copy=row.copies_done,
             copies=row.copies,
-            board=_board_title(row.board),
+            board=library.titles(row)[1],
             sheet=_sheet(row),
         )
         return Waiting("sheet", message)
     if row.state == State.QUEUED and queue is not None:
-        return _queued(row, queue)
+        return _queued(library, row, queue)
     return Waiting()
 
 
@@ -90,8 +103,8 @@ def _tools(row: Job) -> Message | None:
     return Message("waiting.tools", tools=tools) if tools else None
 
 
-def _queued(row: Job, queue: Queue) -> Waiting:
-    title = _title(row.machine)
+def _queued(library: LibraryStore, row: Job, queue: Queue) -> Waiting:
+    title, _ = library.titles(row)
     if row.confirmation == Confirmation.GIVEN:
         return Waiting("machine", Message("waiting.confirmed", machine=title))
     if row.on_hold:
@@ -101,7 +114,7 @@ def _queued(row: Job, queue: Queue) -> Waiting:
     if queue.ahead:
         return Waiting("machine", _taken(title, queue))
     if not queue.connected:
-        return Waiting("machine", _no_gateway(row.machine, title))
+        return Waiting("machine", _no_gateway(library, row, title))
     return Waiting("machine", Message("waiting.for-machine", machine=title))
 
 
@@ -124,36 +137,22 @@ def _taken(title: str, queue: Queue) -> Message:
             return Message("waiting.taken", machine=title, job=queue.ahead, state=state)
 
 
-def _no_gateway(machine: str, title: str) -> Message:
+def _no_gateway(library: LibraryStore, row: Job, title: str) -> Message:
     """Return the message that a job waits because no gateway of its machine is connected.
 
     Parameters
     ----------
-    machine, title
-        Name and title of the machine.
+    library
+        Repository of machines.
+    row
+        The job.
+    title
+        Title of its machine.
     """
     try:
-        language = find_language(load.machine(machine, files=False).dialect)
+        language = find_language(library.machine(row.machine, row.machine_version).dialect)
     except LibraryError:
         return Message("waiting.for-gateway", machine=title)
     if language.no_driver:
         return Message("waiting.for-person", machine=title, advice=language.no_driver)
     return Message("waiting.for-gateway", machine=title)
-
-
-def _title(machine: str) -> str:
-    try:
-        return load.machine(machine, files=False).title
-    except LibraryError:
-        return machine
-
-
-def _board_title(board: str) -> str:
-    """Return the title of a board.
-
-    The name ``board`` is returned if the library has no such board, or if the board has no title.
-    """
-    try:
-        return load.board(board, files=False).title or board
-    except LibraryError:
-        return board

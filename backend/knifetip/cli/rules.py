@@ -70,7 +70,7 @@ def profile_toml(name: str, database: str | None = None) -> str:
         There is no such profile, or it cannot be read.
     """
     if name in load.names("profiles"):
-        return custom_profiles.library_text(name)
+        return load.library_text("profiles", name)
     if name.endswith(".toml"):
         load.profile(name)
         return Path(name).read_text("utf-8")

@@ -1,4 +1,4 @@
-"""knifetip schema: print the JSON Schema of machine, board or profile files."""
+"""knifetip schema: print the JSON Schema of machine, board, tool or profile files."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ class File(Enum):
 
     MACHINE = "machine"
     BOARD = "board"
+    TOOL = "tool"
     PROFILE = "profile"
 
 
@@ -26,10 +27,12 @@ def register(app: typer.Typer) -> None:
     def schema(
         file: Annotated[
             File,
-            typer.Argument(metavar="KIND", help="Kind of TOML file: machine, board or profile."),
+            typer.Argument(
+                metavar="KIND", help="Kind of TOML file: machine, board, tool or profile."
+            ),
         ],
     ) -> None:
-        """Print the JSON Schema of machine, board or profile files.
+        """Print the JSON Schema of machine, board, tool or profile files.
 
         Editors use it to check and complete TOML files.
         """

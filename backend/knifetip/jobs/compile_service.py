@@ -29,8 +29,9 @@ from knifetip.jobs.rest_record import RestRecord, StoredRest
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Drawing, Job
 from knifetip.jobs.warm_up import WarmUp
-from knifetip.library import load
+from knifetip.library.definition import Definition, Shelf, machine_of
 from knifetip.model.acceptance import Exceptions
+from knifetip.model.machine import Machine
 from knifetip.model.stage import Stage
 from knifetip.model.tool import Engine, kind_of
 
@@ -44,21 +45,16 @@ _WORKER_POLL = 0.5  # the same of a worker, all of whose jobs are received by an
 _log = logging.getLogger("knifetip.jobs")
 
 
-def kernels_for(machine: str) -> tuple[str, ...]:
+def kernels_for(machine: Machine) -> tuple[str, ...]:
     """Return the names of the groups of kernels that are needed to compile jobs for a machine.
 
     Kernels are functions that numba compiles to machine code.
-
-    Parameters
-    ----------
-    machine
-        Name of a machine of the library.
     """
-    engines = {kind_of(station.tool).engine for station in load.machine(machine).stations}
+    engines = {kind_of(station.tool).engine for station in machine.stations}
     return ("drawings", "jobs", "offsets") if Engine.RADIUS in engines else ("drawings", "jobs")
 
 
-def compile_arguments(store: Store, job: Job, machine: str) -> tuple[object, ...]:
+def compile_arguments(store: Store, job: Job, machine: Definition) -> tuple[object, ...]:
     """Return the arguments of ``tasks.compile`` that compile a job for a machine.
 
     Parameters
@@ -68,8 +64,9 @@ def compile_arguments(store: Store, job: Job, machine: str) -> tuple[object, ...
     job
         The job.
     machine
-        Name of the machine: that of the job, or one to which the job is to be moved.
+        The machine of the job, or one to which the job is to be moved.
     """
+    board = store.library.definition(Shelf.BOARDS, job.board, job.board_version)
     drawing = store.drawings.get_with(job.drawing, "content", "edges", "overrides")
     return (
         StoredDrawing(
@@ -77,17 +74,26 @@ def compile_arguments(store: Store, job: Job, machine: str) -> tuple[object, ...
         ),
         interpretation_of(job, store.jobs.column(job.id, "overrides")),
         machine,
-        job.board,
-        _notes(job, drawing),
+        board,
+        _notes(job, drawing, machine, board),
         None if job.exceptions is None else Exceptions.from_json(job.exceptions),
         _stored_rest(store, job),
     )
 
 
-def _notes(job: Job, drawing: Drawing) -> tuple[str, ...]:
-    """Return the comments at the head of the program of a job."""
-    notes = (f"knifetip {version('knifetip')}", f"drawing {drawing.sha256[:40]}")
-    return notes if job.rest is None else (*notes, f"continues job {job.resumes}")
+def _notes(job: Job, drawing: Drawing, *definitions: Definition) -> tuple[str, ...]:
+    """Return the comments at the head of the program of a job.
+
+    They name the version of knifetip, the file of the drawing, the versions of the machine and the
+    board if a user has made them, and the job that the job continues.
+    """
+    notes = [f"knifetip {version('knifetip')}", f"drawing {drawing.sha256[:40]}"]
+    notes += [
+        f"{one.shelf.word} {one.name} version {one.version}" for one in definitions if one.version
+    ]
+    if job.rest is not None:
+        notes.append(f"continues job {job.resumes}")
+    return tuple(notes)
 
 
 def _stored_rest(store: Store, job: Job) -> StoredRest | None:
@@ -157,7 +163,8 @@ class CompileService:
             Name of the machine.
         """
         try:
-            return self.warm_up.fraction_compiled(*kernels_for(machine))
+            kernels = kernels_for(self.store.library.machine(machine))
+            return self.warm_up.fraction_compiled(*kernels)
         except LibraryError:
             return 1.0  # the compile refuses the job
 
@@ -212,10 +219,13 @@ class CompileService:
             return self.store.compiles.report_progress(id, epoch, stage, fraction)
 
         try:
-            self.warm_up.wait(*kernels_for(job.machine), watch=watch)
+            machine = self.store.library.definition(
+                Shelf.MACHINES, job.machine, job.machine_version
+            )
+            self.warm_up.wait(*kernels_for(machine_of(machine)), watch=watch)
             result = self.pool.run(
                 tasks.compile,
-                *compile_arguments(self.store, job, job.machine),
+                *compile_arguments(self.store, job, machine),
                 limit=self.limit,
                 watch=watch,
             )

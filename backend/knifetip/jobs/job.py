@@ -114,6 +114,7 @@ class Action(StrEnum):
     ACCEPT = "accept"
     REFUSE = "refuse"
     RETRY = "retry"
+    RECOMPILE = "recompile"
     RELEASE = "release"
     START = "start"
     HOLD = "hold"
@@ -159,6 +160,9 @@ TRANSITIONS: tuple[Transition, ...] = (
     # The worker queues a job that is to be released when ready.
     Transition(State.READY, Action.RELEASE, State.QUEUED, (_OPERATOR, _WORKER)),
     Transition(State.READY, Action.CANCEL, State.CANCELLED, (_OPERATOR,)),
+    # The machine or the board has changed since the compile.
+    Transition(State.READY, Action.RECOMPILE, State.RECEIVED, (_OPERATOR,)),
+    Transition(State.QUEUED, Action.RECOMPILE, State.RECEIVED, (_OPERATOR,)),
     Transition(State.QUEUED, Action.START, State.RUNNING, (_GATEWAY,)),
     Transition(State.QUEUED, Action.CANCEL, State.CANCELLED, (_OPERATOR,)),
     Transition(State.RUNNING, Action.HOLD, State.HELD, (_GATEWAY,)),

@@ -47,6 +47,8 @@ class JobOrder:
     priority: int = 0  #: jobs with a higher one are claimed first
     release: bool = False  #: queue the job when it is ready
     exceptions: Exceptions | None = None  #: shortfalls that the user accepts in advance
+    machine_version: int = 0  #: version of a user's machine; 0 for one of the library
+    board_version: int = 0  #: version of a user's board; 0 for one of the library
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,6 +98,8 @@ class JobStore:
             drawing_name=drawing.name,
             machine=order.machine,
             board=order.board,
+            machine_version=order.machine_version,
+            board_version=order.board_version,
             **job_columns(order.interpretation),
             copies=order.copies,
             priority=order.priority,

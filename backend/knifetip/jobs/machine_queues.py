@@ -10,6 +10,7 @@ from sqlalchemy.orm import Session
 
 from knifetip.jobs.database import Database
 from knifetip.jobs.job import LEASED, ON_TABLE, Confirmation, State
+from knifetip.jobs.library_store import outdated
 from knifetip.jobs.tables import Gateway, Job
 
 #: A job that a gateway has claimed and that waits for the operator's confirmation.
@@ -111,8 +112,12 @@ class MachineQueues:
 
 
 def next_queued(machine: str) -> sa.Select[Job]:
-    """Return a query for the queued job of a machine that is to be claimed next."""
-    return waiting_jobs(machine).where(Job.on_hold.is_(False)).limit(1)
+    """Return a query for the queued job of a machine that is to be claimed next.
+
+    A job whose machine or board has changed since its compile is left in the queue, because the
+    operator must first have it compiled again.
+    """
+    return waiting_jobs(machine).where(Job.on_hold.is_(False), ~outdated()).limit(1)
 
 
 def waiting_jobs(machine: str) -> sa.Select[Job]:

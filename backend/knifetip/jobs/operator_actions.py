@@ -28,6 +28,7 @@ class OperatorAction(StrEnum):
     REQUEUE = "requeue"
     FINISH = "finish"  #: declare an interrupted job finished
     SCRAP = "scrap"
+    RECOMPILE = "recompile"  #: compile for the newest versions of machine and board
     CANCEL = "cancel"
 
 
@@ -60,6 +61,8 @@ def allowed_actions(row: Job, now: float) -> list[OperatorAction]:
     }
     if not has_only_shortfalls(row):
         allowed.discard(OperatorAction.ACCEPT)
+    if row.rest is not None:
+        allowed.discard(OperatorAction.RECOMPILE)
     if awaits_confirmation(row, now):
         allowed.add(OperatorAction.CONFIRM)
     if state in CONTINUABLE and row.lines > 0:

@@ -23,6 +23,7 @@ from knifetip.jobs.job import (
     State,
     sources,
 )
+from knifetip.jobs.library_store import changes_since_compile, newest_versions
 from knifetip.jobs.operator_actions import (
     OperatorAction,
     allowed_actions,
@@ -33,6 +34,18 @@ from knifetip.jobs.operator_actions import (
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import Transitions, advice
 from knifetip.messages import Message
+
+#: Columns of a job that has no program yet.
+_WITHOUT_PROGRAM: Mapping[str, Any] = {
+    "program": None,
+    "program_sha256": "",
+    "toolpath": None,
+    "verdict": None,
+    "verdict_summary": None,
+    "lines": 0,
+    "seconds": 0.0,
+    "tools": [],
+}
 
 
 class OperatorStore:
@@ -95,10 +108,48 @@ class OperatorStore:
         Raises
         ------
         WrongState
-            The job is not ``ready``.
+            The job is not ``ready``, or its machine or board has changed since its compile.
         """
         with self._db.writing() as session:
+            _check_current(session, self._transitions.lock(session, id))
             self._transitions.release(session, id, OPERATOR, Message("job.released"))
+            return self._transitions.lock(session, id)
+
+    def recompile(self, id: str) -> Job:
+        """Have a job compiled again for the newest versions of its machine and board; return it.
+
+        A job that was queued is queued again when its new program is accepted.
+
+        Raises
+        ------
+        WrongState
+            The job is neither ``ready`` nor ``queued``, its machine or board was deleted, or it
+            continues a sheet, which must lie on the machine with which the sheet was begun.
+        """
+        with self._db.writing() as session:
+            row = self._transitions.lock(session, id)
+            if row.rest is not None:
+                raise WrongState("rest.bound-to-sheet", job=id, machine=row.machine)
+            machine, board = newest_versions(session, row)
+            self._transitions.move(
+                session,
+                id,
+                Action.RECOMPILE,
+                OPERATOR,
+                Message("job.recompiled"),
+                new_epoch=row.epoch + 1,
+                machine_version=machine,
+                board_version=board,
+                release=row.release or row.state == State.QUEUED,
+                attempt=row.attempt + 1,
+                confirmation=Confirmation.NONE.value,
+                requested_action="",
+                owner="",
+                lease=0.0,
+                message=None,
+                progress=0.0,
+                **_WITHOUT_PROGRAM,
+            )
             return self._transitions.lock(session, id)
 
     def requeue(self, id: str) -> Job:
@@ -196,7 +247,8 @@ class OperatorStore:
         Raises
         ------
         WrongState
-            The job does not wait for a confirmation, or needs another board.
+            The job does not wait for a confirmation, needs another board, or its machine or board
+            has changed since its compile.
         """
         with self._db.writing() as session:
             row = self._transitions.lock(session, id)
@@ -206,6 +258,7 @@ class OperatorStore:
             starts = row.state in (State.QUEUED, State.RUNNING) or row.requested_action == "resume"
             if confirmed and starts:
                 return row
+            _check_current(session, row)
             self._check_waiting(row)
             sheet = row.confirmation == Confirmation.SHEET
             action = "" if row.state == State.QUEUED else "resume"
@@ -321,6 +374,7 @@ class OperatorStore:
                 return row
             changes = {"requested_action": action.value}
             if action is OperatorAction.RESUME and row.confirmation == Confirmation.SHEET:
+                _check_current(session, row)
                 changes["confirmation"] = Confirmation.GIVEN.value
             self._change(session, id, **changes)
             event = Message("job.action-requested", action=action)
@@ -343,6 +397,21 @@ class OperatorStore:
         # Rows that this session has loaded keep their values; ``Transitions.lock`` reloads them.
         statement = statement.execution_options(synchronize_session=False)
         session.execute(statement.values(updated=self._db.clock(), **changes))
+
+
+def _check_current(session: Session, row: Job) -> None:
+    """Raise ``WrongState`` if the machine or the board of a job has changed since its compile.
+
+    Parameters
+    ----------
+    session
+        Session with the transaction of the caller.
+    row
+        The job.
+    """
+    changes = changes_since_compile(session, [row])
+    if changes:
+        raise WrongState("job.outdated", job=row.id, changes=changes[row.id])
 
 
 def _refused_request_error(row: Job, action: OperatorAction) -> WrongState:

@@ -24,6 +24,7 @@ from knifetip.jobs.job import ON_TABLE, Actor, Confirmation, State
 from knifetip.jobs.machine_queues import CLAIMED, is_waiting, last_rank, lock_queue, waiting_jobs
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import Transitions, advice
+from knifetip.library.definition import Definition
 from knifetip.messages import Message
 
 #: States of a job that no machine works on yet.
@@ -234,7 +235,7 @@ class QueueStore:
         self._gateways.give_back(session, row, actor, Message("queue.put-on-hold"))
         return self._transitions.lock(session, row.id)
 
-    def transfer(self, row: Job, machine: str, result: CompileResult, actor: Actor) -> Job:
+    def transfer(self, row: Job, machine: Definition, result: CompileResult, actor: Actor) -> Job:
         """Move a ready or waiting job to another machine, and return the job.
 
         A waiting job comes after the jobs of its priority that wait for the other machine.
@@ -244,7 +245,7 @@ class QueueStore:
         row
             The job for which the program was compiled.
         machine
-            Name of the other machine.
+            The other machine.
         result
             The program for the other machine; the verifier has accepted it.
         actor
@@ -256,7 +257,7 @@ class QueueStore:
             The job has been claimed, moved or cancelled meanwhile.
         """
         with self._db.writing() as session:
-            lock_queue(session, machine)
+            lock_queue(session, machine.name)
             present = self._transitions.lock(session, row.id)
             if (present.state, present.epoch, present.machine) != (
                 row.state,
@@ -268,11 +269,12 @@ class QueueStore:
             self._set(
                 session,
                 row.id,
-                machine=machine,
-                rank=last_rank(session, machine, self._db.clock()),
+                machine=machine.name,
+                machine_version=machine.version,
+                rank=last_rank(session, machine.name, self._db.clock()),
                 **result_columns(result),
             )
-            event = Message("queue.transferred", former=row.machine, machine=machine)
+            event = Message("queue.transferred", former=row.machine, machine=machine.name)
             self._write(session, present, actor, event)
             return self._transitions.lock(session, row.id)
 

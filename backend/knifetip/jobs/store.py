@@ -1,4 +1,4 @@
-"""The store: drawings, profiles, jobs and their events in SQLite or PostgreSQL.
+"""The store: drawings, profiles, machines, boards, jobs and their events in SQLite or PostgreSQL.
 
 A transition of a job is one UPDATE … WHERE state IN … in one transaction with its event.  If two
 clients claim the same job, or two jobs need the same table, only one of them succeeds.  This is
@@ -19,6 +19,7 @@ from knifetip.jobs.gateway_store import GatewayStore
 from knifetip.jobs.history_store import HistoryStore
 from knifetip.jobs.job_store import JobStore
 from knifetip.jobs.lease_sweep import LeaseSweep
+from knifetip.jobs.library_store import LibraryStore
 from knifetip.jobs.machine_queues import MachineQueues
 from knifetip.jobs.operator_store import OperatorStore
 from knifetip.jobs.profile_store import ProfileStore
@@ -57,6 +58,7 @@ class Store:
         self.history = HistoryStore(self.database)
         self.statistics = StatisticsStore(self.database)
         self.tools = ToolStore(self.database)
+        self.library = LibraryStore(self.database)
 
     @property
     def changes(self) -> Changes:

@@ -1,7 +1,7 @@
 """Tables of the store in SQLite or PostgreSQL.
 
-The tables contain drawings, jobs, events of drawings and jobs, profiles of customers, gateways,
-and the stations of machines with the operations that persons ask for.
+The tables contain drawings, jobs, events of drawings and jobs, profiles, machines, boards and tools
+of users, gateways, and the stations of machines with the operations that persons ask for.
 Large columns are deferred: a query loads them only if it names them.
 """
 
@@ -37,6 +37,31 @@ class Profile(Base):
     version: Mapped[int]  #: increases with each change, for optimistic locking
     created: Mapped[float] = mapped_column(sa.Double)
     updated: Mapped[float] = mapped_column(sa.Double)
+
+
+class LibraryEntry(Base):
+    """A machine, a board or a tool of a user, with the number of its newest version."""
+
+    __tablename__ = "library_entry"
+
+    shelf: Mapped[str] = mapped_column(sa.String(16), primary_key=True)  #: see ``Shelf``
+    name: Mapped[str] = mapped_column(sa.String(64), primary_key=True)
+    version: Mapped[int]  #: increases with each change, also after a deletion
+
+
+class LibraryVersion(Base):
+    """A version of a machine, a board or a tool of a user; it is never changed or deleted."""
+
+    __tablename__ = "library_version"
+
+    shelf: Mapped[str] = mapped_column(sa.String(16), primary_key=True)
+    name: Mapped[str] = mapped_column(sa.String(64), primary_key=True)
+    version: Mapped[int] = mapped_column(primary_key=True)
+    title: Mapped[str] = mapped_column(sa.String(200))
+    text: Mapped[str] = mapped_column(sa.Text)  #: TOML
+    at: Mapped[float] = mapped_column(sa.Double)
+    by: Mapped[str] = mapped_column(sa.String(100))  #: who stored it; may be empty
+    note: Mapped[str] = mapped_column(sa.String(200))  #: what was changed and why; may be empty
 
 
 class Drawing(Base):
@@ -89,6 +114,9 @@ class Job(Base):
     drawing_name: Mapped[str] = mapped_column(sa.String(200))
     machine: Mapped[str] = mapped_column(sa.String(200))
     board: Mapped[str] = mapped_column(sa.String(200))
+    #: versions for which it is compiled; 0 for entries of knifetip's library
+    machine_version: Mapped[int] = mapped_column(default=0)
+    board_version: Mapped[int] = mapped_column(default=0)
     profile: Mapped[str] = mapped_column(sa.String(200))
     #: TOML of the profile when the job was created; empty for one of the library
     rules: Mapped[str] = mapped_column(sa.Text, default="")

@@ -25,7 +25,7 @@ from knifetip.jobs.readings import (
 )
 from knifetip.jobs.rest_record import StoredRest
 from knifetip.jobs.worked_lengths import pack_lengths
-from knifetip.library import load
+from knifetip.library.definition import Definition, board_of, machine_of
 from knifetip.messages import finite, printable
 from knifetip.model.acceptance import Exceptions, with_ordered_exceptions
 from knifetip.model.cleaned import Cleaned
@@ -155,7 +155,7 @@ def cleaning_report(progress: Progress, edges: bytes) -> dict[str, Any]:
 
 
 def open_questions(
-    progress: Progress, stored: StoredDrawing, interpretation: Interpretation, machine: str
+    progress: Progress, stored: StoredDrawing, interpretation: Interpretation, machine: Definition
 ) -> list[dict[str, Any]]:
     """Return the questions that the user must answer before a job can be compiled, as JSON data.
 
@@ -168,7 +168,7 @@ def open_questions(
     interpretation
         Interpretation with which the drawing is to be compiled.
     machine
-        Name of the machine.
+        Definition of the machine.
 
     Raises
     ------
@@ -179,7 +179,7 @@ def open_questions(
     from knifetip import pipeline
 
     progress(Stage.READ, 0.0)
-    table = load.machine(machine)
+    table = machine_of(machine)
     pipeline.check_choices(interpretation.choices, table)
     drawing, dieline = restore_or_read(stored, interpretation)
     return [question.as_json() for question in pipeline.questions(drawing, dieline, table)]
@@ -189,8 +189,8 @@ def compile(
     progress: Progress,
     stored: StoredDrawing,
     interpretation: Interpretation,
-    machine: str,
-    board: str,
+    machine: Definition,
+    board: Definition,
     notes: Sequence[str],
     exceptions: Exceptions | None = None,
     rest: StoredRest | None = None,
@@ -205,10 +205,8 @@ def compile(
         The stored drawing.
     interpretation
         Interpretation with which the drawing is compiled.
-    machine
-        Name of the machine in the library.
-    board
-        Name of the board in the library.
+    machine, board
+        Definitions of the machine and the board.
     notes
         Comment lines for the beginning of the program.
     exceptions
@@ -227,8 +225,8 @@ def compile(
     drawing, dieline = restore_or_read(stored, interpretation)
     if not drawing.unit:
         raise UnitUnknown("drawing.unit-unknown", evidence=drawing.evidence)
-    table = load.machine(machine)
-    job = (drawing, dieline, table, load.board(board))
+    table = machine_of(machine)
+    job = (drawing, dieline, table, board_of(board))
     choices = interpretation.choices
     if rest is None:
         compiled = pipeline.compile(*job, choices=choices, notes=notes, progress=progress)

@@ -7,21 +7,18 @@ is not trusted: its size is limited, it cannot refer to files, and it is either 
 
 from __future__ import annotations
 
-import re
 import tomllib
 from collections.abc import Mapping
 from functools import lru_cache
-from importlib import resources
 from typing import Any
 
 from knifetip.errors import ProfileError
 from knifetip.library import load
+from knifetip.library.definition import is_name
+from knifetip.library.toml_text import read_toml
 from knifetip.model.profile import LineRules
 
 MAX_BYTES = 256 << 10  #: largest size of the text of a profile
-
-#: Names contain no dot, since names that end in .toml refer to files on the command line.
-_NAME = re.compile(r"[a-z0-9][a-z0-9_-]{0,63}")
 
 
 def check_name(name: str) -> str:
@@ -34,7 +31,7 @@ def check_name(name: str) -> str:
     ProfileError
         The name is not valid.
     """
-    if not _NAME.fullmatch(name):
+    if not is_name(name):
         raise ProfileError("profile.bad-name", name=name[:80], source=("name",))
     return name
 
@@ -59,8 +56,8 @@ def parse_text(name: str, text: str) -> LineRules:
 @lru_cache(maxsize=64)
 def _parse_cached(name: str, text: str) -> LineRules:
     try:
-        return load.parse_profile(name, tomllib.loads(text))
-    except tomllib.TOMLDecodeError as reason:
+        return load.parse_profile(name, read_toml(text))
+    except ValueError as reason:
         raise ProfileError("profile.not-toml", name=name, reason=reason) from reason
     except RecursionError as reason:
         raise ProfileError("profile.nested-too-deep", name=name) from reason
@@ -85,14 +82,6 @@ def profile_text(name: str, fields: Mapping[str, Any]) -> str:
         wrong field.
     """
     return load.profile_toml(load.parse_profile(name, fields), fields.get("extends"))
-
-
-def library_text(name: str) -> str:
-    """Return the TOML text of the profile with the name ``name`` in the library.
-
-    The profile must exist; a missing file raises ``FileNotFoundError``.
-    """
-    return (resources.files(__package__) / "profiles" / f"{name}.toml").read_text("utf-8")
 
 
 def parse_fields(text: str) -> dict[str, Any]:

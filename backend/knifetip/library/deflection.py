@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import json
 import re
 
+from knifetip.library.toml_text import key_text, quoted
 from knifetip.model.board import Deflection
 
 
@@ -18,7 +18,8 @@ def deflection_toml(deflection: Deflection) -> str:
     x = 0.0800
     y = 0.0500
     """
-    return f"[deflection.{_key(deflection.tool)}]\nx = {deflection.x:.4f}\ny = {deflection.y:.4f}\n"
+    tool = key_text(deflection.tool)
+    return f"[deflection.{tool}]\nx = {deflection.x:.4f}\ny = {deflection.y:.4f}\n"
 
 
 def replace_deflection(text: str, deflection: Deflection) -> str:
@@ -28,8 +29,8 @@ def replace_deflection(text: str, deflection: Deflection) -> str:
     greatest deflection in X and Y (mm).
     """
     name = re.escape(deflection.tool)
-    quoted = re.escape(json.dumps(deflection.tool, ensure_ascii=False))
-    head = re.compile(rf"\[\s*deflection\s*\.\s*(?:{name}|{quoted}|'{name}')\s*\]")
+    in_quotes = re.escape(quoted(deflection.tool))
+    head = re.compile(rf"\[\s*deflection\s*\.\s*(?:{name}|{in_quotes}|'{name}')\s*\]")
     kept_lines, in_table = [], False
     for line in text.splitlines():
         if line.lstrip().startswith("["):
@@ -37,7 +38,3 @@ def replace_deflection(text: str, deflection: Deflection) -> str:
         if not in_table:
             kept_lines.append(line)
     return "\n".join(kept_lines).rstrip() + "\n\n" + deflection_toml(deflection)
-
-
-def _key(name: str) -> str:
-    return name if re.fullmatch(r"[A-Za-z0-9_-]+", name) else json.dumps(name, ensure_ascii=False)

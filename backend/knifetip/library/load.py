@@ -5,7 +5,6 @@ For example, "demo-table" gives a ``Machine``, "e-flute" a ``Board``, "default" 
 
 from __future__ import annotations
 
-import json
 import tomllib
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
@@ -19,21 +18,23 @@ from typing import Any, TypeVar
 from knifetip.errors import KnifetipError, LibraryError, ProfileError
 from knifetip.fields import InvalidFields, check_fields
 from knifetip.languages.registry import find_language
+from knifetip.library.toml_text import quoted
 from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine, Station
 from knifetip.model.profile import LineRules
+from knifetip.model.tool import Tool
 
 Record = TypeVar("Record")
 
 
 def names(shelf: str) -> list[str]:
-    """Return the names of all machines, boards or profiles in the library, in alphabetical order.
+    """Return the names of all entries of one kind in the library, in alphabetical order.
 
     Parameters
     ----------
     shelf
-        "machines", "boards" or "profiles".
+        "machines", "boards", "tools" or "profiles".
     """
     return list(_names(shelf))
 
@@ -264,8 +265,16 @@ def board_toml(name: str) -> str:
     """
     board(name)
     if name in names("boards"):
-        return _library_file("boards", name).read_text("utf-8")
+        return library_text("boards", name)
     return Path(name).read_text("utf-8")
+
+
+def library_text(shelf: str, name: str) -> str:
+    """Return the TOML text of an entry of the library.
+
+    ``shelf`` is the kind of the entry and ``name`` its name, as ``names`` returns it.
+    """
+    return _library_file(shelf, name).read_text("utf-8")
 
 
 def parse_machine(name: str, fields: Mapping[str, Any], file: str = "") -> Machine:
@@ -315,6 +324,29 @@ def parse_board(name: str, fields: Mapping[str, Any], file: str = "") -> Board:
 
     with _name_document("board", file or name):
         return check_fields(BoardFile, fields).record(name)
+
+
+def parse_tool(name: str, fields: Mapping[str, Any], file: str = "") -> Tool:
+    """Return the tool that the fields of a TOML document describe: a title and the table ``tool``.
+
+    Parameters
+    ----------
+    name
+        Name of the tool.
+    fields
+        Values by field name, as parsed from the document.
+    file
+        Name of the file in error messages; if it is empty, ``name`` is used instead.
+
+    Raises
+    ------
+    LibraryError
+        A field is missing, invalid or unknown.
+    """
+    from knifetip.library.machine_file import ToolFile
+
+    with _name_document("tool", file or name):
+        return check_fields(ToolFile, fields).record()
 
 
 def parse_profile(name: str, fields: Mapping[str, Any], file: str = "") -> LineRules:
@@ -371,36 +403,30 @@ def profile_toml(rules: LineRules, extends: str | None = None) -> str:
         ``rules`` neither begins nor ends with the rules of ``extends``.
     """
     own = rules.rules
-    lines = [f"title = {_quoted(rules.title)}"]
+    lines = [f"title = {quoted(rules.title)}"]
     if extends is not None:
         base = profile(extends, files=False).rules
         rest = len(own) - len(base)
         if rest >= 0 and own[rest:] == base:
             own = own[:rest]
-            lines += [f"extends = {_quoted(extends)}", "overrules = true"]
+            lines += [f"extends = {quoted(extends)}", "overrules = true"]
         elif own[: len(base)] == base:
             own = own[len(base) :]
-            lines.append(f"extends = {_quoted(extends)}")
+            lines.append(f"extends = {quoted(extends)}")
         else:
             raise ProfileError("profile.not-an-extension", name=rules.name, extends=extends)
     if not own:
         lines.append("rule = []")
     for rule in own:
-        lines += ["", "[[rule]]", f"type = {_quoted(rule.line_type.word)}"]
+        lines += ["", "[[rule]]", f"type = {quoted(rule.line_type.word)}"]
         colours = [str(colour) for colour in rule.colour]
         colours += [f'"#{colour:06x}"' for colour in rule.true_colour]
         values = {
-            "layer": [_quoted(name) for name in rule.layer],
+            "layer": [quoted(name) for name in rule.layer],
             "colour": colours,
-            "linetype": [_quoted(name) for name in rule.linetype],
-            "entity": [_quoted(name) for name in rule.entity],
-            "block": [_quoted(name) for name in rule.block],
+            "linetype": [quoted(name) for name in rule.linetype],
+            "entity": [quoted(name) for name in rule.entity],
+            "block": [quoted(name) for name in rule.block],
         }
         lines += [f"{key} = [{', '.join(those)}]" for key, those in values.items() if those]
     return "\n".join(lines) + "\n"
-
-
-def _quoted(text: str) -> str:
-    # A lone surrogate has no UTF-8: it becomes ?, which matches any character in a pattern.
-    clean = text.encode("utf-8", "replace").decode("utf-8")
-    return json.dumps(clean, ensure_ascii=False).replace("\x7f", "\\u007f")

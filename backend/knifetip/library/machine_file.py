@@ -215,6 +215,21 @@ def _check_kind(tool: Any) -> Any:
     return tool
 
 
+_CheckedTool: Any = Annotated[_AnyTool, Field(discriminator="kind"), BeforeValidator(_check_kind)]
+
+
+class ToolFile(Table):
+    """The fields of the TOML file of a tool, which can be copied into stations of machines."""
+
+    title: str
+    tool: _CheckedTool
+
+    def record(self) -> Tool:
+        """Return the tool that the file describes."""
+        tool: Tool = self.tool.record()
+        return tool
+
+
 class StationTable(Table):
     """The TOML table of a station, a mount on the head of a machine that carries one tool."""
 
@@ -238,7 +253,7 @@ class StationTable(Table):
         description="length that the tool may work in the board before it is changed (m); 0: no "
         "limit",
     )
-    tool: Annotated[_AnyTool, Field(discriminator="kind"), BeforeValidator(_check_kind)]
+    tool: _CheckedTool
 
     def record(self) -> Station:
         """Return the station that the table describes."""

@@ -11,13 +11,14 @@ from typing import Any, Final
 
 from knifetip.fields import Table
 from knifetip.library.board_file import BoardFile
-from knifetip.library.machine_file import MachineFile
+from knifetip.library.machine_file import MachineFile, ToolFile
 from knifetip.library.profile_file import ProfileFile
 from knifetip.model.tool import KINDS, Tool
 
 FILES: Final[dict[str, type[Table]]] = {
     "machine": MachineFile,
     "board": BoardFile,
+    "tool": ToolFile,
     "profile": ProfileFile,
 }
 
@@ -27,7 +28,7 @@ _LINE_BEFORE: Final = re.compile(r"^    #: (.+)\n    (\w+): ", re.MULTILINE)
 
 
 def json_schema(file: str) -> dict[str, Any]:
-    """Return the JSON Schema of the kind of TOML file ``file``: "machine", "board" or "profile"."""
+    """Return the JSON Schema of the kind of TOML file ``file``: a key of ``FILES``."""
     schema = FILES[file].model_json_schema()
     for kind in KINDS:
         table = schema.get("$defs", {}).get(f"{kind.tool.__name__}Table", {"properties": {}})

@@ -43,3 +43,4 @@ class Board:
     groove_shift: float = 0.3  #: maximum shift of a V-groove away from a cut beside it (mm)
     fold_angle: float = 90.0  #: angle by which the board must fold at a V-groove (degrees)
     deflection: tuple[Deflection, ...] = ()  #: deflection of each cutter measured in this board
+    version: int = 0  #: version of a user's board; 0 for a board of the library or of a file

@@ -129,6 +129,7 @@ class Machine:
     zones: tuple[Zone, ...] = ()  #: keep-out zones on the table
     #: least distance of a tool from the board in turns with the least lift (mm); 0 for no such lift
     turn_clearance: float = 0.0
+    version: int = 0  #: version of a user's machine; 0 for a machine of the library or of a file
 
     @property
     def carriages(self) -> tuple[Carriage, ...]:

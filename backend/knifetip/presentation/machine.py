@@ -13,6 +13,7 @@ def machine_json(machine: Machine) -> dict[str, Any]:
     """Return a machine without its stations as JSON data (mm, degrees, mm/min)."""
     return {
         "name": machine.name,
+        "version": machine.version,
         "title": machine.title,
         "width": machine.width,
         "height": machine.height,

@@ -384,6 +384,30 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/jobs/{id}/recompile": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Recompile Job
+         * @description Compile a job again for the newest versions of its machine and its board.
+         *
+         *     This is necessary if one of them has changed since the compile.  A job that was queued is queued
+         *     again when its new program is accepted.  The status is 409 if the job is neither ``ready`` nor
+         *     ``queued``, or if its machine or board was deleted.
+         */
+        post: operations["recompile_job"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/jobs/{id}/confirm": {
         parameters: {
             query?: never;
@@ -724,7 +748,7 @@ export interface paths {
         };
         /**
          * List Machines
-         * @description List the machines of the library with their current jobs.
+         * @description List the machines with their current jobs: those of users and those of the library.
          */
         get: operations["list_machines"];
         put?: never;
@@ -744,12 +768,23 @@ export interface paths {
         };
         /**
          * Get Machine
-         * @description Get a machine of the library with its current job.
+         * @description Get a machine of a user or of knifetip's library, with its current job.
          */
         get: operations["get_machine"];
-        put?: never;
+        /**
+         * Save Machine
+         * @description Create a definition, or replace it by a new version; the request body is TOML or JSON.
+         *
+         *     To replace a definition, send the version on which the change is based in the header
+         *     ``If-Match``.  Jobs keep the version for which they were compiled.
+         */
+        put: operations["save_machine"];
         post?: never;
-        delete?: never;
+        /**
+         * Delete Machine
+         * @description Delete a definition; the status is 409 if a job that has not ended uses it.
+         */
+        delete: operations["delete_machine"];
         options?: never;
         head?: never;
         patch?: never;
@@ -931,7 +966,7 @@ export interface paths {
         };
         /**
          * List Boards
-         * @description List the boards of the library.
+         * @description List the boards: those of users and those of knifetip's library.
          */
         get: operations["list_boards"];
         put?: never;
@@ -951,12 +986,23 @@ export interface paths {
         };
         /**
          * Get Board
-         * @description Get a board of the library.
+         * @description Get a board of a user or of knifetip's library.
          */
         get: operations["get_board"];
-        put?: never;
+        /**
+         * Save Board
+         * @description Create a definition, or replace it by a new version; the request body is TOML or JSON.
+         *
+         *     To replace a definition, send the version on which the change is based in the header
+         *     ``If-Match``.  Jobs keep the version for which they were compiled.
+         */
+        put: operations["save_board"];
         post?: never;
-        delete?: never;
+        /**
+         * Delete Board
+         * @description Delete a definition; the status is 409 if a job that has not ended uses it.
+         */
+        delete: operations["delete_board"];
         options?: never;
         head?: never;
         patch?: never;
@@ -993,12 +1039,265 @@ export interface paths {
         };
         /**
          * List Tools
-         * @description List the tools of all machines of the library.
+         * @description List the tools in the stations of all machines.
          */
         get: operations["list_tools"];
         put?: never;
         post?: never;
         delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/library": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Library
+         * @description List the machines, boards and tools: those of users and those of knifetip's library.
+         */
+        get: operations["list_library"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/schemas/{kind}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Schema
+         * @description Get the JSON Schema of the definitions of machines, boards or tools.
+         */
+        get: operations["get_schema"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/definition": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Machine Definition
+         * @description Get a definition with all its fields, as the TOML files of knifetip's library have them.
+         *
+         *     The ETag is the version, for ``If-Match``.
+         */
+        get: operations["get_machine_definition"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/toml": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Export Machine
+         * @description Download a definition as TOML, as it was sent.
+         */
+        get: operations["export_machine"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/machines/{name}/versions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Machine Versions
+         * @description List the versions of a definition, newest first; one of knifetip's library has none.
+         */
+        get: operations["list_machine_versions"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/boards/{name}/definition": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Board Definition
+         * @description Get a definition with all its fields, as the TOML files of knifetip's library have them.
+         *
+         *     The ETag is the version, for ``If-Match``.
+         */
+        get: operations["get_board_definition"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/boards/{name}/toml": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Export Board
+         * @description Download a definition as TOML, as it was sent.
+         */
+        get: operations["export_board"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/boards/{name}/versions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Board Versions
+         * @description List the versions of a definition, newest first; one of knifetip's library has none.
+         */
+        get: operations["list_board_versions"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/tools/{name}/definition": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Tool Definition
+         * @description Get a definition with all its fields, as the TOML files of knifetip's library have them.
+         *
+         *     The ETag is the version, for ``If-Match``.
+         */
+        get: operations["get_tool_definition"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/tools/{name}/toml": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Export Tool
+         * @description Download a definition as TOML, as it was sent.
+         */
+        get: operations["export_tool"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/tools/{name}/versions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Tool Versions
+         * @description List the versions of a definition, newest first; one of knifetip's library has none.
+         */
+        get: operations["list_tool_versions"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/tools/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Save Tool
+         * @description Create a definition, or replace it by a new version; the request body is TOML or JSON.
+         *
+         *     To replace a definition, send the version on which the change is based in the header
+         *     ``If-Match``.  Jobs keep the version for which they were compiled.
+         */
+        put: operations["save_tool"];
+        post?: never;
+        /**
+         * Delete Tool
+         * @description Delete a definition; the status is 409 if a job that has not ended uses it.
+         */
+        delete: operations["delete_tool"];
         options?: never;
         head?: never;
         patch?: never;
@@ -1131,7 +1430,8 @@ export interface paths {
          *
          *     The status is 204 if no job is available within ``wait`` seconds, a field of the request.  If
          *     ``confirm`` is true in the response, the gateway must send nothing to the machine before the
-         *     operator confirms the job.
+         *     operator confirms the job.  The status is 412 if the machine has changed since the gateway
+         *     loaded its definition.
          */
         post: operations["claim"];
         delete?: never;
@@ -1388,14 +1688,19 @@ export interface components {
         };
         /**
          * BoardOut
-         * @description A board of the library; lengths in mm, angles in degrees.
+         * @description A board of a user or of knifetip's library; lengths in mm, angles in degrees.
          */
         BoardOut: {
             /**
              * Name
-             * @description Name of the board in the library, to be used in requests
+             * @description Name of the board, to be used in requests
              */
             name: string;
+            /**
+             * Version
+             * @description Version of a user's board; 0 for a board of knifetip's library
+             */
+            version: number;
             /**
              * Title
              * @description Name of the board for display; may be empty
@@ -1431,6 +1736,31 @@ export interface components {
              * @description Depth of a V-groove below the top face (mm)
              */
             groove_depth: number;
+            /**
+             * Groove Pass
+             * @description Largest depth of one pass of a V-groove (mm); 0: one pass
+             */
+            groove_pass: number;
+            /**
+             * Groove Curve
+             * @description Largest distance between an arc and its chords in a V-groove (mm); 0: curved grooves are refused
+             */
+            groove_curve: number;
+            /**
+             * Double Crease
+             * @description Distance between the two lines of a double crease (mm); 0: single
+             */
+            double_crease: number;
+            /**
+             * Bridge Width
+             * @description Width of a bridge that holds the part (mm); 0: none
+             */
+            bridge_width: number;
+            /**
+             * Bridge Spacing
+             * @description Largest distance between two bridges (mm)
+             */
+            bridge_spacing: number;
             /**
              * Deflection
              * @description Deflection of each cutter that was measured in this board; empty if none was
@@ -1633,6 +1963,11 @@ export interface components {
              * @description Name of the machine in the library, as in `GET /api/machines`
              */
             machine: string;
+            /**
+             * Machine Version
+             * @description Version of the machine definition that the gateway uses, from `GET /api/machines/{name}/definition`; null for a definition of its own, which is not compared
+             */
+            machine_version?: number | null;
             /**
              * Wait
              * @description Maximum time to wait for a job (s)
@@ -1889,6 +2224,66 @@ export interface components {
              * @default []
              */
             at: components["schemas"]["CornerAt"][];
+        };
+        /**
+         * DefinitionOut
+         * @description A machine, a board or a tool with all fields of its definition.
+         */
+        DefinitionOut: {
+            /**
+             * Version
+             * @description Number of the version; increases with each change; 0 for an entry of knifetip's library
+             * @default 0
+             */
+            version: number;
+            /**
+             * Title
+             * @description Name for display
+             */
+            title: string;
+            /**
+             * At
+             * @description Time at which the version was stored (seconds since 1970-01-01 UTC); 0 for an entry of knifetip's library
+             * @default 0
+             */
+            at: number;
+            /**
+             * By
+             * @description Who stored the version; empty if it is not known
+             * @default
+             */
+            by: string;
+            /**
+             * Note
+             * @description What was changed, and why; may be empty
+             * @default
+             */
+            note: string;
+            /** @description Kind of the entry */
+            shelf: components["schemas"]["Shelf"];
+            /**
+             * Name
+             * @description Name of the entry, to be used in requests
+             */
+            name: string;
+            /**
+             * Shipped
+             * @description Whether the entry is part of knifetip's library; such an entry cannot be changed
+             */
+            shipped: boolean;
+            /**
+             * Fault
+             * @description Reason why the entry cannot be used any more, in English; empty if it can be used
+             * @default
+             */
+            fault: string;
+            /**
+             * Fields
+             * @description Values by field name, as in the TOML files of knifetip's library and in the JSON that is sent to save the entry; `GET /api/schemas/{shelf}` describes them
+             */
+            fields: {
+                [key: string]: unknown;
+            };
         };
         /**
          * DeflectionOut
@@ -2235,6 +2630,59 @@ export interface components {
              * @description Overrides, applied in order; later ones replace earlier ones for the same edges
              */
             overrides: components["schemas"]["Override"][];
+        };
+        /**
+         * EntryOut
+         * @description A machine, a board or a tool of a user or of knifetip's library, in one version.
+         */
+        EntryOut: {
+            /**
+             * Version
+             * @description Number of the version; increases with each change; 0 for an entry of knifetip's library
+             * @default 0
+             */
+            version: number;
+            /**
+             * Title
+             * @description Name for display
+             */
+            title: string;
+            /**
+             * At
+             * @description Time at which the version was stored (seconds since 1970-01-01 UTC); 0 for an entry of knifetip's library
+             * @default 0
+             */
+            at: number;
+            /**
+             * By
+             * @description Who stored the version; empty if it is not known
+             * @default
+             */
+            by: string;
+            /**
+             * Note
+             * @description What was changed, and why; may be empty
+             * @default
+             */
+            note: string;
+            /** @description Kind of the entry */
+            shelf: components["schemas"]["Shelf"];
+            /**
+             * Name
+             * @description Name of the entry, to be used in requests
+             */
+            name: string;
+            /**
+             * Shipped
+             * @description Whether the entry is part of knifetip's library; such an entry cannot be changed
+             */
+            shipped: boolean;
+            /**
+             * Fault
+             * @description Reason why the entry cannot be used any more, in English; empty if it can be used
+             * @default
+             */
+            fault: string;
         };
         /**
          * ExceptionsIn
@@ -2763,14 +3211,24 @@ export interface components {
             drawing_name: string;
             /**
              * Machine
-             * @description Name of the machine in the library
+             * @description Name of the machine
              */
             machine: string;
             /**
+             * Machine Version
+             * @description Version of the machine for which the job is compiled; 0 for a machine of knifetip's library
+             */
+            machine_version: number;
+            /**
              * Board
-             * @description Name of the board in the library
+             * @description Name of the board
              */
             board: string;
+            /**
+             * Board Version
+             * @description Version of the board for which the job is compiled; 0 for a board of knifetip's library
+             */
+            board_version: number;
             /**
              * Profile
              * @description Name of the classification profile of the job
@@ -2814,11 +3272,11 @@ export interface components {
             updated: number;
             /**
              * Waiting For
-             * @description What the job waits for. confirmation: the operator must confirm table, board and tools. sheet: the operator must confirm the next sheet. machine: the machine has not claimed the job. turn: other jobs come first. hold: the job is on hold in the queue. Empty: it does not wait. `message` describes the reason
+             * @description What the job waits for. confirmation: the operator must confirm table, board and tools. sheet: the operator must confirm the next sheet. machine: the machine has not claimed the job. turn: other jobs come first. hold: the job is on hold in the queue. compile: the machine or the board has changed, so the job must be compiled again. Empty: it does not wait. `message` describes the reason
              * @default
              * @enum {string}
              */
-            waiting_for: "" | "confirmation" | "sheet" | "machine" | "turn" | "hold";
+            waiting_for: "" | "confirmation" | "sheet" | "machine" | "turn" | "hold" | "compile";
             /**
              * On Hold
              * @description Whether an operator put the job on hold in the queue; its machine then takes other jobs first
@@ -2991,14 +3449,19 @@ export interface components {
         };
         /**
          * MachineOut
-         * @description A machine of the library with its current job.
+         * @description A machine of a user or of knifetip's library, with its current job.
          */
         MachineOut: {
             /**
              * Name
-             * @description Name of the machine in the library, to be used in requests
+             * @description Name of the machine, to be used in requests
              */
             name: string;
+            /**
+             * Version
+             * @description Version of a user's machine; 0 for a machine of knifetip's library
+             */
+            version: number;
             /**
              * Title
              * @description Name of the machine for display
@@ -3269,7 +3732,7 @@ export interface components {
          * @description Actions that an operator can perform on jobs, in the order of their buttons on the page.
          * @enum {string}
          */
-        OperatorAction: "accept" | "release" | "confirm" | "hold" | "resume" | "rest" | "requeue" | "finish" | "scrap" | "cancel";
+        OperatorAction: "accept" | "release" | "confirm" | "hold" | "resume" | "rest" | "requeue" | "finish" | "scrap" | "recompile" | "cancel";
         /**
          * Override
          * @description Sets the line type of edges, which are selected by row, by handle, or by layer and colour.
@@ -3879,6 +4342,12 @@ export interface components {
              */
             margin: number;
         };
+        /**
+         * Shelf
+         * @description Kinds of definitions, by the names of their folders in the library.
+         * @enum {string}
+         */
+        Shelf: "machines" | "boards" | "tools";
         /**
          * ShortfallIn
          * @description A shortfall of a verdict, selected by its edge and its code.
@@ -4732,6 +5201,41 @@ export interface components {
             seconds_retracted?: number | null;
         };
         /**
+         * VersionOut
+         * @description A stored version of a machine, a board or a tool: its number, and who stored it when.
+         */
+        VersionOut: {
+            /**
+             * Version
+             * @description Number of the version; increases with each change; 0 for an entry of knifetip's library
+             * @default 0
+             */
+            version: number;
+            /**
+             * Title
+             * @description Name for display
+             */
+            title: string;
+            /**
+             * At
+             * @description Time at which the version was stored (seconds since 1970-01-01 UTC); 0 for an entry of knifetip's library
+             * @default 0
+             */
+            at: number;
+            /**
+             * By
+             * @description Who stored the version; empty if it is not known
+             * @default
+             */
+            by: string;
+            /**
+             * Note
+             * @description What was changed, and why; may be empty
+             * @default
+             */
+            note: string;
+        };
+        /**
          * WaitingChangeIn
          * @description New values of a waiting job; values that are null stay as they are.
          */
@@ -4966,7 +5470,7 @@ export interface components {
             revision: number | null;
         };
         /** @enum {string} */
-        MessageCode: "advice.compiling" | "advice.ended" | "advice.interrupted" | "advice.of-reason" | "advice.queued" | "advice.ready" | "advice.running" | "bridges.no-room" | "calibration.bad-points" | "calibration.choose-cutter" | "calibration.missing-column" | "calibration.not-a-number" | "calibration.not-csv" | "calibration.undetermined" | "calibration.wrong-sign" | "cf2.cut-short" | "cf2.decimal-commas" | "cf2.empty" | "cf2.main" | "cf2.section" | "cf2.subroutine" | "classification.around" | "classification.arrow" | "classification.as-its-style" | "classification.bleed" | "classification.board-ends" | "classification.closes-nothing" | "classification.contradicted" | "classification.convention" | "classification.cuts-panel-off" | "classification.dashed" | "classification.divider" | "classification.divides-panels" | "classification.frame" | "classification.free" | "classification.hole" | "classification.inner" | "classification.layer-denies" | "classification.layer-name" | "classification.legend" | "classification.letter" | "classification.like-outline" | "classification.like-outline-not-folds" | "classification.linetype-name" | "classification.mark" | "classification.mirror-cut" | "classification.mirror-folded" | "classification.mixed" | "classification.must-be-processed" | "classification.named" | "classification.no-rule" | "classification.no-rule-but-shape" | "classification.none-closes" | "classification.not-made" | "classification.on-cut" | "classification.open" | "classification.other-style-closes" | "classification.outline" | "classification.override" | "classification.paired" | "classification.panel-hangs" | "classification.panels-hang" | "classification.role-against" | "classification.rule" | "classification.shape" | "classification.slit" | "classification.slot" | "classification.speck" | "classification.stray" | "classification.swapped" | "classification.swapped-both" | "classification.swapped-like" | "classification.table" | "classification.unknown" | "classification.votes" | "classification.with-text" | "classification.without-tabs" | "cleaning.as-drawn" | "cleaning.dropped-off-panel" | "cleaning.dropped-speck" | "cleaning.end-moved" | "cleaning.fitted" | "cleaning.fitted-edge" | "cleaning.folds-trimmed" | "cleaning.ignored" | "cleaning.joined" | "cleaning.joined-edge" | "cleaning.kept" | "cleaning.kept-changed" | "cleaning.length-on-others" | "cleaning.longer" | "cleaning.moved" | "cleaning.no-work" | "cleaning.off-panel" | "cleaning.on-edge" | "cleaning.part-dropped" | "cleaning.part-off-panel" | "cleaning.shortened" | "cleaning.speck" | "cleaning.twice" | "cleaning.unclassified" | "command.bad-corner" | "command.bad-edge" | "command.bad-layer" | "command.bad-line-type" | "command.file-too-large" | "command.no-such-layer" | "command.unreadable-file" | "command.unwritable-file" | "controller.alarm" | "controller.alarm-code" | "controller.alarm-of-unknown-cause" | "controller.alarm-state" | "controller.alarm-unknown" | "controller.answer-lost" | "controller.answer-missing" | "controller.bad-address" | "controller.bad-serial-address" | "controller.busy" | "controller.check-end-not-confirmed" | "controller.closed" | "controller.connection-failed" | "controller.due" | "controller.in-alarm" | "controller.lift-not-finished" | "controller.locked" | "controller.locked-by-alarm" | "controller.lost" | "controller.lost-in-buffer" | "controller.no-host-and-port" | "controller.not-in-laser-mode" | "controller.not-ready" | "controller.not-recovered" | "controller.not-secured" | "controller.not-stopped" | "controller.off-heading" | "controller.off-path" | "controller.one-carriage" | "controller.port-busy" | "controller.port-missing" | "controller.port-not-permitted" | "controller.port-unusable" | "controller.ports-found" | "controller.refused-safe-state" | "controller.rejected-command" | "controller.rejected-in-check" | "controller.rejected-line" | "controller.reports-alarm" | "controller.reset" | "controller.reset-not-confirmed" | "controller.silent" | "controller.stopped" | "controller.too-few-outputs" | "controller.unable" | "controller.unexpected-answer" | "controller.unreachable" | "controller.was-reset" | "corner.at" | "corner.bad-interference" | "corner.bad-k" | "corner.bad-k-at" | "corner.bad-place" | "corner.bad-share" | "corner.inside" | "corner.no-contour" | "corner.no-cutter" | "corner.not-found" | "corner.replaced" | "corner.unknown-number" | "corner.unknown-type" | "corner.unknown-type-at" | "crease.tight-bend" | "curve.bad-ellipse" | "curve.bad-spline" | "curve.bad-tolerance" | "curve.not-finite" | "curve.not-fitted" | "curve.parameters" | "curve.too-many-pieces" | "curve.too-many-spans" | "cut.too-many-crossings" | "cut.too-short" | "cutter.interference" | "cutter.misses-bridge" | "cutter.short-lead" | "database.bad-url" | "database.in-memory" | "deflection.exceeds-radius" | "drawing.all-ignored" | "drawing.changing" | "drawing.deleted" | "drawing.empty" | "drawing.fits-turned" | "drawing.in-use" | "drawing.larger-than-table" | "drawing.no-lines" | "drawing.no-lines-reason" | "drawing.open-questions" | "drawing.read" | "drawing.reinterpreted" | "drawing.stale" | "drawing.types-set" | "drawing.unit-for-cleaning" | "drawing.unit-unknown" | "drawing.unknown" | "drawing.upload-too-large" | "dxf.at-line" | "dxf.blocks-expand-too-far" | "dxf.blocks-too-deep" | "dxf.cut-short" | "dxf.no-section" | "dxf.not-a-group-code" | "dxf.other-kind" | "dxf.too-large-unusual" | "dxf.without-end-mark" | "edge.no-length" | "edge.not-finite" | "edge.place" | "edge.too-crowded" | "edge.too-far" | "edge.too-many-overlaps" | "error.at-edge" | "error.at-edges" | "error.in-file" | "field.above" | "field.above-clearance" | "field.bad-arguments" | "field.below" | "field.blank" | "field.inconsistent" | "field.missing" | "field.misspelt" | "field.no-kind" | "field.no-neighbour" | "field.no-such-carriage" | "field.not-a-colour" | "field.not-a-line-type" | "field.not-a-list" | "field.not-a-number" | "field.not-a-profile" | "field.not-a-table" | "field.not-above" | "field.not-above-low" | "field.not-below" | "field.not-boolean" | "field.not-json" | "field.not-less-than-caliper" | "field.not-one-of" | "field.not-text" | "field.not-whole" | "field.other" | "field.outside" | "field.park-outside" | "field.parks-too-near" | "field.repeated-letters" | "field.repeated-numbers" | "field.rest-choice" | "field.sheet-size" | "field.spacing" | "field.too-few" | "field.too-long" | "field.too-many" | "field.too-many-passes" | "field.too-short" | "field.unknown" | "field.unknown-kind" | "field.zone-above-travel" | "file.7z" | "file.bmp" | "file.compound-file" | "file.dwg" | "file.eps" | "file.gif" | "file.gzip" | "file.html" | "file.jpeg" | "file.json" | "file.old-dwg" | "file.png" | "file.postscript" | "file.rar" | "file.riff" | "file.step" | "file.stl" | "file.tiff" | "file.xml" | "file.zip" | "finding.at-edge" | "finding.at-edge-and-line" | "finding.at-line" | "finding.more" | "gateway.cancelled" | "gateway.controller-not-idle" | "gateway.job-withdrawn" | "gateway.job-withdrawn-before-start" | "gateway.no-reason" | "gateway.switched-off" | "gateway.switched-off-before-report" | "gateway.switched-off-in-run" | "gateway.system-error" | "grbl.alarm-1" | "grbl.alarm-10" | "grbl.alarm-11" | "grbl.alarm-12" | "grbl.alarm-14" | "grbl.alarm-17" | "grbl.alarm-2" | "grbl.alarm-3" | "grbl.alarm-4" | "grbl.alarm-5" | "grbl.alarm-6" | "grbl.alarm-7" | "grbl.alarm-8" | "grbl.alarm-9" | "grbl.axis-letter-used" | "grbl.error-1" | "grbl.error-10" | "grbl.error-11" | "grbl.error-12" | "grbl.error-13" | "grbl.error-14" | "grbl.error-15" | "grbl.error-16" | "grbl.error-17" | "grbl.error-18" | "grbl.error-2" | "grbl.error-20" | "grbl.error-21" | "grbl.error-22" | "grbl.error-23" | "grbl.error-24" | "grbl.error-25" | "grbl.error-26" | "grbl.error-27" | "grbl.error-28" | "grbl.error-29" | "grbl.error-3" | "grbl.error-30" | "grbl.error-31" | "grbl.error-32" | "grbl.error-33" | "grbl.error-34" | "grbl.error-35" | "grbl.error-36" | "grbl.error-37" | "grbl.error-38" | "grbl.error-39" | "grbl.error-4" | "grbl.error-5" | "grbl.error-6" | "grbl.error-60" | "grbl.error-7" | "grbl.error-79" | "grbl.error-8" | "grbl.error-9" | "grbl.no-output" | "grbl.no-rotary-axis" | "grbl.unknown-alarm" | "grbl.unknown-error" | "groove.along-edge" | "groove.curved" | "groove.overcut" | "groove.runs-out" | "groove.through-cut" | "groove.through-cut-at-it" | "groove.tight-bend" | "groove.too-deep" | "groove.too-short" | "hpgl.bad-area" | "hpgl.bad-byte" | "hpgl.bad-feed" | "hpgl.bad-number" | "hpgl.bad-range" | "hpgl.datum" | "hpgl.depth-change" | "hpgl.ends-down" | "hpgl.ends-with-pen" | "hpgl.feed-not-supported" | "hpgl.force-out-of-range" | "hpgl.initialised-again" | "hpgl.lone-letter" | "hpgl.loose-number" | "hpgl.moves-before-pa" | "hpgl.needs-no-number" | "hpgl.needs-one-number" | "hpgl.never-down" | "hpgl.no-approach" | "hpgl.no-device" | "hpgl.no-force" | "hpgl.no-force-setting" | "hpgl.no-instruction" | "hpgl.no-pen" | "hpgl.no-pen-selected" | "hpgl.no-speed" | "hpgl.no-speed-setting" | "hpgl.no-terminator" | "hpgl.not-initialised" | "hpgl.outside-area" | "hpgl.pen-cannot" | "hpgl.plunge-without-move" | "hpgl.press" | "hpgl.repeated-pen" | "hpgl.selects-while-down" | "hpgl.send-by-hand" | "hpgl.sets-while-down" | "hpgl.slanted-plunge" | "hpgl.speed-out-of-range" | "hpgl.station-without-pen" | "hpgl.swivel" | "hpgl.tool-not-supported" | "hpgl.trail" | "hpgl.travel" | "hpgl.turn-in-board" | "hpgl.unknown-instruction" | "hpgl.unknown-pen" | "hpgl.wrong-force" | "hpgl.x-without-y" | "import.angles-not-numbers" | "import.annotations" | "import.area-outline" | "import.area-outline-on-page" | "import.array" | "import.bad-operands" | "import.bad-path-data" | "import.bad-place" | "import.bad-points" | "import.bad-radius" | "import.bad-size" | "import.bad-transform" | "import.bad-value" | "import.bad-window" | "import.block-external" | "import.block-in-itself" | "import.block-missing" | "import.bridge" | "import.bridges" | "import.clip-path" | "import.contains-itself" | "import.coordinate-not-a-number" | "import.curves-fitted" | "import.curves-fitted-relative" | "import.damaged" | "import.damaged-or-frame" | "import.dimension" | "import.drawn-twice" | "import.drawn-twice-often" | "import.empty-path" | "import.end-mark" | "import.endless-line" | "import.extrusion-not-a-number" | "import.few-vertices" | "import.filled-area" | "import.filled-area-beside-strokes" | "import.filled-area-on-page" | "import.fit-points" | "import.font-shape" | "import.height-not-a-number" | "import.height-too-far" | "import.hidden" | "import.hidden-layer" | "import.image" | "import.incomplete" | "import.interrupted-path" | "import.invisible" | "import.kept" | "import.kept-changed" | "import.laid-flat" | "import.layer-frozen" | "import.layer-not-plotted" | "import.layer-off" | "import.light" | "import.line-not-numbers" | "import.lone-vertex" | "import.mesh" | "import.missing-id" | "import.missing-subroutine" | "import.multiple-line" | "import.no-length" | "import.no-major-axis" | "import.no-paint" | "import.no-parameter-range" | "import.no-points" | "import.no-scale" | "import.no-size" | "import.no-sweep" | "import.not-a-line" | "import.not-clipped" | "import.not-flat" | "import.not-numbers" | "import.not-svg" | "import.not-visible" | "import.nothing-named" | "import.on-layer" | "import.other-file" | "import.other-pages" | "import.outside-page" | "import.page-ends-early" | "import.paper-space" | "import.parameters-not-numbers" | "import.partly-outside-page" | "import.picture" | "import.picture-block" | "import.pieces-drawn-twice" | "import.pieces-drawn-twice-often" | "import.pieces-no-length" | "import.place-not-a-number" | "import.placement-not-a-number" | "import.places-block" | "import.places-subroutine" | "import.point" | "import.proxy" | "import.region" | "import.repeated" | "import.rules-not-read" | "import.script" | "import.shading" | "import.short-path-data" | "import.solid" | "import.spot-colour" | "import.subroutine-in-itself" | "import.text" | "import.text-unknown-letters" | "import.tilted" | "import.tilted-axis" | "import.too-far" | "import.too-many-fit-points" | "import.uncentred-arc" | "import.underlay" | "import.uneven-height" | "import.unknown-operator" | "import.unknown-record" | "import.unsupported-element" | "import.unused-block" | "import.unused-subroutine" | "import.value-angle" | "import.value-not-numbers" | "import.value-not-transform" | "import.value-transform-numbers" | "import.value-unit" | "import.viewport" | "import.wrong-field-count" | "input.not-finite" | "job.action-requested" | "job.at-line" | "job.awaits-kernels" | "job.being-cancelled" | "job.cancelled" | "job.cancelled-before-request" | "job.claim-returned" | "job.claimed" | "job.claimed-to-confirm" | "job.compile-cancelled" | "job.compile-crashed" | "job.compile-started" | "job.compiles-died" | "job.confirmed-sheet" | "job.confirmed-table" | "job.copy-done" | "job.copy-done-next-sheet" | "job.declared-finished" | "job.exceptions-accepted" | "job.executed" | "job.fully-executed" | "job.gateway-fell-silent" | "job.gateway-lost" | "job.gateway-silent" | "job.held-before-start" | "job.interrupted" | "job.interrupted-at-end" | "job.interrupted-between-copies" | "job.late-report" | "job.no-confirmation-awaited" | "job.no-sheet-awaited" | "job.no-shortfalls" | "job.no-work" | "job.not-confirmed" | "job.not-running" | "job.not-taken" | "job.nothing-sent" | "job.nothing-to-confirm" | "job.of-copy" | "job.ordered" | "job.other-board" | "job.program-has-shortfalls" | "job.program-refused" | "job.released" | "job.released-by-order" | "job.requeued" | "job.scrapped" | "job.stale-epoch" | "job.started" | "job.started-unconfirmed" | "job.unknown" | "job.verified" | "job.worker-silent" | "job.wrong-state" | "job.wrong-state-for-request" | "language.bad-entry-point" | "language.no-driver" | "language.no-linear-axis" | "language.no-rotary-axis" | "language.no-settings" | "language.unknown" | "language.unusable" | "layer.not-finite" | "lead.no-corner" | "lead.no-room" | "library.invalid" | "library.unknown" | "library.unknown-file" | "library.unreadable" | "lift.not-stated" | "linuxcnc.bad-address" | "linuxcnc.cause" | "linuxcnc.estop" | "linuxcnc.folder-not-writable" | "linuxcnc.lost" | "linuxcnc.machine-off" | "linuxcnc.not-at-rest" | "linuxcnc.not-begun" | "linuxcnc.not-homed" | "linuxcnc.not-secured" | "linuxcnc.program-not-opened" | "linuxcnc.refused" | "linuxcnc.rejected-in-check" | "linuxcnc.silent" | "linuxcnc.stopped" | "linuxcnc.wrong-password" | "machine.busy" | "machine.busy-with-another" | "machine.no-cutter" | "machine.no-such-cutter" | "milling.contours-cross" | "milling.shared-edge" | "motion.feed" | "motion.lead-in" | "motion.lead-out" | "motion.lift" | "motion.plunge" | "motion.rapid" | "motion.swivel" | "motion.unknown" | "offset.bad-distance" | "offset.bad-interference" | "offset.bad-side" | "offset.cusp" | "offset.dead-end" | "offset.interference" | "offset.mixed-group" | "offset.self-contact" | "operation.bad-feed" | "operation.beyond-travel" | "operation.expired" | "operation.gateway-absent" | "operation.job-running" | "operation.missing-argument" | "operation.no-controller" | "operation.no-result" | "operation.not-at-rest" | "operation.not-lifted" | "operation.not-locked" | "operation.unknown" | "operation.unknown-axis" | "operation.unknown-output" | "operation.unsupported" | "override.ambiguous" | "override.no-edges-there" | "override.no-such-edge" | "override.no-such-handle" | "override.of-colour" | "override.on-layer" | "pdf.blank" | "pdf.content-damaged" | "pdf.cut-short" | "pdf.encrypted" | "pdf.expands-too-far" | "pdf.form" | "pdf.form-named" | "pdf.illustrator-only" | "pdf.layers-too-deep" | "pdf.nested-arrays" | "pdf.no-header" | "pdf.no-page" | "pdf.open-array" | "pdf.open-image" | "pdf.open-text" | "pdf.page" | "pdf.page-too-large" | "pdf.part-missing" | "pdf.stream-cut-short" | "pdf.stream-damaged" | "pdf.stream-too-large" | "pdf.too-many-states" | "profile.bad-if-match" | "profile.bad-name" | "profile.exists" | "profile.invalid-field" | "profile.nested-too-deep" | "profile.not-an-extension" | "profile.not-kept" | "profile.not-toml" | "profile.not-utf8" | "profile.not-utf8-byte" | "profile.shipped" | "profile.shipped-command" | "profile.stale" | "profile.too-long" | "profile.too-many" | "program.bad-tolerance" | "program.control-byte" | "program.line-too-long" | "program.line-too-long-to-send" | "program.no-placement" | "program.not-bytes" | "program.not-fetched" | "program.too-large" | "program.too-many-lines" | "program.too-many-moves" | "program.wrong-checksum" | "question.guess" | "question.line-type" | "question.shape" | "question.tool" | "question.unit" | "question.unit-contradicted" | "question.unit-doubtful" | "question.unit-evidence" | "question.unit-not-stated" | "question.unit-size" | "question.unit-unreadable" | "queue.after" | "queue.before" | "queue.changed" | "queue.claimed" | "queue.copies-changed" | "queue.copies-done" | "queue.does-not-fit" | "queue.let-go" | "queue.moved" | "queue.no-neighbour" | "queue.not-waiting" | "queue.priority-changed" | "queue.put-on-hold" | "queue.transferred" | "reading.crashed" | "reading.damaged" | "reading.empty" | "reading.expands-too-far" | "reading.nested-too-deep" | "reading.too-large" | "reading.too-many-elements" | "reading.too-many-entities" | "reading.too-many-segments" | "reading.too-slow" | "reading.truncated" | "reading.unexpected" | "reading.unknown-kind" | "request.body-too-large" | "request.body-unreadable" | "request.foreign-origin" | "request.foreign-page" | "request.html-form" | "request.invalid" | "request.key-needed" | "request.key-reused" | "request.local-only" | "request.no-host" | "request.not-marked" | "request.not-storable" | "request.nothing-there" | "request.refused" | "request.unknown-zone" | "request.upload-too-large" | "request.wrong-host" | "request.wrong-key" | "request.wrong-method" | "rest.bound-to-sheet" | "rest.continued-already" | "rest.continued-by" | "rest.continues" | "rest.copy-of" | "rest.line-changed" | "rest.no-such-station" | "rest.no-such-track" | "rest.no-tracks" | "rest.not-again" | "rest.not-executed" | "rest.old-program" | "rest.ordered" | "rest.whole-ordered" | "rest.wrong-state" | "rs274.active-comment" | "rs274.after-end" | "rs274.arc-of-other-carriage" | "rs274.axis-without-motion" | "rs274.bad-arc" | "rs274.bad-character" | "rs274.bad-feed" | "rs274.bad-line-number" | "rs274.centre-without-arc" | "rs274.change-without-station" | "rs274.control-byte" | "rs274.ends-lowered" | "rs274.ends-oscillating" | "rs274.ends-output-on" | "rs274.ends-with-offset" | "rs274.g64-unsupported" | "rs274.incomplete-arc" | "rs274.letter-without-number" | "rs274.line-too-long" | "rs274.missing-p" | "rs274.mode-g17" | "rs274.mode-g21" | "rs274.mode-g40" | "rs274.mode-g49" | "rs274.mode-g54" | "rs274.mode-g90" | "rs274.mode-g91-1" | "rs274.mode-g92-1" | "rs274.mode-g94" | "rs274.motion-without-axis" | "rs274.moves-and-switches" | "rs274.moves-other-carriage" | "rs274.moves-unstated" | "rs274.nested-comment" | "rs274.no-end" | "rs274.no-feed" | "rs274.not-settled" | "rs274.number-too-large" | "rs274.offset-without-station" | "rs274.open-comment" | "rs274.repeated-word" | "rs274.speed-without-m3" | "rs274.stray-p" | "rs274.stray-q" | "rs274.switches-while-moving" | "rs274.timed-without-f" | "rs274.too-many-digits" | "rs274.unbounded-rounding" | "rs274.unknown-letter" | "rs274.unknown-output" | "rs274.unknown-station" | "rs274.unknown-word" | "rs274.wrong-dwell" | "rs274.wrong-speed" | "rule.block" | "rule.colour" | "rule.conditions" | "rule.entity" | "rule.everything" | "rule.layer" | "rule.linetype" | "run.executed" | "run.in-buffer" | "run.nothing-sent" | "segment.not-finite" | "server.address-in-use" | "server.answered" | "server.busy" | "server.database-silent" | "server.internal-error" | "server.not-started" | "server.stopping" | "server.unreachable" | "settings.bad-host" | "settings.bad-key" | "settings.key-file" | "settings.two-keys" | "sheet.bad-size" | "sheet.off-table" | "sheet.smaller-than-drawing" | "sheet.without-outline" | "store.no-column" | "store.unknown" | "stored.text" | "svg.cut-short" | "svg.damaged-at" | "svg.empty" | "svg.external-entity" | "svg.long-entity" | "svg.markup-entity" | "svg.nested-too-deep" | "svg.other-xml" | "svg.packed-cut-short" | "svg.packed-damaged" | "svg.too-many-rules" | "svg.unpacks-too-far" | "tool-life.near" | "tool-life.no-station" | "tool-life.over" | "tool.bad-radius" | "tool.cannot-work" | "tool.missing" | "tool.shallow-lead" | "tool.short-lead" | "tool.tilted" | "tool.without-power" | "tool.without-speed" | "toolpath.arc-too-long" | "toolpath.empty" | "toolpath.feed-too-fast" | "toolpath.move" | "toolpath.no-approach" | "toolpath.no-feed" | "toolpath.not-finite" | "toolpath.rapid-arc" | "toolpath.row" | "toolpath.row-of-edge" | "toolpath.swivel-without-turn" | "toolpath.too-far" | "toolpath.unknown-motion" | "toolpath.unknown-station" | "track.too-flat" | "travel.above" | "travel.below" | "travel.heads-too-near" | "unit.cf2-inches" | "unit.cf2-millimetres" | "unit.cf2-none" | "unit.cf2-scale-applied" | "unit.cf2-scale-invalid" | "unit.cf2-scale-not-applied" | "unit.cf2-scale-undecided" | "unit.cf2-scaled" | "unit.dimensions-larger" | "unit.dimensions-smaller" | "unit.drawn-in-imperial" | "unit.drawn-in-inches" | "unit.drawn-in-metric" | "unit.drawn-in-millimetres" | "unit.given" | "unit.header" | "unit.header-decimal-inches" | "unit.header-factor" | "unit.header-fractions" | "unit.header-imperial" | "unit.header-metric" | "unit.header-missing" | "unit.header-not-a-number" | "unit.header-undefined" | "unit.header-unitless" | "unit.header-unsupported" | "unit.imprecise" | "unit.inconclusive" | "unit.multiples" | "unit.no-number-matches" | "unit.not-given" | "unit.number" | "unit.number-in" | "unit.numbers-match" | "unit.numbers-match-often" | "unit.overruled" | "unit.page-in-pixels" | "unit.page-in-points" | "unit.paper-size" | "unit.part-drawn-twice" | "unit.parts-differ" | "unit.pdf" | "unit.pdf-scaled" | "unit.read-against-evidence" | "unit.read-against-header" | "unit.scale-mentioned" | "unit.share-stated" | "unit.share-unstated" | "unit.shortest-edges" | "unit.size-unusual" | "unit.size-usual" | "unit.svg-no-size" | "unit.svg-no-unit" | "unit.svg-pixel" | "unit.svg-pixel-illustrator" | "unit.svg-size" | "unit.svg-size-in-pixels" | "unit.text-states" | "unit.unsupported" | "verify.bad-tolerance" | "verify.beam-on-rapid" | "verify.beam-refocused" | "verify.beside-line" | "verify.beyond-rotation" | "verify.beyond-travel" | "verify.bridge-near-corner" | "verify.bridge-spacing" | "verify.bridge-spare" | "verify.bridge-width" | "verify.centre-off-path" | "verify.cleaning-beyond" | "verify.cleaning-dropped" | "verify.cleaning-incomplete" | "verify.cleaning-invented" | "verify.cleaning-moved" | "verify.cleaning-type" | "verify.comes-out-anywhere" | "verify.comes-out-past" | "verify.comes-out-short" | "verify.contour-unreached" | "verify.crease-meets-cuts" | "verify.crease-stops-at-cut" | "verify.crease-too-short" | "verify.cut-both-ways" | "verify.cut-too-short" | "verify.cuts-part" | "verify.cutter-at-rest" | "verify.feed-of-other-axis" | "verify.flank-inside" | "verify.flank-outside" | "verify.flank-through-cut" | "verify.fold-angle" | "verify.goes-in-anywhere" | "verify.groove-arc" | "verify.groove-past-ends" | "verify.groove-shallower" | "verify.groove-shifted" | "verify.groove-too-short" | "verify.hanging-piece" | "verify.head-not-located" | "verify.heads-too-near" | "verify.idle-head-low" | "verify.in-zone" | "verify.inside-part" | "verify.knife-at-rest" | "verify.laser-off" | "verify.loose-piece" | "verify.lowers-second" | "verify.made-before" | "verify.moves-before-stated" | "verify.moves-overlap" | "verify.moves-with-beam" | "verify.never-stated" | "verify.no-station" | "verify.no-such-shortfall" | "verify.not-acceptable" | "verify.not-worked" | "verify.off-curve" | "verify.off-line" | "verify.oscillation-on" | "verify.other-placement" | "verify.outline-begun" | "verify.output" | "verify.output-off" | "verify.pass-alone" | "verify.pass-too-deep" | "verify.past-end" | "verify.past-open-cut" | "verify.past-stop" | "verify.perforation-bridge" | "verify.perforation-cut" | "verify.perforation-gap" | "verify.perforation-uneven" | "verify.plunge-without-move" | "verify.rapid-in-board" | "verify.rapid-near-sheet" | "verify.rapid-too-low" | "verify.released-before" | "verify.slanted" | "verify.spindle" | "verify.stray" | "verify.stray-along" | "verify.stray-plunge" | "verify.stray-plunge-along" | "verify.switches-at-unknown-height" | "verify.switches-low" | "verify.too-few-bridges" | "verify.turn-at-feed" | "verify.turn-in-board" | "verify.turn-off-path" | "verify.turn-overlaps" | "verify.two-lowered" | "verify.unclassified" | "verify.unknown-beside-zone" | "verify.unknown-position" | "verify.unreached" | "verify.where-from-start" | "verify.where-past-end" | "verify.where-past-start" | "verify.wide-slit" | "verify.work-creased" | "verify.work-cut" | "verify.work-grooved" | "verify.work-grooved-from-end" | "verify.work-grooved-from-start" | "verify.wrong-depth" | "verify.wrong-feed" | "verify.wrong-heading" | "verify.wrong-time" | "waiting.confirmed" | "waiting.for-gateway" | "waiting.for-machine" | "waiting.for-person" | "waiting.for-rest" | "waiting.for-sheet" | "waiting.for-start" | "waiting.for-turn" | "waiting.on-hold" | "waiting.sheet-outline" | "waiting.sheet-size" | "waiting.taken" | "waiting.taken-interrupted" | "waiting.taken-unconfirmed" | "waiting.tool" | "waiting.tools" | "waiting.unconfirmed-run" | "worker.died" | "worker.memory" | "worker.timeout" | "zone.work";
+        MessageCode: "advice.compiling" | "advice.ended" | "advice.interrupted" | "advice.of-reason" | "advice.queued" | "advice.ready" | "advice.running" | "bridges.no-room" | "calibration.bad-points" | "calibration.choose-cutter" | "calibration.missing-column" | "calibration.not-a-number" | "calibration.not-csv" | "calibration.undetermined" | "calibration.wrong-sign" | "cf2.cut-short" | "cf2.decimal-commas" | "cf2.empty" | "cf2.main" | "cf2.section" | "cf2.subroutine" | "classification.around" | "classification.arrow" | "classification.as-its-style" | "classification.bleed" | "classification.board-ends" | "classification.closes-nothing" | "classification.contradicted" | "classification.convention" | "classification.cuts-panel-off" | "classification.dashed" | "classification.divider" | "classification.divides-panels" | "classification.frame" | "classification.free" | "classification.hole" | "classification.inner" | "classification.layer-denies" | "classification.layer-name" | "classification.legend" | "classification.letter" | "classification.like-outline" | "classification.like-outline-not-folds" | "classification.linetype-name" | "classification.mark" | "classification.mirror-cut" | "classification.mirror-folded" | "classification.mixed" | "classification.must-be-processed" | "classification.named" | "classification.no-rule" | "classification.no-rule-but-shape" | "classification.none-closes" | "classification.not-made" | "classification.on-cut" | "classification.open" | "classification.other-style-closes" | "classification.outline" | "classification.override" | "classification.paired" | "classification.panel-hangs" | "classification.panels-hang" | "classification.role-against" | "classification.rule" | "classification.shape" | "classification.slit" | "classification.slot" | "classification.speck" | "classification.stray" | "classification.swapped" | "classification.swapped-both" | "classification.swapped-like" | "classification.table" | "classification.unknown" | "classification.votes" | "classification.with-text" | "classification.without-tabs" | "cleaning.as-drawn" | "cleaning.dropped-off-panel" | "cleaning.dropped-speck" | "cleaning.end-moved" | "cleaning.fitted" | "cleaning.fitted-edge" | "cleaning.folds-trimmed" | "cleaning.ignored" | "cleaning.joined" | "cleaning.joined-edge" | "cleaning.kept" | "cleaning.kept-changed" | "cleaning.length-on-others" | "cleaning.longer" | "cleaning.moved" | "cleaning.no-work" | "cleaning.off-panel" | "cleaning.on-edge" | "cleaning.part-dropped" | "cleaning.part-off-panel" | "cleaning.shortened" | "cleaning.speck" | "cleaning.twice" | "cleaning.unclassified" | "command.bad-corner" | "command.bad-edge" | "command.bad-layer" | "command.bad-line-type" | "command.file-too-large" | "command.no-such-layer" | "command.unreadable-file" | "command.unwritable-file" | "controller.alarm" | "controller.alarm-code" | "controller.alarm-of-unknown-cause" | "controller.alarm-state" | "controller.alarm-unknown" | "controller.answer-lost" | "controller.answer-missing" | "controller.bad-address" | "controller.bad-serial-address" | "controller.busy" | "controller.check-end-not-confirmed" | "controller.closed" | "controller.connection-failed" | "controller.due" | "controller.in-alarm" | "controller.lift-not-finished" | "controller.locked" | "controller.locked-by-alarm" | "controller.lost" | "controller.lost-in-buffer" | "controller.no-host-and-port" | "controller.not-in-laser-mode" | "controller.not-ready" | "controller.not-recovered" | "controller.not-secured" | "controller.not-stopped" | "controller.off-heading" | "controller.off-path" | "controller.one-carriage" | "controller.port-busy" | "controller.port-missing" | "controller.port-not-permitted" | "controller.port-unusable" | "controller.ports-found" | "controller.refused-safe-state" | "controller.rejected-command" | "controller.rejected-in-check" | "controller.rejected-line" | "controller.reports-alarm" | "controller.reset" | "controller.reset-not-confirmed" | "controller.silent" | "controller.stopped" | "controller.too-few-outputs" | "controller.unable" | "controller.unexpected-answer" | "controller.unreachable" | "controller.was-reset" | "corner.at" | "corner.bad-interference" | "corner.bad-k" | "corner.bad-k-at" | "corner.bad-place" | "corner.bad-share" | "corner.inside" | "corner.no-contour" | "corner.no-cutter" | "corner.not-found" | "corner.replaced" | "corner.unknown-number" | "corner.unknown-type" | "corner.unknown-type-at" | "crease.tight-bend" | "curve.bad-ellipse" | "curve.bad-spline" | "curve.bad-tolerance" | "curve.not-finite" | "curve.not-fitted" | "curve.parameters" | "curve.too-many-pieces" | "curve.too-many-spans" | "cut.too-many-crossings" | "cut.too-short" | "cutter.interference" | "cutter.misses-bridge" | "cutter.short-lead" | "database.bad-url" | "database.in-memory" | "deflection.exceeds-radius" | "drawing.all-ignored" | "drawing.changing" | "drawing.deleted" | "drawing.empty" | "drawing.fits-turned" | "drawing.in-use" | "drawing.larger-than-table" | "drawing.no-lines" | "drawing.no-lines-reason" | "drawing.open-questions" | "drawing.read" | "drawing.reinterpreted" | "drawing.stale" | "drawing.types-set" | "drawing.unit-for-cleaning" | "drawing.unit-unknown" | "drawing.unknown" | "drawing.upload-too-large" | "dxf.at-line" | "dxf.blocks-expand-too-far" | "dxf.blocks-too-deep" | "dxf.cut-short" | "dxf.no-section" | "dxf.not-a-group-code" | "dxf.other-kind" | "dxf.too-large-unusual" | "dxf.without-end-mark" | "edge.no-length" | "edge.not-finite" | "edge.place" | "edge.too-crowded" | "edge.too-far" | "edge.too-many-overlaps" | "error.at-edge" | "error.at-edges" | "error.in-file" | "field.above" | "field.above-clearance" | "field.bad-arguments" | "field.below" | "field.blank" | "field.inconsistent" | "field.missing" | "field.misspelt" | "field.no-kind" | "field.no-neighbour" | "field.no-such-carriage" | "field.not-a-colour" | "field.not-a-line-type" | "field.not-a-list" | "field.not-a-number" | "field.not-a-profile" | "field.not-a-table" | "field.not-above" | "field.not-above-low" | "field.not-below" | "field.not-boolean" | "field.not-json" | "field.not-less-than-caliper" | "field.not-one-of" | "field.not-text" | "field.not-whole" | "field.other" | "field.outside" | "field.park-outside" | "field.parks-too-near" | "field.repeated-letters" | "field.repeated-numbers" | "field.rest-choice" | "field.sheet-size" | "field.spacing" | "field.too-few" | "field.too-long" | "field.too-many" | "field.too-many-passes" | "field.too-short" | "field.unknown" | "field.unknown-kind" | "field.zone-above-travel" | "file.7z" | "file.bmp" | "file.compound-file" | "file.dwg" | "file.eps" | "file.gif" | "file.gzip" | "file.html" | "file.jpeg" | "file.json" | "file.old-dwg" | "file.png" | "file.postscript" | "file.rar" | "file.riff" | "file.step" | "file.stl" | "file.tiff" | "file.xml" | "file.zip" | "finding.at-edge" | "finding.at-edge-and-line" | "finding.at-line" | "finding.more" | "gateway.cancelled" | "gateway.controller-not-idle" | "gateway.job-withdrawn" | "gateway.job-withdrawn-before-start" | "gateway.no-reason" | "gateway.outdated-machine" | "gateway.switched-off" | "gateway.switched-off-before-report" | "gateway.switched-off-in-run" | "gateway.system-error" | "grbl.alarm-1" | "grbl.alarm-10" | "grbl.alarm-11" | "grbl.alarm-12" | "grbl.alarm-14" | "grbl.alarm-17" | "grbl.alarm-2" | "grbl.alarm-3" | "grbl.alarm-4" | "grbl.alarm-5" | "grbl.alarm-6" | "grbl.alarm-7" | "grbl.alarm-8" | "grbl.alarm-9" | "grbl.axis-letter-used" | "grbl.error-1" | "grbl.error-10" | "grbl.error-11" | "grbl.error-12" | "grbl.error-13" | "grbl.error-14" | "grbl.error-15" | "grbl.error-16" | "grbl.error-17" | "grbl.error-18" | "grbl.error-2" | "grbl.error-20" | "grbl.error-21" | "grbl.error-22" | "grbl.error-23" | "grbl.error-24" | "grbl.error-25" | "grbl.error-26" | "grbl.error-27" | "grbl.error-28" | "grbl.error-29" | "grbl.error-3" | "grbl.error-30" | "grbl.error-31" | "grbl.error-32" | "grbl.error-33" | "grbl.error-34" | "grbl.error-35" | "grbl.error-36" | "grbl.error-37" | "grbl.error-38" | "grbl.error-39" | "grbl.error-4" | "grbl.error-5" | "grbl.error-6" | "grbl.error-60" | "grbl.error-7" | "grbl.error-79" | "grbl.error-8" | "grbl.error-9" | "grbl.no-output" | "grbl.no-rotary-axis" | "grbl.unknown-alarm" | "grbl.unknown-error" | "groove.along-edge" | "groove.curved" | "groove.overcut" | "groove.runs-out" | "groove.through-cut" | "groove.through-cut-at-it" | "groove.tight-bend" | "groove.too-deep" | "groove.too-short" | "hpgl.bad-area" | "hpgl.bad-byte" | "hpgl.bad-feed" | "hpgl.bad-number" | "hpgl.bad-range" | "hpgl.datum" | "hpgl.depth-change" | "hpgl.ends-down" | "hpgl.ends-with-pen" | "hpgl.feed-not-supported" | "hpgl.force-out-of-range" | "hpgl.initialised-again" | "hpgl.lone-letter" | "hpgl.loose-number" | "hpgl.moves-before-pa" | "hpgl.needs-no-number" | "hpgl.needs-one-number" | "hpgl.never-down" | "hpgl.no-approach" | "hpgl.no-device" | "hpgl.no-force" | "hpgl.no-force-setting" | "hpgl.no-instruction" | "hpgl.no-pen" | "hpgl.no-pen-selected" | "hpgl.no-speed" | "hpgl.no-speed-setting" | "hpgl.no-terminator" | "hpgl.not-initialised" | "hpgl.outside-area" | "hpgl.pen-cannot" | "hpgl.plunge-without-move" | "hpgl.press" | "hpgl.repeated-pen" | "hpgl.selects-while-down" | "hpgl.send-by-hand" | "hpgl.sets-while-down" | "hpgl.slanted-plunge" | "hpgl.speed-out-of-range" | "hpgl.station-without-pen" | "hpgl.swivel" | "hpgl.tool-not-supported" | "hpgl.trail" | "hpgl.travel" | "hpgl.turn-in-board" | "hpgl.unknown-instruction" | "hpgl.unknown-pen" | "hpgl.wrong-force" | "hpgl.x-without-y" | "import.angles-not-numbers" | "import.annotations" | "import.area-outline" | "import.area-outline-on-page" | "import.array" | "import.bad-operands" | "import.bad-path-data" | "import.bad-place" | "import.bad-points" | "import.bad-radius" | "import.bad-size" | "import.bad-transform" | "import.bad-value" | "import.bad-window" | "import.block-external" | "import.block-in-itself" | "import.block-missing" | "import.bridge" | "import.bridges" | "import.clip-path" | "import.contains-itself" | "import.coordinate-not-a-number" | "import.curves-fitted" | "import.curves-fitted-relative" | "import.damaged" | "import.damaged-or-frame" | "import.dimension" | "import.drawn-twice" | "import.drawn-twice-often" | "import.empty-path" | "import.end-mark" | "import.endless-line" | "import.extrusion-not-a-number" | "import.few-vertices" | "import.filled-area" | "import.filled-area-beside-strokes" | "import.filled-area-on-page" | "import.fit-points" | "import.font-shape" | "import.height-not-a-number" | "import.height-too-far" | "import.hidden" | "import.hidden-layer" | "import.image" | "import.incomplete" | "import.interrupted-path" | "import.invisible" | "import.kept" | "import.kept-changed" | "import.laid-flat" | "import.layer-frozen" | "import.layer-not-plotted" | "import.layer-off" | "import.light" | "import.line-not-numbers" | "import.lone-vertex" | "import.mesh" | "import.missing-id" | "import.missing-subroutine" | "import.multiple-line" | "import.no-length" | "import.no-major-axis" | "import.no-paint" | "import.no-parameter-range" | "import.no-points" | "import.no-scale" | "import.no-size" | "import.no-sweep" | "import.not-a-line" | "import.not-clipped" | "import.not-flat" | "import.not-numbers" | "import.not-svg" | "import.not-visible" | "import.nothing-named" | "import.on-layer" | "import.other-file" | "import.other-pages" | "import.outside-page" | "import.page-ends-early" | "import.paper-space" | "import.parameters-not-numbers" | "import.partly-outside-page" | "import.picture" | "import.picture-block" | "import.pieces-drawn-twice" | "import.pieces-drawn-twice-often" | "import.pieces-no-length" | "import.place-not-a-number" | "import.placement-not-a-number" | "import.places-block" | "import.places-subroutine" | "import.point" | "import.proxy" | "import.region" | "import.repeated" | "import.rules-not-read" | "import.script" | "import.shading" | "import.short-path-data" | "import.solid" | "import.spot-colour" | "import.subroutine-in-itself" | "import.text" | "import.text-unknown-letters" | "import.tilted" | "import.tilted-axis" | "import.too-far" | "import.too-many-fit-points" | "import.uncentred-arc" | "import.underlay" | "import.uneven-height" | "import.unknown-operator" | "import.unknown-record" | "import.unsupported-element" | "import.unused-block" | "import.unused-subroutine" | "import.value-angle" | "import.value-not-numbers" | "import.value-not-transform" | "import.value-transform-numbers" | "import.value-unit" | "import.viewport" | "import.wrong-field-count" | "input.not-finite" | "job.action-requested" | "job.at-line" | "job.awaits-kernels" | "job.being-cancelled" | "job.cancelled" | "job.cancelled-before-request" | "job.claim-returned" | "job.claimed" | "job.claimed-to-confirm" | "job.compile-cancelled" | "job.compile-crashed" | "job.compile-started" | "job.compiles-died" | "job.confirmed-sheet" | "job.confirmed-table" | "job.copy-done" | "job.copy-done-next-sheet" | "job.declared-finished" | "job.exceptions-accepted" | "job.executed" | "job.fully-executed" | "job.gateway-fell-silent" | "job.gateway-lost" | "job.gateway-silent" | "job.held-before-start" | "job.interrupted" | "job.interrupted-at-end" | "job.interrupted-between-copies" | "job.late-report" | "job.no-confirmation-awaited" | "job.no-sheet-awaited" | "job.no-shortfalls" | "job.no-work" | "job.not-confirmed" | "job.not-running" | "job.not-taken" | "job.nothing-sent" | "job.nothing-to-confirm" | "job.of-copy" | "job.ordered" | "job.other-board" | "job.outdated" | "job.program-has-shortfalls" | "job.program-refused" | "job.recompiled" | "job.released" | "job.released-by-order" | "job.requeued" | "job.scrapped" | "job.stale-epoch" | "job.started" | "job.started-unconfirmed" | "job.unknown" | "job.verified" | "job.worker-silent" | "job.wrong-state" | "job.wrong-state-for-request" | "language.bad-entry-point" | "language.no-driver" | "language.no-linear-axis" | "language.no-rotary-axis" | "language.no-settings" | "language.unknown" | "language.unusable" | "layer.not-finite" | "lead.no-corner" | "lead.no-room" | "library.bad-if-match" | "library.bad-name" | "library.changed-since" | "library.deleted" | "library.deleted-since" | "library.exists" | "library.in-use" | "library.invalid" | "library.large-integer" | "library.nested-too-deep" | "library.not-an-object" | "library.not-json" | "library.not-stored" | "library.not-toml" | "library.not-utf8" | "library.null-in-list" | "library.shipped" | "library.stale" | "library.too-long" | "library.too-many" | "library.unknown" | "library.unknown-file" | "library.unknown-version" | "library.unreadable" | "lift.not-stated" | "linuxcnc.bad-address" | "linuxcnc.cause" | "linuxcnc.estop" | "linuxcnc.folder-not-writable" | "linuxcnc.lost" | "linuxcnc.machine-off" | "linuxcnc.not-at-rest" | "linuxcnc.not-begun" | "linuxcnc.not-homed" | "linuxcnc.not-secured" | "linuxcnc.program-not-opened" | "linuxcnc.refused" | "linuxcnc.rejected-in-check" | "linuxcnc.silent" | "linuxcnc.stopped" | "linuxcnc.wrong-password" | "machine.busy" | "machine.busy-with-another" | "machine.no-cutter" | "machine.no-such-cutter" | "milling.contours-cross" | "milling.shared-edge" | "motion.feed" | "motion.lead-in" | "motion.lead-out" | "motion.lift" | "motion.plunge" | "motion.rapid" | "motion.swivel" | "motion.unknown" | "offset.bad-distance" | "offset.bad-interference" | "offset.bad-side" | "offset.cusp" | "offset.dead-end" | "offset.interference" | "offset.mixed-group" | "offset.self-contact" | "operation.bad-feed" | "operation.beyond-travel" | "operation.expired" | "operation.gateway-absent" | "operation.job-running" | "operation.missing-argument" | "operation.no-controller" | "operation.no-result" | "operation.not-at-rest" | "operation.not-lifted" | "operation.not-locked" | "operation.unknown" | "operation.unknown-axis" | "operation.unknown-output" | "operation.unsupported" | "override.ambiguous" | "override.no-edges-there" | "override.no-such-edge" | "override.no-such-handle" | "override.of-colour" | "override.on-layer" | "pdf.blank" | "pdf.content-damaged" | "pdf.cut-short" | "pdf.encrypted" | "pdf.expands-too-far" | "pdf.form" | "pdf.form-named" | "pdf.illustrator-only" | "pdf.layers-too-deep" | "pdf.nested-arrays" | "pdf.no-header" | "pdf.no-page" | "pdf.open-array" | "pdf.open-image" | "pdf.open-text" | "pdf.page" | "pdf.page-too-large" | "pdf.part-missing" | "pdf.stream-cut-short" | "pdf.stream-damaged" | "pdf.stream-too-large" | "pdf.too-many-states" | "profile.bad-name" | "profile.exists" | "profile.invalid-field" | "profile.nested-too-deep" | "profile.not-an-extension" | "profile.not-kept" | "profile.not-toml" | "profile.not-utf8" | "profile.not-utf8-byte" | "profile.shipped" | "profile.shipped-command" | "profile.stale" | "profile.too-long" | "profile.too-many" | "program.bad-tolerance" | "program.control-byte" | "program.line-too-long" | "program.line-too-long-to-send" | "program.no-placement" | "program.not-bytes" | "program.not-fetched" | "program.too-large" | "program.too-many-lines" | "program.too-many-moves" | "program.wrong-checksum" | "question.guess" | "question.line-type" | "question.shape" | "question.tool" | "question.unit" | "question.unit-contradicted" | "question.unit-doubtful" | "question.unit-evidence" | "question.unit-not-stated" | "question.unit-size" | "question.unit-unreadable" | "queue.after" | "queue.before" | "queue.changed" | "queue.claimed" | "queue.copies-changed" | "queue.copies-done" | "queue.does-not-fit" | "queue.let-go" | "queue.moved" | "queue.no-neighbour" | "queue.not-waiting" | "queue.priority-changed" | "queue.put-on-hold" | "queue.transferred" | "reading.crashed" | "reading.damaged" | "reading.empty" | "reading.expands-too-far" | "reading.nested-too-deep" | "reading.too-large" | "reading.too-many-elements" | "reading.too-many-entities" | "reading.too-many-segments" | "reading.too-slow" | "reading.truncated" | "reading.unexpected" | "reading.unknown-kind" | "request.body-too-large" | "request.body-unreadable" | "request.foreign-origin" | "request.foreign-page" | "request.html-form" | "request.invalid" | "request.key-needed" | "request.key-reused" | "request.local-only" | "request.no-host" | "request.not-marked" | "request.not-storable" | "request.nothing-there" | "request.refused" | "request.unknown-zone" | "request.upload-too-large" | "request.wrong-host" | "request.wrong-key" | "request.wrong-method" | "rest.bound-to-sheet" | "rest.continued-already" | "rest.continued-by" | "rest.continues" | "rest.copy-of" | "rest.line-changed" | "rest.no-such-station" | "rest.no-such-track" | "rest.no-tracks" | "rest.not-again" | "rest.not-executed" | "rest.old-program" | "rest.ordered" | "rest.whole-ordered" | "rest.wrong-state" | "rs274.active-comment" | "rs274.after-end" | "rs274.arc-of-other-carriage" | "rs274.axis-without-motion" | "rs274.bad-arc" | "rs274.bad-character" | "rs274.bad-feed" | "rs274.bad-line-number" | "rs274.centre-without-arc" | "rs274.change-without-station" | "rs274.control-byte" | "rs274.ends-lowered" | "rs274.ends-oscillating" | "rs274.ends-output-on" | "rs274.ends-with-offset" | "rs274.g64-unsupported" | "rs274.incomplete-arc" | "rs274.letter-without-number" | "rs274.line-too-long" | "rs274.missing-p" | "rs274.mode-g17" | "rs274.mode-g21" | "rs274.mode-g40" | "rs274.mode-g49" | "rs274.mode-g54" | "rs274.mode-g90" | "rs274.mode-g91-1" | "rs274.mode-g92-1" | "rs274.mode-g94" | "rs274.motion-without-axis" | "rs274.moves-and-switches" | "rs274.moves-other-carriage" | "rs274.moves-unstated" | "rs274.nested-comment" | "rs274.no-end" | "rs274.no-feed" | "rs274.not-settled" | "rs274.number-too-large" | "rs274.offset-without-station" | "rs274.open-comment" | "rs274.repeated-word" | "rs274.speed-without-m3" | "rs274.stray-p" | "rs274.stray-q" | "rs274.switches-while-moving" | "rs274.timed-without-f" | "rs274.too-many-digits" | "rs274.unbounded-rounding" | "rs274.unknown-letter" | "rs274.unknown-output" | "rs274.unknown-station" | "rs274.unknown-word" | "rs274.wrong-dwell" | "rs274.wrong-speed" | "rule.block" | "rule.colour" | "rule.conditions" | "rule.entity" | "rule.everything" | "rule.layer" | "rule.linetype" | "run.executed" | "run.in-buffer" | "run.nothing-sent" | "segment.not-finite" | "server.address-in-use" | "server.answered" | "server.busy" | "server.database-silent" | "server.internal-error" | "server.not-started" | "server.stopping" | "server.unreachable" | "settings.bad-host" | "settings.bad-key" | "settings.key-file" | "settings.two-keys" | "sheet.bad-size" | "sheet.off-table" | "sheet.smaller-than-drawing" | "sheet.without-outline" | "store.no-column" | "store.unknown" | "stored.text" | "svg.cut-short" | "svg.damaged-at" | "svg.empty" | "svg.external-entity" | "svg.long-entity" | "svg.markup-entity" | "svg.nested-too-deep" | "svg.other-xml" | "svg.packed-cut-short" | "svg.packed-damaged" | "svg.too-many-rules" | "svg.unpacks-too-far" | "tool-life.near" | "tool-life.no-station" | "tool-life.over" | "tool.bad-radius" | "tool.cannot-work" | "tool.missing" | "tool.shallow-lead" | "tool.short-lead" | "tool.tilted" | "tool.without-power" | "tool.without-speed" | "toolpath.arc-too-long" | "toolpath.empty" | "toolpath.feed-too-fast" | "toolpath.move" | "toolpath.no-approach" | "toolpath.no-feed" | "toolpath.not-finite" | "toolpath.rapid-arc" | "toolpath.row" | "toolpath.row-of-edge" | "toolpath.swivel-without-turn" | "toolpath.too-far" | "toolpath.unknown-motion" | "toolpath.unknown-station" | "track.too-flat" | "travel.above" | "travel.below" | "travel.heads-too-near" | "unit.cf2-inches" | "unit.cf2-millimetres" | "unit.cf2-none" | "unit.cf2-scale-applied" | "unit.cf2-scale-invalid" | "unit.cf2-scale-not-applied" | "unit.cf2-scale-undecided" | "unit.cf2-scaled" | "unit.dimensions-larger" | "unit.dimensions-smaller" | "unit.drawn-in-imperial" | "unit.drawn-in-inches" | "unit.drawn-in-metric" | "unit.drawn-in-millimetres" | "unit.given" | "unit.header" | "unit.header-decimal-inches" | "unit.header-factor" | "unit.header-fractions" | "unit.header-imperial" | "unit.header-metric" | "unit.header-missing" | "unit.header-not-a-number" | "unit.header-undefined" | "unit.header-unitless" | "unit.header-unsupported" | "unit.imprecise" | "unit.inconclusive" | "unit.multiples" | "unit.no-number-matches" | "unit.not-given" | "unit.number" | "unit.number-in" | "unit.numbers-match" | "unit.numbers-match-often" | "unit.overruled" | "unit.page-in-pixels" | "unit.page-in-points" | "unit.paper-size" | "unit.part-drawn-twice" | "unit.parts-differ" | "unit.pdf" | "unit.pdf-scaled" | "unit.read-against-evidence" | "unit.read-against-header" | "unit.scale-mentioned" | "unit.share-stated" | "unit.share-unstated" | "unit.shortest-edges" | "unit.size-unusual" | "unit.size-usual" | "unit.svg-no-size" | "unit.svg-no-unit" | "unit.svg-pixel" | "unit.svg-pixel-illustrator" | "unit.svg-size" | "unit.svg-size-in-pixels" | "unit.text-states" | "unit.unsupported" | "verify.bad-tolerance" | "verify.beam-on-rapid" | "verify.beam-refocused" | "verify.beside-line" | "verify.beyond-rotation" | "verify.beyond-travel" | "verify.bridge-near-corner" | "verify.bridge-spacing" | "verify.bridge-spare" | "verify.bridge-width" | "verify.centre-off-path" | "verify.cleaning-beyond" | "verify.cleaning-dropped" | "verify.cleaning-incomplete" | "verify.cleaning-invented" | "verify.cleaning-moved" | "verify.cleaning-type" | "verify.comes-out-anywhere" | "verify.comes-out-past" | "verify.comes-out-short" | "verify.contour-unreached" | "verify.crease-meets-cuts" | "verify.crease-stops-at-cut" | "verify.crease-too-short" | "verify.cut-both-ways" | "verify.cut-too-short" | "verify.cuts-part" | "verify.cutter-at-rest" | "verify.feed-of-other-axis" | "verify.flank-inside" | "verify.flank-outside" | "verify.flank-through-cut" | "verify.fold-angle" | "verify.goes-in-anywhere" | "verify.groove-arc" | "verify.groove-past-ends" | "verify.groove-shallower" | "verify.groove-shifted" | "verify.groove-too-short" | "verify.hanging-piece" | "verify.head-not-located" | "verify.heads-too-near" | "verify.idle-head-low" | "verify.in-zone" | "verify.inside-part" | "verify.knife-at-rest" | "verify.laser-off" | "verify.loose-piece" | "verify.lowers-second" | "verify.made-before" | "verify.moves-before-stated" | "verify.moves-overlap" | "verify.moves-with-beam" | "verify.never-stated" | "verify.no-station" | "verify.no-such-shortfall" | "verify.not-acceptable" | "verify.not-worked" | "verify.off-curve" | "verify.off-line" | "verify.oscillation-on" | "verify.other-placement" | "verify.outline-begun" | "verify.output" | "verify.output-off" | "verify.pass-alone" | "verify.pass-too-deep" | "verify.past-end" | "verify.past-open-cut" | "verify.past-stop" | "verify.perforation-bridge" | "verify.perforation-cut" | "verify.perforation-gap" | "verify.perforation-uneven" | "verify.plunge-without-move" | "verify.rapid-in-board" | "verify.rapid-near-sheet" | "verify.rapid-too-low" | "verify.released-before" | "verify.slanted" | "verify.spindle" | "verify.stray" | "verify.stray-along" | "verify.stray-plunge" | "verify.stray-plunge-along" | "verify.switches-at-unknown-height" | "verify.switches-low" | "verify.too-few-bridges" | "verify.turn-at-feed" | "verify.turn-in-board" | "verify.turn-off-path" | "verify.turn-overlaps" | "verify.two-lowered" | "verify.unclassified" | "verify.unknown-beside-zone" | "verify.unknown-position" | "verify.unreached" | "verify.where-from-start" | "verify.where-past-end" | "verify.where-past-start" | "verify.wide-slit" | "verify.work-creased" | "verify.work-cut" | "verify.work-grooved" | "verify.work-grooved-from-end" | "verify.work-grooved-from-start" | "verify.wrong-depth" | "verify.wrong-feed" | "verify.wrong-heading" | "verify.wrong-time" | "waiting.confirmed" | "waiting.for-gateway" | "waiting.for-machine" | "waiting.for-person" | "waiting.for-rest" | "waiting.for-sheet" | "waiting.for-start" | "waiting.for-turn" | "waiting.on-hold" | "waiting.outdated" | "waiting.sheet-outline" | "waiting.sheet-size" | "waiting.taken" | "waiting.taken-interrupted" | "waiting.taken-unconfirmed" | "waiting.tool" | "waiting.tools" | "waiting.unconfirmed-run" | "worker.died" | "worker.memory" | "worker.timeout" | "zone.work";
         /** @description A code with its arguments. */
         Message: {
             /** @constant */
@@ -6776,6 +7280,15 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "gateway.outdated-machine";
+            arguments: {
+                gateway: string;
+                machine: string;
+                version: number;
+                newest: number;
+            };
+        } | {
+            /** @constant */
             code: "gateway.switched-off";
             arguments: Record<string, never>;
         } | {
@@ -8300,6 +8813,13 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "job.outdated";
+            arguments: {
+                job: string;
+                changes: components["schemas"]["Message"][];
+            };
+        } | {
+            /** @constant */
             code: "job.program-has-shortfalls";
             arguments: {
                 findings: components["schemas"]["Message"][];
@@ -8312,6 +8832,10 @@ export interface components {
                 findings: components["schemas"]["Message"][];
                 more: components["schemas"]["Message"] | null;
             };
+        } | {
+            /** @constant */
+            code: "job.recompiled";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "job.released";
@@ -8459,11 +8983,152 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "library.bad-if-match";
+            arguments: {
+                match: string;
+            };
+        } | {
+            /** @constant */
+            code: "library.bad-name";
+            arguments: {
+                shelf: string;
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "library.changed-since";
+            arguments: {
+                shelf: string;
+                name: string;
+                version: number;
+                newest: number;
+            };
+        } | {
+            /** @constant */
+            code: "library.deleted";
+            arguments: {
+                shelf: string;
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "library.deleted-since";
+            arguments: {
+                shelf: string;
+                name: string;
+                version: number;
+            };
+        } | {
+            /** @constant */
+            code: "library.exists";
+            arguments: {
+                shelf: string;
+                name: string;
+                version: number;
+            };
+        } | {
+            /** @constant */
+            code: "library.in-use";
+            arguments: {
+                shelf: string;
+                name: string;
+                count: number;
+                jobs: string[];
+            };
+        } | {
+            /** @constant */
             code: "library.invalid";
             arguments: {
                 shelf: string;
                 name: string;
                 faults: components["schemas"]["Message"][];
+            };
+        } | {
+            /** @constant */
+            code: "library.large-integer";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "library.nested-too-deep";
+            arguments: {
+                shelf: string;
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "library.not-an-object";
+            arguments: {
+                shelf: string;
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "library.not-json";
+            arguments: {
+                shelf: string;
+                name: string;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "library.not-stored";
+            arguments: {
+                shelf: string;
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "library.not-toml";
+            arguments: {
+                shelf: string;
+                name: string;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "library.not-utf8";
+            arguments: {
+                shelf: string;
+                name: string;
+                byte: number;
+            };
+        } | {
+            /** @constant */
+            code: "library.null-in-list";
+            arguments: {
+                shelf: string;
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "library.shipped";
+            arguments: {
+                shelf: string;
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "library.stale";
+            arguments: {
+                shelf: string;
+                name: string;
+                version: number;
+                given: number;
+            };
+        } | {
+            /** @constant */
+            code: "library.too-long";
+            arguments: {
+                shelf: string;
+                name: string;
+                size: number;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "library.too-many";
+            arguments: {
+                limit: number;
             };
         } | {
             /** @constant */
@@ -8481,6 +9146,15 @@ export interface components {
                 name: string;
                 reason: string;
                 known: string[];
+            };
+        } | {
+            /** @constant */
+            code: "library.unknown-version";
+            arguments: {
+                shelf: string;
+                name: string;
+                version: number;
+                newest: number;
             };
         } | {
             /** @constant */
@@ -8986,12 +9660,6 @@ export interface components {
             code: "pdf.too-many-states";
             arguments: {
                 limit: number;
-            };
-        } | {
-            /** @constant */
-            code: "profile.bad-if-match";
-            arguments: {
-                match: string;
             };
         } | {
             /** @constant */
@@ -11517,6 +12185,12 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "waiting.outdated";
+            arguments: {
+                changes: components["schemas"]["Message"][];
+            };
+        } | {
+            /** @constant */
             code: "waiting.sheet-outline";
             arguments: Record<string, never>;
         } | {
@@ -12384,6 +13058,38 @@ export interface operations {
             };
         };
     };
+    recompile_job: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Id of the job */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobOut"];
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     confirm_job: {
         parameters: {
             query?: never;
@@ -12972,6 +13678,84 @@ export interface operations {
             };
         };
     };
+    save_machine: {
+        parameters: {
+            query?: {
+                /** @description Who saves the version */
+                by?: string;
+                /** @description What is changed, and why */
+                note?: string;
+            };
+            header?: {
+                /** @description ETag of the version on which the change is based; * for any version */
+                "If-Match"?: string | null;
+            };
+            path: {
+                /** @description Name of the machine, board or tool */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": Record<string, never>;
+                "application/toml": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DefinitionOut"];
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_machine: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description ETag of the version on which the change is based; * for any version */
+                "If-Match"?: string | null;
+            };
+            path: {
+                /** @description Name of the machine, board or tool */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     get_station: {
         parameters: {
             query?: never;
@@ -13302,6 +14086,84 @@ export interface operations {
             };
         };
     };
+    save_board: {
+        parameters: {
+            query?: {
+                /** @description Who saves the version */
+                by?: string;
+                /** @description What is changed, and why */
+                note?: string;
+            };
+            header?: {
+                /** @description ETag of the version on which the change is based; * for any version */
+                "If-Match"?: string | null;
+            };
+            path: {
+                /** @description Name of the machine, board or tool */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": Record<string, never>;
+                "application/toml": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DefinitionOut"];
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_board: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description ETag of the version on which the change is based; * for any version */
+                "If-Match"?: string | null;
+            };
+            path: {
+                /** @description Name of the machine, board or tool */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     calibrate: {
         parameters: {
             query?: never;
@@ -13355,6 +14217,453 @@ export interface operations {
                 content: {
                     "application/json": components["schemas"]["StationTool"][];
                 };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_library: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EntryOut"][];
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_schema: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description machines, boards or tools */
+                kind: components["schemas"]["Shelf"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": {
+                        [key: string]: unknown;
+                    };
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_machine_definition: {
+        parameters: {
+            query?: {
+                /** @description Number of the version; the newest if it is missing */
+                version?: number | null;
+            };
+            header?: never;
+            path: {
+                /** @description Name of the machine, board or tool */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DefinitionOut"];
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    export_machine: {
+        parameters: {
+            query?: {
+                /** @description Number of the version; the newest if it is missing */
+                version?: number | null;
+            };
+            header?: never;
+            path: {
+                /** @description Name of the machine, board or tool */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/toml": string;
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_machine_versions: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of the machine, board or tool */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VersionOut"][];
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_board_definition: {
+        parameters: {
+            query?: {
+                /** @description Number of the version; the newest if it is missing */
+                version?: number | null;
+            };
+            header?: never;
+            path: {
+                /** @description Name of the machine, board or tool */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DefinitionOut"];
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    export_board: {
+        parameters: {
+            query?: {
+                /** @description Number of the version; the newest if it is missing */
+                version?: number | null;
+            };
+            header?: never;
+            path: {
+                /** @description Name of the machine, board or tool */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/toml": string;
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_board_versions: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of the machine, board or tool */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VersionOut"][];
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_tool_definition: {
+        parameters: {
+            query?: {
+                /** @description Number of the version; the newest if it is missing */
+                version?: number | null;
+            };
+            header?: never;
+            path: {
+                /** @description Name of the machine, board or tool */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DefinitionOut"];
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    export_tool: {
+        parameters: {
+            query?: {
+                /** @description Number of the version; the newest if it is missing */
+                version?: number | null;
+            };
+            header?: never;
+            path: {
+                /** @description Name of the machine, board or tool */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/toml": string;
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_tool_versions: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of the machine, board or tool */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VersionOut"][];
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    save_tool: {
+        parameters: {
+            query?: {
+                /** @description Who saves the version */
+                by?: string;
+                /** @description What is changed, and why */
+                note?: string;
+            };
+            header?: {
+                /** @description ETag of the version on which the change is based; * for any version */
+                "If-Match"?: string | null;
+            };
+            path: {
+                /** @description Name of the machine, board or tool */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": Record<string, never>;
+                "application/toml": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DefinitionOut"];
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_tool: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description ETag of the version on which the change is based; * for any version */
+                "If-Match"?: string | null;
+            };
+            path: {
+                /** @description Name of the machine, board or tool */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Error with a hint */
             default: {

@@ -1187,6 +1187,10 @@ export const TEXTS = {
     "text": "The gateway (the program that sends jobs to the machine) ended the job without stating a reason.",
     "hint": "Look for the cause in the log of the gateway."
   },
+  "gateway.outdated-machine": {
+    "text": "The gateway {gateway} uses version {version} of the machine {machine}, whose newest version is {newest}.",
+    "hint": "Load the definition of the machine again, or restart the gateway."
+  },
   "gateway.switched-off": {
     "text": "The gateway (the program that sends jobs to the machine) was stopped.",
     "hint": "Start the gateway if it is not running."
@@ -2335,6 +2339,10 @@ export const TEXTS = {
     "text": "Job {job} needs the board {board}, but the confirmation names the board {given}.",
     "hint": "Put a sheet of {board} on the table, then confirm the job again."
   },
+  "job.outdated": {
+    "text": "The program of job {job} is out of date: {changes:; }.",
+    "hint": "Compile the job again. Its program is then made and verified for the present machine and board."
+  },
   "job.program-has-shortfalls": {
     "text": "The tools cannot make every line as it is drawn: {findings: }{more}",
     "hint": "Accept these shortfalls for this job, or change the drawing, the line types of its edges, the tools or the board."
@@ -2342,6 +2350,10 @@ export const TEXTS = {
   "job.program-refused": {
     "text": "The program does not match the drawing, so nothing was cut: {findings: }{more}",
     "hint": "Choose another machine or board, change the drawing, or set the line types of these edges to ignored and make them by hand."
+  },
+  "job.recompiled": {
+    "text": "The operator had the job compiled again for the present machine and board.",
+    "hint": ""
   },
   "job.released": {
     "text": "The operator released the job, so it is queued for its machine.",
@@ -2431,9 +2443,85 @@ export const TEXTS = {
     "text": "{count:# contour has|# contours have} no lead-in or no lead-out, because the tool would cut into another edge there. The tool plunges or lifts on the contour, which may leave a mark. X and Y on the sheet in mm ({count:one contour|the first contours}): {places:; }.",
     "hint": "Choose a thinner tool or a shorter lead-in, or leave more room between the edges."
   },
+  "library.bad-if-match": {
+    "text": "The header If-Match is {match!r}, which is not a version number.",
+    "hint": "Send the ETag of the entry in If-Match, for example \"3\"."
+  },
+  "library.bad-name": {
+    "text": "{name!r} is not a valid name of a {shelf}.",
+    "hint": "Use up to 64 lower-case letters, digits, hyphens and underscores. Write other characters into the title of the {shelf}."
+  },
+  "library.changed-since": {
+    "text": "it was made for version {version} of the {shelf} {name}, whose newest version is {newest}",
+    "hint": ""
+  },
+  "library.deleted": {
+    "text": "The {shelf} {name} was deleted.",
+    "hint": "Order a new job with another {shelf}, or create the {shelf} again."
+  },
+  "library.deleted-since": {
+    "text": "it was made for version {version} of the {shelf} {name}, which was deleted",
+    "hint": ""
+  },
+  "library.exists": {
+    "text": "A {shelf} with the name {name} already exists, at version {version}.",
+    "hint": "Send If-Match: \"{version}\" to replace this {shelf}, or choose another name."
+  },
+  "library.in-use": {
+    "text": "The {shelf} {name} cannot be deleted: {count:# job|# jobs} that have not ended use it, for example {jobs:, }.",
+    "hint": "Wait until these jobs have ended, or cancel them. Then delete the {shelf}."
+  },
   "library.invalid": {
     "text": "The {shelf} {name!r} cannot be used: {faults:; }.",
     "hint": "{faults:hint} Correct the TOML file of the {shelf}. The command knifetip schema {shelf} describes all fields."
+  },
+  "library.large-integer": {
+    "text": "An integer in the document has more than 64 bits.",
+    "hint": "Correct the number, or write it with a decimal point."
+  },
+  "library.nested-too-deep": {
+    "text": "The tables of the {shelf} {name!r} are nested too deeply.",
+    "hint": "Write only the fields that knifetip schema {shelf} describes."
+  },
+  "library.not-an-object": {
+    "text": "The JSON document of the {shelf} {name!r} is not an object.",
+    "hint": "Send an object with the fields that GET /api/schemas/{shelf}s describes."
+  },
+  "library.not-json": {
+    "text": "The {shelf} {name!r} is not valid JSON: {reason}.",
+    "hint": "Send an object with the fields that GET /api/schemas/{shelf}s describes."
+  },
+  "library.not-stored": {
+    "text": "The server has no {shelf} of a user with the name {name}.",
+    "hint": "Choose an entry that GET /api/library lists with shipped false."
+  },
+  "library.not-toml": {
+    "text": "The {shelf} {name!r} is not valid TOML: {reason}.",
+    "hint": "Correct the TOML syntax at this position."
+  },
+  "library.not-utf8": {
+    "text": "The {shelf} {name!r} is not UTF-8 text: byte {byte} is invalid.",
+    "hint": "Save the file as UTF-8."
+  },
+  "library.null-in-list": {
+    "text": "A list in the {shelf} {name!r} contains null.",
+    "hint": "Remove null from the list, or replace it by a value."
+  },
+  "library.shipped": {
+    "text": "The {shelf} {name!r} is part of knifetip and cannot be changed.",
+    "hint": "Save a copy of it under another name, and change the copy."
+  },
+  "library.stale": {
+    "text": "Another user has changed the {shelf} {name}: it is now at version {version}, but your change is based on version {given}.",
+    "hint": "Load the {shelf} again and check it. Then send your change with If-Match: \"{version}\"."
+  },
+  "library.too-long": {
+    "text": "The {shelf} {name!r} has a size of {size} kB, but the limit is {limit} kB.",
+    "hint": "Remove comments and fields that are not needed."
+  },
+  "library.too-many": {
+    "text": "The server already has {limit} own machines, boards and tools, which is the largest number allowed.",
+    "hint": "Delete entries that are not used."
   },
   "library.unknown": {
     "text": "The {shelf} {name!r} does not exist.",
@@ -2442,6 +2530,10 @@ export const TEXTS = {
   "library.unknown-file": {
     "text": "The {shelf} {name!r} does not exist: {reason}.",
     "hint": "Check the path of the file, or choose one of {known:, }."
+  },
+  "library.unknown-version": {
+    "text": "The {shelf} {name} has no version {version}; its newest version is {newest}.",
+    "hint": "Choose one of the versions that GET /api/{shelf}s/{name}/versions lists."
   },
   "library.unreadable": {
     "text": "The {shelf} {name!r} cannot be read: {detail}.",
@@ -2774,10 +2866,6 @@ export const TEXTS = {
   "pdf.too-many-states": {
     "text": "The PDF saves more than {limit:,} graphics states (operator q) without restoring them.",
     "hint": "Export the drawing again from the program that drew it."
-  },
-  "profile.bad-if-match": {
-    "text": "The header If-Match is {match!r}, which is not a version number of a profile.",
-    "hint": "Send the ETag of the profile in If-Match, for example \"3\"."
   },
   "profile.bad-name": {
     "text": "{name!r} is not a valid profile name.",
@@ -4378,6 +4466,10 @@ export const TEXTS = {
   "waiting.on-hold": {
     "text": "The job is on hold in the queue of {machine}. Other jobs are taken before it.",
     "hint": "End the hold to let the machine take the job."
+  },
+  "waiting.outdated": {
+    "text": "The program of the job is out of date: {changes:; }.",
+    "hint": "Compile the job again. Its program is then made and verified for the present machine and board."
   },
   "waiting.sheet-outline": {
     "text": ", cut to the outline of the drawing",

@@ -205,6 +205,13 @@ const LOOKS: Readonly<
     variant: "filled",
     testId: "send",
   },
+  recompile: {
+    title: "Compile job again",
+    icon: <IconRefresh size={16} />,
+    colour: "blue",
+    variant: "filled",
+    testId: "recompile",
+  },
   confirm: {
     title: "Table is ready: start machine",
     icon: <IconCheck size={16} />,

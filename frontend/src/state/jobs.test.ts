@@ -12,6 +12,10 @@ describe("what the operator is offered", () => {
       "finish",
       "scrap",
     ]);
+    expect(
+      commandsOf(job({ waiting_for: "compile", actions: ["release", "recompile", "cancel"] })),
+    ).toEqual(["recompile", "cancel"]);
+    expect(commandsOf(job({ actions: ["release", "recompile"] }))).toEqual(["release"]);
     expect(commandsOf(job({ actions: [] }))).toEqual([]);
   });
 

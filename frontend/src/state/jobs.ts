@@ -28,7 +28,13 @@ export function commandsOf(job: Job): readonly JobCommand[] {
   const confirms = job.actions.includes("confirm");
   // The verdict card has a form for accepting shortfalls, and the rest of a sheet has its own.
   const commands = job.actions.filter((word) => word !== "accept" && word !== "rest");
-  return commands.filter((word) => word !== "confirm" && !(confirms && word === "resume"));
+  // Out of date: the server refuses its start until it is compiled again.
+  if (job.waiting_for === "compile") {
+    return commands.filter((word) => word === "recompile" || word === "cancel");
+  }
+  return commands.filter(
+    (word) => word !== "confirm" && word !== "recompile" && !(confirms && word === "resume"),
+  );
 }
 
 /** The job waits for the operator to check the table and confirm. */
@@ -38,6 +44,7 @@ export const needsOperator = (job: Job): boolean =>
 /** Title and colour of the state of a job. */
 export function stateStyleOf(job: Job): StateStyle {
   if (job.waiting_for === "confirmation") return { title: "Waiting for operator", tone: "amber" };
+  if (job.waiting_for === "compile") return { title: "Out of date", tone: "amber" };
   if (job.waiting_for === "sheet") return { title: "Waiting for new sheet", tone: "amber" };
   return STATE_STYLES[job.state];
 }

@@ -379,7 +379,7 @@ def test_a_job_lists_the_actions_that_are_routes_of_its_own(
     client: httpx.Client, waiting: dict[str, Any]
 ) -> None:
     job = client.get(f"/api/jobs/{waiting['job']}").json()
-    assert job["actions"] == ["confirm", "cancel"]
+    assert job["actions"] == ["confirm", "recompile", "cancel"]
     (listed,) = [row for row in client.get("/api/jobs").json() if row["id"] == job["id"]]
     assert listed["actions"] == job["actions"]
     others = {"release", "hold", "resume", "requeue", "finish", "scrap"}

@@ -18,6 +18,7 @@ from knifetip.jobs.process_pool import ProcessPool, Watch
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.jobs.warm_up import WarmUp
+from knifetip.library import load
 from knifetip.messages import Message, hint
 from knifetip.model.stage import Stage
 from tests.support.serving import crew_tasks
@@ -265,4 +266,5 @@ def test_a_job_waits_for_the_kernels_that_its_machine_needs(
     thread.join(20.0)
     assert store.jobs.get(job.id).state == "refused"
     assert groups == [("drawings", "jobs")]
-    assert compile_service.kernels_for("router-table") == ("drawings", "jobs", "offsets")
+    router = load.machine("router-table")
+    assert compile_service.kernels_for(router) == ("drawings", "jobs", "offsets")

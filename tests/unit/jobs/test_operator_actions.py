@@ -177,11 +177,11 @@ Make = Callable[[Store], str]
 EXPECTED: dict[Make, tuple[State, str]] = {
     received: (State.RECEIVED, "cancel"),
     compiling: (State.COMPILING, "cancel"),
-    compiled: (State.READY, "release cancel"),
+    compiled: (State.READY, "release recompile cancel"),
     refused: (State.REFUSED, ""),
     short: (State.REFUSED, "accept"),
-    queued: (State.QUEUED, "cancel"),
-    claimed: (State.QUEUED, "confirm cancel"),
+    queued: (State.QUEUED, "recompile cancel"),
+    claimed: (State.QUEUED, "confirm recompile cancel"),
     running: (State.RUNNING, "hold cancel"),
     running_unconfirmed: (State.RUNNING, "confirm hold cancel"),
     hold_requested: (State.RUNNING, "hold resume cancel"),
@@ -199,6 +199,7 @@ EXPECTED: dict[Make, tuple[State, str]] = {
 }
 METHODS: dict[OperatorAction, Callable[[Store, str], Job]] = {
     OperatorAction.ACCEPT: accept,
+    OperatorAction.RECOMPILE: lambda store, id: store.operators.recompile(id),
     OperatorAction.RELEASE: lambda store, id: store.operators.release(id),
     OperatorAction.CONFIRM: lambda store, id: store.operators.confirm(id),
     OperatorAction.HOLD: lambda store, id: store.operators.hold(id),
@@ -244,4 +245,5 @@ def test_a_listed_action_is_accepted_and_every_other_one_is_refused(
 
 def test_a_claim_whose_gateway_is_silent_cannot_be_confirmed(store: Store) -> None:
     row = store.jobs.get(claimed(store))
-    assert allowed_actions(row, row.lease + 0.1) == [OperatorAction.CANCEL]
+    allowed = allowed_actions(row, row.lease + 0.1)
+    assert allowed == [OperatorAction.RECOMPILE, OperatorAction.CANCEL]

@@ -12,9 +12,11 @@ from knifetip.errors import StaleEpoch, StaleVersion, WrongState
 from knifetip.jobs.job import Actor, ActorKind
 from knifetip.jobs.queue_store import Place, WaitingChange, order_version
 from knifetip.jobs.store import Store
+from knifetip.library.definition import Definition, Shelf
 from tests.support.job_states import RESULT, WAITING, queued, running, waiting
 from tests.support.stored import Clock, add_job
 
+OTHER = Definition(Shelf.MACHINES, "other")
 MIA = Actor(ActorKind.OPERATOR, "Mia")
 
 
@@ -269,7 +271,7 @@ def test_a_job_can_be_changed_before_it_is_compiled(store: Store) -> None:
 
 def test_a_job_moves_to_the_end_of_another_queue(store: Store) -> None:
     job, other = queued(store), queued(store, machine="other")
-    moved = store.queues.transfer(job, "other", RESULT, MIA)
+    moved = store.queues.transfer(job, OTHER, RESULT, MIA)
     assert (moved.machine, moved.state) == ("other", "queued")
     assert listed(store) == []
     assert listed(store, "other") == [other.id, job.id]
@@ -280,5 +282,5 @@ def test_a_job_that_was_claimed_meanwhile_stays_on_its_machine(store: Store) -> 
     job = queued(store)
     store.gateways.claim("table", "gateway", manual=True)
     with pytest.raises(WrongState, match="has taken job"):
-        store.queues.transfer(job, "other", RESULT, MIA)
+        store.queues.transfer(job, OTHER, RESULT, MIA)
     assert store.jobs.get(job.id).machine == "table"

@@ -13,6 +13,7 @@ from knifetip.errors import DrawingTooLarge
 from knifetip.jobs import readings, tasks
 from knifetip.jobs.readings import StoredDrawing, restore_or_read
 from knifetip.library import load
+from knifetip.library.definition import Definition, Shelf
 from knifetip.model.cleaned import Cleaned
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing
@@ -146,7 +147,14 @@ def test_the_cleaning_of_a_reading_without_fit_errors_is_reported() -> None:
 
 def test_a_program_of_a_reading_is_that_of_its_file(unread: None) -> None:
     kept = stored(Interpretation())
-    made = tasks.compile(no_progress, kept, kept.interpretation, "demo-table", "fbb-0.4", ())
+    made = tasks.compile(
+        no_progress,
+        kept,
+        kept.interpretation,
+        Definition(Shelf.MACHINES, "demo-table"),
+        Definition(Shelf.BOARDS, "fbb-0.4"),
+        (),
+    )
     drawing, dieline = from_file(Interpretation())
     table, board = load.machine("demo-table"), load.board("fbb-0.4")
     assert made.accepted

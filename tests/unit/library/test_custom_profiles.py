@@ -50,7 +50,7 @@ def test_rules_that_do_not_overrule_come_last() -> None:
 
 @pytest.mark.parametrize("name", load.names("profiles"))
 def test_the_text_of_a_library_profile_has_its_rules(name: str) -> None:
-    assert custom_profiles.parse_text(name, custom_profiles.library_text(name)) == load.profile(
+    assert custom_profiles.parse_text(name, load.library_text("profiles", name)) == load.profile(
         name
     )
 

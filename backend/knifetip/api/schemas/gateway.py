@@ -20,6 +20,11 @@ class ClaimIn(Strict):
     machine: Name = Field(
         description="Name of the machine in the library, as in `GET /api/machines`"
     )
+    machine_version: Count | None = Field(
+        default=None,
+        description="Version of the machine definition that the gateway uses, from `GET "
+        "/api/machines/{name}/definition`; null for a definition of its own, which is not compared",
+    )
     wait: float = Field(
         default=20.0, ge=0.0, le=60.0, description="Maximum time to wait for a job (s)"
     )

@@ -87,8 +87,16 @@ class JobOut(BaseModel):
     )
     drawing: str = Field(description="Id of the drawing")
     drawing_name: str = Field(description="File name of the drawing")
-    machine: str = Field(description="Name of the machine in the library")
-    board: str = Field(description="Name of the board in the library")
+    machine: str = Field(description="Name of the machine")
+    machine_version: int = Field(
+        description="Version of the machine for which the job is compiled; 0 for a machine of "
+        "knifetip's library"
+    )
+    board: str = Field(description="Name of the board")
+    board_version: int = Field(
+        description="Version of the board for which the job is compiled; 0 for a board of "
+        "knifetip's library"
+    )
     profile: str = Field(description="Name of the classification profile of the job")
     resumes: str | None = Field(
         default=None,
@@ -110,12 +118,13 @@ class JobOut(BaseModel):
     updated: float = Field(
         description="Time of the last change of the job (seconds since 1970-01-01 UTC)"
     )
-    waiting_for: Literal["", "confirmation", "sheet", "machine", "turn", "hold"] = Field(
+    waiting_for: Literal["", "confirmation", "sheet", "machine", "turn", "hold", "compile"] = Field(
         default="",
         description="What the job waits for. confirmation: the operator must confirm table, board "
         "and tools. sheet: the operator must confirm the next sheet. machine: the "
         "machine has not claimed the job. turn: other jobs come first. hold: the job is on "
-        "hold in the queue. Empty: it does not wait. `message` describes the reason",
+        "hold in the queue. compile: the machine or the board has changed, so the job must be "
+        "compiled again. Empty: it does not wait. `message` describes the reason",
     )
     on_hold: bool = Field(
         default=False,

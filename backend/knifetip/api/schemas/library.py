@@ -29,9 +29,12 @@ class DeflectionOut(BaseModel):
 
 
 class BoardOut(BaseModel):
-    """A board of the library; lengths in mm, angles in degrees."""
+    """A board of a user or of knifetip's library; lengths in mm, angles in degrees."""
 
-    name: str = Field(description="Name of the board in the library, to be used in requests")
+    name: str = Field(description="Name of the board, to be used in requests")
+    version: int = Field(
+        description="Version of a user's board; 0 for a board of knifetip's library"
+    )
     title: str = Field(description="Name of the board for display; may be empty")
     material: str = Field(description="Material: greyboard, corrugated or folding boxboard")
     caliper: float = Field(description="Thickness of the board (mm)")
@@ -42,6 +45,18 @@ class BoardOut(BaseModel):
     crease_along: float = Field(description="Depth of a crease along flute or grain (mm)")
     crease_across: float = Field(description="Depth of a crease across flute or grain (mm)")
     groove_depth: float = Field(description="Depth of a V-groove below the top face (mm)")
+    groove_pass: float = Field(
+        description="Largest depth of one pass of a V-groove (mm); 0: one pass"
+    )
+    groove_curve: float = Field(
+        description="Largest distance between an arc and its chords in a V-groove (mm); 0: curved "
+        "grooves are refused"
+    )
+    double_crease: float = Field(
+        description="Distance between the two lines of a double crease (mm); 0: single"
+    )
+    bridge_width: float = Field(description="Width of a bridge that holds the part (mm); 0: none")
+    bridge_spacing: float = Field(description="Largest distance between two bridges (mm)")
     deflection: list[DeflectionOut] = Field(
         description="Deflection of each cutter that was measured in this board; empty if none was"
     )

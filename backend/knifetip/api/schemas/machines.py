@@ -103,9 +103,12 @@ class StationOut(BaseModel):
 
 
 class MachineOut(BaseModel):
-    """A machine of the library with its current job."""
+    """A machine of a user or of knifetip's library, with its current job."""
 
-    name: str = Field(description="Name of the machine in the library, to be used in requests")
+    name: str = Field(description="Name of the machine, to be used in requests")
+    version: int = Field(
+        description="Version of a user's machine; 0 for a machine of knifetip's library"
+    )
     title: str = Field(description="Name of the machine for display")
     width: float = Field(description="Width of the table along X (mm)")
     height: float = Field(description="Height of the table along Y (mm)")

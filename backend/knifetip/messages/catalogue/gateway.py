@@ -17,6 +17,15 @@ MESSAGES: Final[Entries] = {
         name="text",
         state="text",
     ),
+    "gateway.outdated-machine": entry(
+        "The gateway {gateway} uses version {version} of the machine {machine}, whose newest "
+        "version is {newest}.",
+        "Load the definition of the machine again, or restart the gateway.",
+        gateway="text",
+        machine="text",
+        version="count",
+        newest="count",
+    ),
     "gateway.job-withdrawn": entry(
         "The server withdrew the job from the gateway (the program that sends jobs to the "
         "machine), and the machine was stopped.",

@@ -227,6 +227,16 @@ MESSAGES: Final[Entries] = {
         board="text",
         given="text",
     ),
+    "job.outdated": entry(
+        "The program of job {job} is out of date: {changes:; }.",
+        "Compile the job again. Its program is then made and verified for the present machine and "
+        "board.",
+        job="text",
+        changes="messages",
+    ),
+    "job.recompiled": entry(
+        "The operator had the job compiled again for the present machine and board.",
+    ),
     "job.program-has-shortfalls": entry(
         "The tools cannot make every line as it is drawn: {findings: }{more}",
         "Accept these shortfalls for this job, or change the drawing, the line types of its edges, "

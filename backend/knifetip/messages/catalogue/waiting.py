@@ -87,6 +87,12 @@ MESSAGES: Final[Entries] = {
         machine="text",
         job="text",
     ),
+    "waiting.outdated": entry(
+        "The program of the job is out of date: {changes:; }.",
+        "Compile the job again. Its program is then made and verified for the present machine and "
+        "board.",
+        changes="messages",
+    ),
     "waiting.sheet-outline": entry(
         ", cut to the outline of the drawing",
     ),

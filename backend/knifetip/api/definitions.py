@@ -1,0 +1,190 @@
+"""Routes for machines, boards and tools that users make: read, save, delete, and their versions.
+
+A definition is sent as TOML or JSON with the fields of the TOML files of knifetip's library, and is
+checked like them.  Each change stores a new version and must name the version on which it is based.
+Entries of knifetip's library are read-only, and their version is 0.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Path, Query, Request, Response
+
+from knifetip.api.schemas.definitions import DefinitionOut, EntryOut, VersionOut
+from knifetip.api.service import ServiceDep, bytes_response
+from knifetip.api.versions import TOML, TOML_RESPONSE, Body, VersionMatch, version_of
+from knifetip.errors import LibraryError, WrongState
+from knifetip.jobs.library_store import VersionNote
+from knifetip.jobs.tables import LibraryVersion
+from knifetip.library import load
+from knifetip.library.definition import (
+    Definition,
+    Shelf,
+    check_definition,
+    decode,
+    is_name,
+    parse_toml,
+    toml_from_json,
+)
+from knifetip.library.schema import json_schema
+
+router = APIRouter(tags=["library"])
+
+EntryName = Annotated[str, Path(description="Name of the machine, board or tool")]
+Version = Annotated[
+    int | None,
+    Query(ge=0, le=2**31 - 1, description="Number of the version; the newest if it is missing"),
+]
+By = Annotated[str, Query(max_length=100, description="Who saves the version")]
+Note = Annotated[str, Query(max_length=200, description="What is changed, and why")]
+
+
+@router.get("/library")
+def list_library(service: ServiceDep) -> list[EntryOut]:
+    """List the machines, boards and tools: those of users and those of knifetip's library."""
+    own = [_entry_out(row) for row in service.store.library.all(*Shelf)]
+    shipped = [_shipped_out(shelf, name) for shelf in Shelf for name in load.names(shelf)]
+    return own + shipped
+
+
+def _entry_out(row: LibraryVersion) -> EntryOut:
+    fault = ""
+    try:
+        check_definition(Shelf(row.shelf), row.name, row.text)
+    except LibraryError as reason:
+        # An invalid definition, stored by an older version, must not make the list fail.
+        fault = reason.text
+    fields = {name: getattr(row, name) for name in VersionOut.model_fields}
+    return EntryOut(shelf=Shelf(row.shelf), name=row.name, shipped=False, fault=fault, **fields)
+
+
+def _shipped_out(shelf: Shelf, name: str) -> EntryOut:
+    definition = Definition(shelf, name)
+    title = check_definition(shelf, name, definition.toml)
+    return EntryOut(shelf=shelf, name=name, title=title, shipped=True)
+
+
+@router.get("/schemas/{kind}")
+def get_schema(
+    kind: Annotated[Shelf, Path(description="machines, boards or tools")],
+) -> dict[str, Any]:
+    """Get the JSON Schema of the definitions of machines, boards or tools."""
+    return json_schema(kind.word)
+
+
+def _definition_out(service: ServiceDep, definition: Definition) -> DefinitionOut:
+    """Return the API model of a definition.
+
+    Parameters
+    ----------
+    service
+        The server.
+    definition
+        A definition of a user or of knifetip's library.
+    """
+    shelf, name = definition.shelf, definition.name
+    row = service.store.library.get(shelf, name, definition.version) if definition.version else None
+    entry = _shipped_out(shelf, name) if row is None else _entry_out(row)
+    return DefinitionOut(**entry.model_dump(), fields=parse_toml(shelf, name, definition.toml))
+
+
+def _text(request: Request, shelf: Shelf, name: str, body: bytes) -> str:
+    """Return the TOML text of the definition in a request, which contains TOML or JSON."""
+    text = decode(shelf, name, body)
+    if "json" in request.headers.get("content-type", "").lower():
+        return toml_from_json(shelf, name, text)
+    return text
+
+
+def _check_own(shelf: Shelf, name: str) -> None:
+    """Raise ``WrongState`` if a name belongs to knifetip's library, whose entries are read-only."""
+    if name in load.names(shelf):
+        raise WrongState("library.shipped", shelf=shelf.word, name=name)
+
+
+def _add_routes(shelf: Shelf) -> None:
+    """Add the routes for the definitions of one kind to the router."""
+    word = shelf.word
+    path = f"/{shelf.value}/{{name}}"
+    body = {
+        "requestBody": {
+            "required": True,
+            "content": {
+                "application/json": {"schema": {"type": "object"}},
+                TOML: {"schema": {"type": "string"}},
+            },
+        }
+    }
+
+    @router.get(f"{path}/definition", name=f"get_{word}_definition")
+    def get_definition(
+        service: ServiceDep, response: Response, name: EntryName, version: Version = None
+    ) -> DefinitionOut:
+        """Get a definition with all its fields, as the TOML files of knifetip's library have them.
+
+        The ETag is the version, for ``If-Match``.
+        """
+        definition = service.store.library.definition(shelf, name, version)
+        response.headers["ETag"] = f'"{definition.version}"'
+        return _definition_out(service, definition)
+
+    @router.get(
+        f"{path}/toml",
+        name=f"export_{word}",
+        response_class=Response,
+        responses=TOML_RESPONSE,
+    )
+    def export(
+        service: ServiceDep, request: Request, name: EntryName, version: Version = None
+    ) -> Response:
+        """Download a definition as TOML, as it was sent."""
+        definition = service.store.library.definition(shelf, name, version)
+        media = f"{TOML}; charset=utf-8"
+        content = definition.toml.encode()
+        return bytes_response(request, content, str(definition.version), media, f"{name}.toml")
+
+    @router.get(f"{path}/versions", name=f"list_{word}_versions")
+    def list_versions(service: ServiceDep, name: EntryName) -> list[VersionOut]:
+        """List the versions of a definition, newest first; one of knifetip's library has none."""
+        service.store.library.definition(shelf, name)
+        rows = service.store.library.versions(shelf, name)
+        return [VersionOut.model_validate(row) for row in rows]
+
+    @router.put(path, name=f"save_{word}", openapi_extra=body)
+    def save(
+        service: ServiceDep,
+        request: Request,
+        response: Response,
+        name: EntryName,
+        body: Body,
+        match: VersionMatch = None,
+        by: By = "",
+        note: Note = "",
+    ) -> DefinitionOut:
+        """Create a definition, or replace it by a new version; the request body is TOML or JSON.
+
+        To replace a definition, send the version on which the change is based in the header
+        ``If-Match``.  Jobs keep the version for which they were compiled.
+        """
+        _check_own(shelf, name)
+        if not is_name(name):
+            raise LibraryError("library.bad-name", shelf=word, name=name[:80], source=("name",))
+        version, anyway = version_of(match)
+        text = _text(request, shelf, name, body)
+        title = check_definition(shelf, name, text)
+        definition = Definition(shelf, name, version or 0, text)
+        row = service.store.library.save(definition, title, VersionNote(by, note), anyway=anyway)
+        response.status_code = 201 if row.version == 1 else 200
+        response.headers["ETag"] = f'"{row.version}"'
+        return _definition_out(service, Definition(shelf, name, row.version, row.text))
+
+    @router.delete(path, name=f"delete_{word}", status_code=204)
+    def delete(service: ServiceDep, name: EntryName, match: VersionMatch = None) -> None:
+        """Delete a definition; the status is 409 if a job that has not ended uses it."""
+        _check_own(shelf, name)
+        service.store.library.delete(shelf, name, version_of(match)[0])
+
+
+for _shelf in Shelf:
+    _add_routes(_shelf)

@@ -1,0 +1,51 @@
+"""Versions of profiles, machines, boards and tools as If-Match, and requests that contain TOML."""
+
+from __future__ import annotations
+
+import re
+from typing import Annotated, Any, Final
+
+from fastapi import Depends, Header, Request
+
+from knifetip.errors import RequestError
+
+TOML: Final = "application/toml"
+#: OpenAPI schema of a response that is TOML text.
+TOML_RESPONSE: Final[dict[int | str, dict[str, Any]]] = {
+    200: {"content": {TOML: {"schema": {"type": "string"}}}}
+}
+VersionMatch = Annotated[
+    str | None,
+    Header(
+        alias="If-Match",
+        max_length=40,
+        description="ETag of the version on which the change is based; * for any version",
+    ),
+]
+
+
+async def _body(request: Request) -> bytes:
+    return await request.body()
+
+
+Body = Annotated[bytes, Depends(_body)]
+
+
+def version_of(match: str | None) -> tuple[int | None, bool]:
+    """Return the version in an If-Match header, and whether the header is ``*``.
+
+    The version is None if the header is missing or ``*``, which matches any version.
+
+    Raises
+    ------
+    RequestError
+        The header is neither a version number nor ``*``.
+    """
+    if match is None:
+        return None, False
+    if match.strip() == "*":
+        return None, True
+    version = re.fullmatch(r'\s*(?:W/)?"?(\d{1,9})"?\s*', match)
+    if version is None:
+        raise RequestError("library.bad-if-match", match=match)
+    return int(version[1]), False
