@@ -117,6 +117,16 @@ async def test_opening_resets_a_controller_at_rest_and_asks_for_its_buffers() ->
         assert (await controller.status()).state is State.IDLE
 
 
+async def test_answers_to_an_earlier_sender_do_not_disturb_the_opening() -> None:
+    wire = Wire()
+    wire.say("ok\nerror:2\n[MSG:stale]\nok")
+    async with opened(wire) as controller:
+        assert controller.fault is None
+        wire.say("ok")
+        await asyncio.sleep(0.05)
+        assert "was sent twice" in str(fault_of(controller))
+
+
 async def test_a_machine_at_rest_is_asked_rarely_until_a_line_is_sent() -> None:
     wire = Wire()
     async with opened(wire, silence=5.0) as controller:

@@ -88,6 +88,7 @@ class GrblConnection:
         self._info: list[str] = []  # lines received since the last command, except answers
         self._banners = 0  # number of banners received
         self._banner_due = False
+        self._was_reset = False  # by this connection: earlier answers are of another sender
 
     # -- opening and closing ----------------------------------------------------------------------
 
@@ -221,6 +222,7 @@ class GrblConnection:
         await self.await_banner(
             lambda: self._transport.write(b"\x18"), "controller.reset-not-confirmed"
         )
+        self._was_reset = True
         self._watchdog.restart()
 
     async def await_banner(self, cause: Callable[[], Awaitable[object]], code: str) -> None:
@@ -380,7 +382,7 @@ class GrblConnection:
             Error code of the answer, 0 for ``ok``.
         """
         if self.buffer.first is None:
-            if not (self._banner_due or self.recovering):
+            if self._was_reset and not (self._banner_due or self.recovering):
                 self.fail(self.surplus_answer())
             return  # the answer is from before the reset
         line = self.buffer.remove_first()
