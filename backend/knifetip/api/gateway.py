@@ -36,7 +36,9 @@ router = APIRouter(prefix="/gateway", tags=["gateway"])
 
 _QUEUE_POLL = 2.0  # seconds between two queries of the queue for changes by other servers
 _CONTACT_INTERVAL = 2.0  # seconds between two records of a gateway's contact
-_OPERATION_POLL = 0.3  # seconds between two queries for operations asked of other servers
+# Seconds between two queries for operations that were asked of other servers, while a person looks
+# at the machine, and otherwise.
+_OPERATION_POLL, _IDLE_POLL = 0.3, 1.0
 
 
 @router.post("/claim", response_model=Claim, responses={204: {"description": "No job"}})
@@ -104,6 +106,8 @@ def _current_machine(service: ServiceDep, claimant: ClaimIn) -> Machine:
 def _claim_next(service: ServiceDep, claimant: ClaimIn) -> Job | None:
     manual = _current_machine(service, claimant).feed == "manual"
     try:
+        if not manual and service.store.stations.was_operated(claimant.machine):
+            return None  # no job starts by itself while a person uses the machine
         return service.store.gateways.claim(claimant.machine, claimant.gateway, manual=manual)
     except MachineBusy:
         return None
@@ -186,6 +190,8 @@ async def report_station(
                 for result in station.results
             ],
         )
+        watched = await threads.reports(stations.is_watched, station.machine)
+        poll = _OPERATION_POLL if watched else _IDLE_POLL
         while True:
             # A disconnected gateway would never carry out the operation.
             gone = service.stopping.is_set() or await request.is_disconnected()
@@ -193,7 +199,7 @@ async def report_station(
             remaining = began + station.wait - time.monotonic()
             if gone or asked or remaining <= 0.0:
                 break
-            await changed.wait(min(_OPERATION_POLL, remaining))
+            await changed.wait(min(poll, remaining))
     watched = await threads.reports(stations.is_watched, station.machine)
     return StationAnswer.model_validate(
         {

@@ -18,6 +18,8 @@ outgoing connections.  It decides the following by itself:
 - The end of a job is recorded in the journal and reported until the server has answered.  After a
   restart, a job whose end is not recorded is reported as ``done`` only if the journal records that
   every copy was executed to its last line.
+- After an alarm the connection is kept: the person at the machine can unlock or home it (see
+  ``station``), and the gateway then claims jobs again.
 - A controller that still runs a job of this gateway after a restart or a lost connection is first
   stopped and brought into its safe state.
 """
@@ -26,7 +28,6 @@ from __future__ import annotations
 
 import asyncio
 import logging
-from collections.abc import Awaitable, Callable
 from contextlib import aclosing, suppress
 
 import httpx
@@ -44,18 +45,13 @@ from knifetip.gateway.job_run import (
 )
 from knifetip.gateway.job_server import FIRST_PAUSE, LONGEST_PAUSE, GatewaySettings, JobServer
 from knifetip.gateway.journal import Journal
+from knifetip.gateway.machine_link import Connect, MachineLink
 from knifetip.gateway.motion import Limits, Pose
+from knifetip.gateway.station import Station
 from knifetip.gateway.stream import Progress, stream
 from knifetip.messages import Message
 
-#: Opens a controller.  The second argument: whether to stop a machine that is still moving.
-Connect = Callable[[SafeState, bool], Awaitable[Controller]]
-
 _log = logging.getLogger(__name__)
-
-
-def _not_idle(controller: Controller, state: State) -> Message:
-    return Message("gateway.controller-not-idle", name=controller.name, state=state.value)
 
 
 def _cause_of(error: KnifetipError | OSError) -> Message:
@@ -76,14 +72,12 @@ class _GatewayLoop:
     """Claims the jobs of one machine from the server and runs them, one after another."""
 
     def __init__(
-        self, settings: GatewaySettings, connect: Connect, server: JobServer, journal: Journal
+        self, settings: GatewaySettings, link: MachineLink, server: JobServer, journal: Journal
     ) -> None:
         self._settings = settings
-        self._connect = connect
+        self._link = link
         self._server = server
         self._journal = journal
-        self._controller: Controller | None = None
-        self._abandoned = False  # the machine may still be running a job of this gateway
         self._complaint = ""
 
     # -- the loop ------------------------------------------------------------------------------
@@ -97,17 +91,14 @@ class _GatewayLoop:
             Number of jobs to claim; the method returns when the last one has ended with any
             outcome.  None to run until cancelled.
         """
-        try:
-            await asyncio.gather(self._report_unfinished(), self._recover())
-            while jobs is None or jobs > 0:
-                await self._wait_until_idle()
-                claim = await self._server.claim()
-                if claim is not None:
-                    await self._run_job(claim)
-                    if jobs is not None:
-                        jobs -= 1
-        finally:
-            await self._disconnect()
+        await asyncio.gather(self._report_unfinished(), self._recover())
+        while jobs is None or jobs > 0:
+            await self._wait_until_idle()
+            claim = await self._server.claim()
+            if claim is not None:
+                await self._run_job(claim)
+                if jobs is not None:
+                    jobs -= 1
 
     async def _report_unfinished(self) -> None:
         """Report the end of the job that ran when the gateway was last switched off, if any.
@@ -140,9 +131,9 @@ class _GatewayLoop:
         """
         if self._journal.unfinished() is None:
             return
-        self._abandoned = True
+        self._link.abandoned = True
         try:
-            await self._connected_controller()
+            await self._link.connected()
         except (ControllerError, OSError) as error:
             self._complaint = str(error)
             _log.warning("%s", error)
@@ -152,12 +143,11 @@ class _GatewayLoop:
         pause = FIRST_PAUSE
         while True:
             try:
-                controller = await self._connected_controller()
-                status = await controller.status()
+                status = await self._link.status()
                 if status.state is State.IDLE:
                     self._complaint = ""
                     return
-                complaint = str(_not_idle(controller, status.state))
+                complaint = str(self._not_idle(status.state))
             except (ControllerError, OSError) as error:
                 complaint = str(error)
             if complaint != self._complaint:
@@ -166,28 +156,15 @@ class _GatewayLoop:
             await asyncio.sleep(pause)
             pause = min(2.0 * pause, LONGEST_PAUSE)
 
-    async def _connected_controller(self) -> Controller:
-        """Return a connected controller of the machine that has no fault.
-
-        A new connection is made if there is none, or if the present connection has a fault.
-        """
-        if self._controller is not None and self._controller.fault is not None:
-            await self._disconnect()
-        if self._controller is None:
-            safe = SafeState.of(self._settings.machine)
-            self._controller = await self._connect(safe, self._abandoned)
-            self._abandoned = False
-        return self._controller
-
-    async def _disconnect(self) -> None:
-        controller, self._controller = self._controller, None
-        if controller is not None:
-            await controller.close()
-
     # -- one job --------------------------------------------------------------------------------
 
+    def _not_idle(self, state: State) -> Message:
+        controller = self._link.controller
+        name = self._settings.machine.title if controller is None else controller.name
+        return Message("gateway.controller-not-idle", name=name, state=state.value)
+
     async def _run_job(self, claim: Lease) -> None:
-        run = JobRun(claim, self._now())
+        run = self._link.run = JobRun(claim, self._now())
         heartbeats = asyncio.create_task(self._server.send_heartbeats(run), name="heartbeats")
         outcome: str = "interrupted"
         cause: Message | None = None
@@ -217,12 +194,15 @@ class _GatewayLoop:
                     await self._server.finish(JobEnd.of(run, outcome, cause), tries=1)
                 raise
         finally:
+            self._link.run = None
             heartbeats.cancel()
             await asyncio.gather(heartbeats, return_exceptions=True)
         await self._server.finish(JobEnd.of(run, outcome, cause))
 
     async def _wait_for_confirmation(self, run: JobRun) -> None:
         """Wait until the operator has confirmed the job; return at once if that is not necessary.
+
+        During the wait a person may use the machine, for example jog it.
 
         Raises
         ------
@@ -237,13 +217,14 @@ class _GatewayLoop:
             run.answered.clear()
             await run.answered.wait()
             run.raise_if_withdrawn()
+            if run.waiting and self._link.in_use.locked():
+                continue  # a person at the machine uses it
             try:
-                controller = await self._connected_controller()
-                state = (await controller.status()).state
+                state = (await self._link.status()).state
             except (ControllerError, OSError) as error:
                 raise JobReturned(_cause_of(error)) from error
-            if state is not State.IDLE:
-                raise JobReturned(_not_idle(controller, state))
+            if state is not State.IDLE and not (run.waiting and state is State.JOG):
+                raise JobReturned(self._not_idle(state))
 
     async def _run_copies(self, run: JobRun) -> None:
         claim = run.claim
@@ -260,7 +241,11 @@ class _GatewayLoop:
             run.copy_running = False
 
     async def _run_copy(self, run: JobRun, text: bytes, copy: int) -> None:
-        controller = await self._connected_controller()
+        async with self._link.in_use:
+            await self._stream_copy(run, text, copy)
+
+    async def _stream_copy(self, run: JobRun, text: bytes, copy: int) -> None:
+        controller = await self._link.connected()
         updates = stream(
             text,
             controller,
@@ -278,13 +263,15 @@ class _GatewayLoop:
                         run.raise_if_withdrawn()
                         await self._apply_requests(run, progress, controller)
         finally:
-            self._abandoned = controller.fault is not None
+            self._link.abandoned = controller.fault is not None
+            run.output = -1
 
     def _record(self, run: JobRun, progress: Progress, copy: int) -> None:
         run.line = progress.executed
         run.held = progress.state is State.HOLD
         run.seconds_left = progress.seconds_left
         run.position = self._head(progress)
+        run.output = progress.output
         self._journal.line(run.claim.job, copy, progress.executed, progress.acknowledged)
 
     async def _apply_requests(
@@ -387,9 +374,16 @@ async def run_gateway(
     http = httpx.AsyncClient() if client is None else client
     http.headers.update({"X-Knifetip": "gateway", **settings.headers})
     journal = Journal(settings.journal)
+    server = JobServer(http, settings, journal)
+    link = MachineLink(SafeState.of(settings.machine), connect)
+    station = asyncio.create_task(
+        Station(link, server, settings.machine).run(), name="station of the machine"
+    )
     try:
-        server = JobServer(http, settings, journal)
-        await _GatewayLoop(settings, connect, server, journal).run(jobs)
+        await _GatewayLoop(settings, link, server, journal).run(jobs)
     finally:
+        station.cancel()
+        await asyncio.gather(station, return_exceptions=True)
+        await link.close()
         if client is None:
             await http.aclose()

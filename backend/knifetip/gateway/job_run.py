@@ -69,6 +69,7 @@ class JobRun:
         )  #: the operator has not confirmed yet; nothing is sent to the machine
         self.held = False
         self.position: Pose | None = None
+        self.output = -1  #: output that is on, which lowers the station in use; -1 for none
         self.seconds_left: float | None = None
         self.requested = ""  #: hold, resume or ""
         self.cancelled = False

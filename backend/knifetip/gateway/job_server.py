@@ -1,6 +1,6 @@
 """job_server: requests of a gateway to the server that assigns its jobs.
 
-The requests are POST /api/gateway/claim, /heartbeat and /finish, and GET of the program.
+The requests are POST /api/gateway/claim, /heartbeat, /finish and /station, and GET of the program.
 """
 
 from __future__ import annotations
@@ -8,7 +8,7 @@ from __future__ import annotations
 import asyncio
 import hashlib
 import logging
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -19,6 +19,8 @@ import httpx
 from knifetip.errors import ProgramError
 from knifetip.gateway.job_run import JobEnd, JobRun, Lease
 from knifetip.gateway.journal import Journal
+from knifetip.gateway.operations import EXPIRY
+from knifetip.gateway.station_report import OperationResult, StationAnswer, StationReport
 from knifetip.model.machine import Machine
 
 #: Longest pause between two attempts to connect (s).
@@ -87,6 +89,40 @@ class JobServer:
             _log.warning("%s assigns no job: %s", self._api, reason)
         await asyncio.sleep(min(LONGEST_PAUSE, max(self._settings.wait, FIRST_PAUSE)))
         return None
+
+    async def report_station(
+        self, report: StationReport, results: Sequence[OperationResult], wait: float
+    ) -> StationAnswer:
+        """Report the state of the machine, and return the operations that a person has asked for.
+
+        Parameters
+        ----------
+        report
+            State of the controller.
+        results
+            Results of operations that have ended since the last report.
+        wait
+            Longest time that the server may wait for an operation before it answers (s).
+
+        Raises
+        ------
+        httpx.HTTPError
+            The server does not answer, or refuses the report.
+        ValueError, KeyError, TypeError
+            The answer of the server is malformed.
+        """
+        body = {
+            **report.as_json(),
+            "gateway": self._settings.name,
+            "machine": self._settings.machine.name,
+            "results": [result.as_json() for result in results],
+            "wait": wait,
+        }
+        answer = await self._client.post(
+            self._url("api/gateway/station"), json=body, timeout=wait + EXPIRY
+        )
+        answer.raise_for_status()
+        return StationAnswer.of(answer.json())
 
     async def program(self, claim: Lease) -> bytes:
         """Return the program of a claimed job, fetched from the server.

@@ -75,6 +75,11 @@ class Operable(Protocol):
         ...
 
     @property
+    def connected(self) -> bool:
+        """Whether the connection to the controller is open."""
+        ...
+
+    @property
     def alarm(self) -> Message | None:
         """Meaning of the alarm that locks the controller, with what to do; None for no alarm."""
         ...

@@ -29,6 +29,8 @@ from knifetip.messages import Message
 SILENCE = 6.0
 #: Seconds for which a machine counts as watched after a person has looked at it.
 WATCHED = 12.0
+#: Seconds after the last operation of a person before a job may start without a confirmation.
+OPERATED = 30.0
 _KEPT = 600.0  # seconds for which operations are kept
 _WATCH_INTERVAL = 4.0  # least time between two records that a person looks (s)
 _REPORT_INTERVAL = 1.0  # least time between two records of unchanged reports (s)
@@ -252,6 +254,15 @@ class StationStore:
             view.row.watched = now
             session.info["changed"] = True
         return row
+
+    def was_operated(self, machine: str) -> bool:
+        """Return whether a person has asked for an operation in the last ``OPERATED`` seconds."""
+        now = self._db.timer()
+        asked = sa.select(Operation).where(
+            Operation.machine == machine, Operation.asked > now - OPERATED, Operation.asked <= now
+        )
+        with self._db.reading() as session:
+            return bool(session.scalar(sa.select(asked.exists())))
 
     def operation(self, machine: str, id: str) -> Operation:
         """Return an operation with its state; an operation that was not fetched in time expires.

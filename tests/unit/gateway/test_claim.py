@@ -109,6 +109,8 @@ class Office:
                 return httpx.Response(503)
             self.finished.append(body)
             return httpx.Response(200, json={})
+        if path == "/api/gateway/station":
+            return httpx.Response(404)  # a server without stations
         raise AssertionError(path)
 
 

@@ -79,7 +79,7 @@ class GrblConnection:
         self._reconnect = reconnect
         self._watchdog = Watchdog(self, silence, poll)
         self._tasks: list[asyncio.Task[None]] = []
-        self._connected = True
+        self.connected = True  #: the transport is open
         self._closed = False
         self._sending = asyncio.Lock()
         self._changed = asyncio.Event()  # something was received, or a fault was recorded
@@ -112,7 +112,7 @@ class GrblConnection:
         """
         if self._closed:
             raise ControllerError("controller.closed", name=self.name)
-        if not self._connected:
+        if not self.connected:
             if self._reconnect is None:
                 raise ControllerError("controller.lost-in-buffer", name=self.name)
             await self._disconnect()
@@ -132,7 +132,7 @@ class GrblConnection:
         self.fail(ControllerError("controller.closed", name=self.name))
 
     def _start_tasks(self) -> None:
-        self._connected = True
+        self.connected = True
         self._tasks = [
             asyncio.create_task(self._read_answers(), name="grbl answers"),
             asyncio.create_task(self._watchdog.run(), name="grbl watchdog"),
@@ -351,7 +351,9 @@ class GrblConnection:
                 self._handle_line(line.strip().decode("ascii", "replace"))
             if len(rest) > _LONGEST_ANSWER:
                 rest = b""
-        self._connected = False
+        self.connected = False
+        if isinstance(self.fault, ControllerAlarm):
+            self.fault = None  # the loss matters more: nobody can unlock the controller
         self.fail(ControllerError("controller.lost", name=self.name, due=self.buffer.due()))
 
     def _handle_line(self, line: str) -> None:

@@ -11,7 +11,7 @@
 
 from __future__ import annotations
 
-from knifetip.errors import ControllerAlarm
+from knifetip.errors import ControllerAlarm, ControllerError
 from knifetip.gateway.controller import SafeState, State, Status
 from knifetip.gateway.grbl import answers, recovery
 from knifetip.gateway.grbl.capabilities import Capabilities
@@ -34,6 +34,8 @@ class GrblOperations:
     _silence: float
     _capabilities: Capabilities
     _switched_on: frozenset[int] = frozenset()
+    _homing: bool = False
+    _stops: int = 0  # number of calls of ``stop_jog``
 
     @property
     def operations(self) -> frozenset[str]:
@@ -41,10 +43,17 @@ class GrblOperations:
         return frozenset(OperationName)
 
     @property
+    def connected(self) -> bool:
+        """Whether the connection to the controller is open."""
+        return self._connection.connected
+
+    @property
     def alarm(self) -> Message | None:
         """Meaning of the alarm that locks the controller, with what to do; None for no alarm."""
         # After a critical alarm grbl sends no report until it is reset.
         status, code = self._connection.status, self._connection.last_alarm
+        if not self.connected:
+            return None
         if code == 0 and (status is None or status.state is not State.ALARM):
             return None
         if code <= 0:
@@ -101,7 +110,7 @@ class GrblOperations:
         connection, locked = self._connection, self.alarm is not None
         await connection.reach()
         # grbl answers no status request during homing; this must not count as silence.
-        connection.recovering = True
+        connection.recovering = self._homing = True
         try:
             if locked:
                 await connection.reset()
@@ -109,7 +118,7 @@ class GrblOperations:
             await self._read_settings()
             await recovery.secure(connection, self._safe, self._silence)
         finally:
-            connection.recovering = False
+            connection.recovering = self._homing = False
         self._switched_on = frozenset()
 
     async def jog(self, axis: str, distance: float, feed: float) -> None:
@@ -118,8 +127,15 @@ class GrblOperations:
         await self._connection.command(self._capabilities.to_wire(jog))
 
     async def stop_jog(self) -> None:
-        """Decelerate the running jog to a stop and discard the rest of it."""
-        await self._connection.realtime(_CANCEL_JOG)
+        """Stop the running jog, also that of ``park``, and discard the rest of it.
+
+        A homing cycle is stopped by a reset; the controller is then locked by an alarm.
+        """
+        self._stops += 1
+        if self._homing:
+            await self._connection.reset()
+        else:
+            await self._connection.realtime(_CANCEL_JOG)
 
     async def zero(self, axes: str) -> None:
         """Store the present position of axes as their zero in G54."""
@@ -129,9 +145,11 @@ class GrblOperations:
 
     async def park(self) -> None:
         """Lift the tool, then begin to move X and Y to the park position of the machine."""
-        connection, safe = self._connection, self._safe
+        connection, safe, stops = self._connection, self._safe, self._stops
         await recovery.secure(connection, safe, self._silence)
         self._switched_on = frozenset()
+        if self._stops != stops:
+            raise ControllerError("operation.stopped", name=connection.name)
         if safe is not None:
             x, y = safe.park
             await connection.command(b"$J=G90 G21 X%.4f Y%.4f F%.0f" % (x, y, PARK_FEED))

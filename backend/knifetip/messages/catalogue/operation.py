@@ -33,6 +33,10 @@ MESSAGES: Final[Entries] = {
         "Switch on the machine and start its gateway.",
         machine="text",
     ),
+    "operation.job-on-machine": entry(
+        "The machine executes a job, so it does nothing else.",
+        "Wait until the job has ended, or cancel it.",
+    ),
     "operation.job-running": entry(
         "Job {job} is {state} on {machine}, so the machine does nothing else.",
         "Wait until the job has ended, or cancel it.",
@@ -68,6 +72,10 @@ MESSAGES: Final[Entries] = {
     ),
     "operation.not-locked": entry(
         "{name} is not locked by an alarm, so there is nothing to unlock.",
+        name="text",
+    ),
+    "operation.stopped": entry(
+        "A person has stopped {name} before the operation was complete.",
         name="text",
     ),
     "operation.unknown": entry(

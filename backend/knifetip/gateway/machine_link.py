@@ -1,0 +1,112 @@
+"""machine_link: the one connection of a gateway to the controller of its machine.
+
+Jobs and operations of a person share the connection.  ``in_use`` is locked while one of them uses
+the machine, so that they never use it at the same time.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable
+
+from knifetip.errors import ControllerAlarm
+from knifetip.gateway.controller import Controller, SafeState, Status
+from knifetip.gateway.job_run import JobRun
+from knifetip.gateway.operations import OperableController
+
+#: Opens a controller.  The second argument: whether to stop a machine that is still moving.
+Connect = Callable[[SafeState, bool], Awaitable[Controller]]
+
+
+class MachineLink:
+    """Connects to the controller of a machine, and connects again after a failure.
+
+    Parameters
+    ----------
+    safe
+        Safe state of the machine.
+    connect
+        Opens a controller.
+
+    Attributes
+    ----------
+    in_use
+        Locked while a job or an operation uses the controller.
+    abandoned
+        Whether the machine may still execute a job of this gateway; it is then stopped when the
+        gateway connects.
+    run
+        The job that the gateway has claimed; None if there is none.
+    """
+
+    def __init__(self, safe: SafeState, connect: Connect) -> None:
+        self._safe = safe
+        self._connect = connect
+        self._controller: Controller | None = None
+        self._connecting = asyncio.Lock()
+        self.in_use = asyncio.Lock()
+        self.abandoned = False
+        self.run: JobRun | None = None
+
+    @property
+    def controller(self) -> Controller | None:
+        """The controller, also after a failure; None if there is no connection."""
+        return self._controller
+
+    @property
+    def runs_job(self) -> bool:
+        """Whether a job is on the machine: confirmed, running, or held."""
+        return self.run is not None and not self.run.waiting
+
+    async def connected(self) -> Controller:
+        """Return a connected controller of the machine that has no fault.
+
+        A new connection is made if there is none, or if the present connection has a fault.  The
+        connection to a controller that an alarm locks is kept, because a person at the machine may
+        unlock it.
+
+        Raises
+        ------
+        ControllerAlarm
+            An alarm locks the controller.
+        ControllerError
+            The controller cannot be reached.
+        """
+        async with self._connecting:
+            controller = self._controller
+            if controller is not None and controller.fault is not None:
+                if _is_locked(controller):
+                    raise controller.fault
+                await self.close()
+            if self._controller is None:
+                self._controller = await self._connect(self._safe, self.abandoned)
+                self.abandoned = False
+            if self._controller.fault is not None:
+                raise self._controller.fault
+            return self._controller
+
+    async def status(self) -> Status:
+        """Return the status of the connected controller, while no operation uses it.
+
+        Raises
+        ------
+        ControllerError
+            An alarm locks the controller, or the controller cannot be reached.
+        """
+        async with self.in_use:
+            return await (await self.connected()).status()
+
+    async def close(self) -> None:
+        """Close the connection; nothing is sent to the machine."""
+        controller, self._controller = self._controller, None
+        if controller is not None:
+            await controller.close()
+
+
+def _is_locked(controller: Controller) -> bool:
+    """Return whether an alarm locks a controller that a person can unlock."""
+    return (
+        isinstance(controller, OperableController)
+        and isinstance(controller.fault, ControllerAlarm)
+        and controller.alarm is not None
+    )

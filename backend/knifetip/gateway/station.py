@@ -1,0 +1,215 @@
+"""station: reports the machine to the server, and carries out operations of the person at it.
+
+The reports go on while a job runs, and while the controller is locked by an alarm.  The server
+answers a report with the operations that a person has asked for:
+
+- An operation is refused while a job runs or is held.
+- An operation that is older than ``operations.EXPIRY`` before it is sent to the controller is
+  dropped.  Its age at the server travels as a duration; the gateway adds the time since then by its
+  own monotonic clock.
+- Operations are carried out one after another, except ``stop_jog``: it does not wait, and cancels
+  the operations that do.
+- Without an answer of the server for ``operations.EXPIRY`` a running jog is stopped, because the
+  person could not stop it any more.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass
+
+import httpx
+
+from knifetip.errors import ControllerError, KnifetipError, OperationExpired
+from knifetip.gateway.controller import State, Status
+from knifetip.gateway.job_server import JobServer
+from knifetip.gateway.machine_link import MachineLink
+from knifetip.gateway.operations import (
+    EXPIRY,
+    Operable,
+    OperableController,
+    Operation,
+    OperationName,
+    perform,
+)
+from knifetip.gateway.station_report import OperationRequest, OperationResult, StationReport
+from knifetip.messages import Message
+from knifetip.model.machine import Machine
+
+#: Time between two reports while a person looks at the machine (s).
+WATCHED_INTERVAL = 0.3
+#: Time between two reports while nobody looks (s).
+IDLE_INTERVAL = 2.0
+#: Pause after a report that the server did not answer (s).
+_PAUSE = 1.0
+
+_log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True, slots=True)
+class _Pending:
+    """An operation with the time at which it expires, by the clock of the event loop."""
+
+    request: OperationRequest
+    expires: float
+
+
+class Station:
+    """Reports the state of one machine, and carries out the operations of the person at it.
+
+    Parameters
+    ----------
+    link
+        Connection to the controller of the machine.
+    server
+        Server to which the station reports.
+    machine
+        The machine.
+    """
+
+    def __init__(self, link: MachineLink, server: JobServer, machine: Machine) -> None:
+        self._link = link
+        self._server = server
+        self._machine = machine
+        self._results: list[OperationResult] = []
+        self._tasks: set[asyncio.Task[None]] = set()
+        self._cancelled = 0  # number of stops; an operation that was asked before a stop is dropped
+        self._answered = 0.0  # time of the last answer of the server
+        self._wake = asyncio.Event()  # an operation has ended
+
+    async def run(self) -> None:
+        """Report and carry out operations until cancelled."""
+        interval, complaint = WATCHED_INTERVAL, ""
+        self._answered = _now()
+        try:
+            while True:
+                results, self._results = self._results, []
+                self._wake.clear()
+                asked = _now()
+                try:
+                    answer = await self._server.report_station(
+                        self._report(), results, 0.0 if self._tasks else interval
+                    )
+                except (httpx.HTTPError, ValueError, KeyError, TypeError) as error:
+                    self._results = results + self._results
+                    if (reason := repr(error)) != complaint:
+                        complaint = reason
+                        _log.warning("the server takes no report on the machine: %s", reason)
+                    await self._stop_unwatched_jog()
+                    await asyncio.sleep(_PAUSE)
+                    continue
+                complaint = ""
+                self._answered = now = _now()
+                # The time on the way, at most: the server has waited for the rest.
+                transit = max(now - asked - answer.waited, 0.0)
+                for request in answer.operations:
+                    self._begin(_Pending(request, now + EXPIRY - request.age - transit))
+                interval = WATCHED_INTERVAL if answer.watched else IDLE_INTERVAL
+                if self._tasks:
+                    with suppress(TimeoutError):
+                        await asyncio.wait_for(self._wake.wait(), WATCHED_INTERVAL)
+                elif answer.waited < interval and not answer.operations:
+                    await asyncio.sleep(interval - answer.waited)
+        finally:
+            for task in self._tasks:
+                task.cancel()
+            await asyncio.gather(*self._tasks, return_exceptions=True)
+
+    async def _stop_unwatched_jog(self) -> None:
+        """Stop a running jog if the server has not answered for ``EXPIRY`` seconds."""
+        controller = self._link.controller
+        if _now() - self._answered < EXPIRY or not isinstance(controller, Operable):
+            return
+        status = controller.last_status
+        if status is not None and status.state is State.JOG and not self._link.runs_job:
+            with suppress(KnifetipError, OSError):
+                await controller.stop_jog()
+
+    # -- reports --------------------------------------------------------------------------------
+
+    def _report(self) -> StationReport:
+        controller, run = self._link.controller, self._link.run
+        if not isinstance(controller, Operable) or not controller.connected:
+            return StationReport(connected=False)
+        status = controller.last_status
+        outputs = controller.switched_on
+        if run is not None and self._link.runs_job and run.output >= 0:
+            outputs = outputs | {run.output}
+        return StationReport(
+            connected=True,
+            state="" if status is None else _state(status, controller.alarm),
+            alarm=controller.alarm,
+            position=None if status is None or not status.located else status.position,
+            outputs=tuple(sorted(outputs)),
+            operations=tuple(sorted(controller.operations)),
+        )
+
+    # -- operations -----------------------------------------------------------------------------
+
+    def _begin(self, pending: _Pending) -> None:
+        """Start a task that carries out an operation."""
+        stops = pending.request.operation.name is OperationName.STOP_JOG
+        if stops:
+            self._cancelled += 1
+        task = asyncio.create_task(self._carry_out(pending, self._cancelled), name="operation")
+        self._tasks.add(task)
+        task.add_done_callback(self._end)
+
+    def _end(self, task: asyncio.Task[None]) -> None:
+        self._tasks.discard(task)
+        self._wake.set()
+
+    async def _carry_out(self, pending: _Pending, stops: int) -> None:
+        """Carry out an operation and record its result.
+
+        Parameters
+        ----------
+        pending
+            The operation.
+        stops
+            Number of stops that were asked before the operation.
+        """
+        id = pending.request.id
+
+        def is_late() -> bool:
+            return _now() >= pending.expires or self._cancelled != stops
+
+        try:
+            self._refuse_during_job()
+            if pending.request.operation.name is OperationName.STOP_JOG:
+                await self._perform(pending.request.operation, is_late)
+            else:
+                async with self._link.in_use:
+                    await self._perform(pending.request.operation, is_late)
+        except OperationExpired as late:
+            result = OperationResult(id, "expired", late.message)
+        except KnifetipError as refused:
+            result = OperationResult(id, "refused", refused.message)
+        except OSError as error:
+            result = OperationResult(id, "refused", Message("gateway.system-error", reason=error))
+        else:
+            result = OperationResult(id, "done")
+        self._results.append(result)
+
+    async def _perform(self, operation: Operation, is_late: Callable[[], bool]) -> None:
+        self._refuse_during_job()  # a job may have started during the wait
+        controller = self._link.controller
+        if not isinstance(controller, OperableController):
+            raise ControllerError("operation.no-controller", machine=self._machine.name)
+        await perform(operation, controller, self._machine, is_late)
+
+    def _refuse_during_job(self) -> None:
+        if self._link.runs_job:
+            raise ControllerError("operation.job-on-machine")
+
+
+def _state(status: Status, alarm: Message | None) -> str:
+    """Return the state of a controller; after a critical alarm it sends no report of its state."""
+    return (State.ALARM if alarm is not None else status.state).value
+
+
+def _now() -> float:
+    return asyncio.get_running_loop().time()

@@ -1,0 +1,114 @@
+"""station_report: what a gateway reports about its machine, and what the server answers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from knifetip.gateway.motion import Pose
+from knifetip.gateway.operations import Operation, OperationName
+from knifetip.messages import Message, with_text
+
+
+@dataclass(frozen=True, slots=True)
+class StationReport:
+    """State of the controller of a machine."""
+
+    connected: bool
+    state: str = ""  #: state of the controller; "" if it is not connected
+    alarm: Message | None = None
+    position: Pose | None = None  #: in work coordinates
+    outputs: tuple[int, ...] = ()  #: outputs that are on
+    operations: tuple[str, ...] = ()  #: operations that the controller can do
+
+    def as_json(self) -> dict[str, object]:
+        """Return the fields of the request that reports the state to the server."""
+        return {
+            "connected": self.connected,
+            "state": self.state,
+            "alarm": None if self.alarm is None else with_text(self.alarm),
+            "position": self.position,
+            "outputs": self.outputs,
+            "operations": self.operations,
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class OperationResult:
+    """Result of an operation."""
+
+    id: str
+    state: str  #: done, refused or expired
+    message: Message | None = None
+
+    def as_json(self) -> dict[str, object]:
+        """Return the fields of the request that reports the result to the server."""
+        message = None if self.message is None else with_text(self.message)
+        return {"id": self.id, "state": self.state, "message": message}
+
+
+@dataclass(frozen=True, slots=True)
+class OperationRequest:
+    """An operation that a person has asked for, as the server sends it."""
+
+    id: str
+    age: float  #: time from the request of the person to the answer of the server (s)
+    operation: Operation
+
+
+@dataclass(frozen=True, slots=True)
+class StationAnswer:
+    """The server's answer to a report."""
+
+    operations: Sequence[OperationRequest]
+    waited: float  #: time that the server waited before it answered (s)
+    watched: bool  #: a person looks at the machine
+
+    @classmethod
+    def of(cls, answer: Mapping[str, Any]) -> StationAnswer:
+        """Return the answer with the fields of a JSON object.
+
+        Raises
+        ------
+        ValueError, KeyError, TypeError
+            A field is missing or has a wrong value.
+        """
+        return cls(
+            [_request(one) for one in answer["operations"]],
+            _duration(answer["waited"]),
+            bool(answer["watched"]),
+        )
+
+
+def _request(fields: Mapping[str, Any]) -> OperationRequest:
+    given = {name: value for name, value in fields.items() if value is not None}
+    return OperationRequest(
+        str(given["id"]),
+        _duration(given["age"]),
+        Operation(
+            OperationName(given["operation"]),
+            str(given.get("axis", "")),
+            _finite(given.get("distance", 0.0)),
+            _finite(given.get("feed", 0.0)),
+            str(given.get("axes", "")),
+            int(given.get("output", -1)),
+            bool(given.get("on", False)),
+        ),
+    )
+
+
+def _finite(value: Any) -> float:
+    number = float(value)
+    if not math.isfinite(number):
+        raise ValueError(f"{value!r} is not finite")
+    return number
+
+
+def _duration(value: Any) -> float:
+    """Return a duration (s); a negative one would make an operation younger than it is."""
+    number = _finite(value)
+    if number < 0.0:
+        raise ValueError(f"the duration {value!r} is negative")
+    return number
