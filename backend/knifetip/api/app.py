@@ -19,6 +19,7 @@ from starlette.exceptions import HTTPException
 
 from knifetip import errors
 from knifetip.api import (
+    confirmation,
     definitions,
     drawings,
     events,
@@ -63,6 +64,12 @@ STATUS: Mapping[type[errors.KnifetipError], int] = {
     errors.ServerBusy: 503,
     errors.ControllerError: 502,
 }
+
+
+_ROUTES = (
+    drawings, jobs, confirmation, queues, rest, history, events, machines, tools, library,
+    definitions, profiles, gateway,
+)  # fmt: skip
 
 
 def create_app(settings: Settings | None = None) -> FastAPI:
@@ -130,20 +137,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         redoc_url=None,
         generate_unique_id_function=_operation_id,
     )
-    for module in (
-        drawings,
-        jobs,
-        queues,
-        rest,
-        history,
-        events,
-        machines,
-        tools,
-        library,
-        definitions,
-        profiles,
-        gateway,
-    ):
+    for module in _ROUTES:
         app.include_router(module.router, prefix="/api")
     app.add_api_route("/healthz", _health, response_model=Health, tags=["health"])
     app.add_api_route("/readyz", _ready, response_model=Health, tags=["health"])

@@ -9,6 +9,7 @@ A gateway is a program that fetches jobs from the server and controls one machin
 from __future__ import annotations
 
 import time
+from functools import partial
 
 from fastapi import APIRouter, Request, Response
 from fastapi.responses import PlainTextResponse
@@ -20,9 +21,10 @@ from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.schemas.messages import MessageIn
 from knifetip.api.schemas.stations import StationAnswer, StationIn
 from knifetip.api.service import ServiceDep, bytes_response
+from knifetip.api.tools import worn_stations
 from knifetip.api.wake import wake_on_change
 from knifetip.errors import MachineBusy, StaleVersion, WrongState
-from knifetip.jobs.gateway_store import GatewayReport
+from knifetip.jobs.gateway_store import GatewayReport, StopPlace
 from knifetip.jobs.job import ON_TABLE, State
 from knifetip.jobs.station_store import OperationResult, StationReport
 from knifetip.jobs.tables import Job
@@ -108,7 +110,13 @@ def _claim_next(service: ServiceDep, claimant: ClaimIn) -> Job | None:
     try:
         if not manual and service.store.stations.was_operated(claimant.machine):
             return None  # no job starts by itself while a person uses the machine
-        return service.store.gateways.claim(claimant.machine, claimant.gateway, manual=manual)
+        return service.store.gateways.claim(
+            claimant.machine,
+            claimant.gateway,
+            manual=manual,
+            feeds=not manual,
+            worn=partial(worn_stations, service),
+        )
     except MachineBusy:
         return None
 
@@ -141,6 +149,7 @@ async def heartbeat(service: ServiceDep, report: HeartbeatIn) -> HeartbeatOut:
             position=report.position,
             seconds_left=report.seconds_left,
         ),
+        partial(worn_stations, service),
     )
     return HeartbeatOut.model_validate({"command": command, "lease": LEASE})
 
@@ -231,5 +240,6 @@ def _finish_job(service: ServiceDep, report: FinishIn) -> JobOut:
         _cause(report.why),
         line=report.line,
         copies_done=report.copies_done,
+        place=None if report.position is None else StopPlace(report.position, report.station),
     )
     return job_out(service.store, row)

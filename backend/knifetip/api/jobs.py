@@ -335,11 +335,14 @@ def confirm_job(service: ServiceDep, id: JobId, confirmation: ConfirmIn | None =
     A job can make several copies, each on a new sheet.  Between two copies, the request confirms
     that the next sheet is on the table.  If a gateway claims the job again, a new confirmation is
     necessary.  The status is 409 if the job does not wait for a confirmation, or if the request
-    names another board than the job.
+    names another board than the job, or not all stations that the program uses.
     """
     confirmed = confirmation or ConfirmIn()
     return job_out(
-        service.store, service.store.operators.confirm(id, confirmed.board or "", confirmed.by)
+        service.store,
+        service.store.operators.confirm(
+            id, confirmed.board or "", confirmed.by, confirmed.stations
+        ),
     )
 
 

@@ -80,6 +80,12 @@ def _with_station(service: Service, name: str, station: int) -> Machine:
     return machine
 
 
+def worn_stations(service: Service, machine: str) -> set[int]:
+    """Return the numbers of the stations of a machine whose tools are at the end of their lives."""
+    uses = service.store.tools.uses(_machine(service, machine))
+    return {use.station for use in uses if use.warning == "over"}
+
+
 def tools_out(uses: Sequence[ToolUse]) -> list[ToolUseOut]:
     """Return the API models of the uses of tools."""
     return [

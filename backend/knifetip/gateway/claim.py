@@ -47,9 +47,11 @@ from knifetip.gateway.job_server import FIRST_PAUSE, LONGEST_PAUSE, GatewaySetti
 from knifetip.gateway.journal import Journal
 from knifetip.gateway.machine_link import Connect, MachineLink
 from knifetip.gateway.motion import Limits, Pose
-from knifetip.gateway.station import Station
+from knifetip.gateway.operations import OperableController
+from knifetip.gateway.station import MachineStation
 from knifetip.gateway.stream import Progress, stream
 from knifetip.messages import Message
+from knifetip.model.machine import Station
 
 _log = logging.getLogger(__name__)
 
@@ -223,7 +225,9 @@ class _GatewayLoop:
                 state = (await self._link.status()).state
             except (ControllerError, OSError) as error:
                 raise JobReturned(_cause_of(error)) from error
-            if state is not State.IDLE and not (run.waiting and state is State.JOG):
+            if run.waiting and state is State.JOG and self._link.jogged:
+                continue
+            if state is not State.IDLE:
                 raise JobReturned(self._not_idle(state))
 
     async def _run_copies(self, run: JobRun) -> None:
@@ -254,6 +258,7 @@ class _GatewayLoop:
             check=copy == 0,
             interval=min(self._settings.beat / 2.0, 0.1),
         )
+        progress: Progress | None = None
         try:
             async with aclosing(updates) as progress_updates:
                 async for progress in progress_updates:
@@ -265,13 +270,36 @@ class _GatewayLoop:
         finally:
             self._link.abandoned = controller.fault is not None
             run.output = -1
+            if progress is not None:
+                self._record_stop(run, progress, controller)
+
+    def _record_stop(self, run: JobRun, last: Progress, controller: Controller) -> None:
+        """Record the position at which the machine came to rest.
+
+        Z is that of the last progress report, because the tool has been lifted since.
+
+        Parameters
+        ----------
+        run
+            State of the job; changed in place.
+        last
+            Last progress report.
+        controller
+            Controller of the machine.
+        """
+        status = controller.last_status if isinstance(controller, OperableController) else None
+        if status is not None and status.located and controller.fault is None:
+            x, y, _, c = status.position
+            run.position = self._head((x, y, last.position[2], c), last.output)
 
     def _record(self, run: JobRun, progress: Progress, copy: int) -> None:
         run.line = progress.executed
         run.held = progress.state is State.HOLD
         run.seconds_left = progress.seconds_left
-        run.position = self._head(progress)
+        run.position = self._head(progress.position, progress.output)
         run.output = progress.output
+        station = self._station(progress.output)
+        run.station = None if station is None else station.number
         self._journal.line(run.claim.job, copy, progress.executed, progress.acknowledged)
 
     async def _apply_requests(
@@ -323,7 +351,7 @@ class _GatewayLoop:
             run.raise_if_withdrawn()
         run.held, run.requested = False, ""
 
-    def _head(self, progress: Progress) -> Pose:
+    def _head(self, axes: Pose, output: int) -> Pose:
         """Return the position of the head on the sheet, as heartbeats report it.
 
         It is the position of the axes, x, y, z (mm) and c (degrees), minus the tool offset (datum)
@@ -331,15 +359,21 @@ class _GatewayLoop:
 
         Parameters
         ----------
-        progress
-            Position of the axes, and the digital output that is switched on, which identifies the
-            station in use.
+        axes
+            Position of the axes.
+        output
+            Digital output that is switched on, which identifies the station in use; -1 for none.
         """
-        x, y, z, c = progress.position
-        for station in self._settings.machine.stations:
-            if progress.output >= 0 and station.output == progress.output:
-                return x - station.x, y - station.y, z - station.z, c - station.c
-        return x, y, z, c
+        x, y, z, c = axes
+        station = self._station(output)
+        if station is None:
+            return axes
+        return x - station.x, y - station.y, z - station.z, c - station.c
+
+    def _station(self, output: int) -> Station | None:
+        """Return the station that a digital output lowers; None if there is none."""
+        stations = self._settings.machine.stations if output >= 0 else ()
+        return next((one for one in stations if one.output == output), None)
 
     def _now(self) -> float:
         return asyncio.get_running_loop().time()
@@ -377,7 +411,7 @@ async def run_gateway(
     server = JobServer(http, settings, journal)
     link = MachineLink(SafeState.of(settings.machine), connect)
     station = asyncio.create_task(
-        Station(link, server, settings.machine).run(), name="station of the machine"
+        MachineStation(link, server, settings.machine).run(), name="station of the machine"
     )
     try:
         await _GatewayLoop(settings, link, server, journal).run(jobs)

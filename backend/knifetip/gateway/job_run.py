@@ -70,6 +70,7 @@ class JobRun:
         self.held = False
         self.position: Pose | None = None
         self.output = -1  #: output that is on, which lowers the station in use; -1 for none
+        self.station: int | None = None  #: number of the station in use; None for none
         self.seconds_left: float | None = None
         self.requested = ""  #: hold, resume or ""
         self.cancelled = False
@@ -127,11 +128,23 @@ class JobEnd:
     cause: Message | None
     line: int  #: executed lines of the running copy; 0 between two copies
     copies_done: int  #: under this lease
+    position: Pose | None = None  #: on the sheet, where the machine stopped; None if not known
+    station: int | None = None  #: number of the station in use where the machine stopped
 
     @classmethod
     def of(cls, run: JobRun, outcome: str, cause: Message | None) -> JobEnd:
         line = run.line if run.copy_running or outcome == "done" else 0
-        return cls(run.claim.job, run.claim.epoch, outcome, cause, line, run.copies_done)
+        stopped = run.copy_running and outcome != "done"
+        return cls(
+            run.claim.job,
+            run.claim.epoch,
+            outcome,
+            cause,
+            line,
+            run.copies_done,
+            run.position if stopped else None,
+            run.station if stopped else None,
+        )
 
     def report(self) -> dict[str, object]:
         """Return the JSON body of the request that reports the end of the job to the server."""
@@ -142,4 +155,6 @@ class JobEnd:
             "why": "" if self.cause is None else with_text(self.cause),
             "line": self.line,
             "copies_done": self.copies_done,
+            "position": self.position,
+            "station": self.station,
         }

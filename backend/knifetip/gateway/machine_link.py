@@ -10,7 +10,7 @@ import asyncio
 from collections.abc import Awaitable, Callable
 
 from knifetip.errors import ControllerAlarm
-from knifetip.gateway.controller import Controller, SafeState, Status
+from knifetip.gateway.controller import Controller, SafeState, State, Status
 from knifetip.gateway.job_run import JobRun
 from knifetip.gateway.operations import OperableController
 
@@ -35,6 +35,8 @@ class MachineLink:
     abandoned
         Whether the machine may still execute a job of this gateway; it is then stopped when the
         gateway connects.
+    jogged
+        Whether an operation of a person has moved the machine, which was not seen at rest since.
     run
         The job that the gateway has claimed; None if there is none.
     """
@@ -46,6 +48,7 @@ class MachineLink:
         self._connecting = asyncio.Lock()
         self.in_use = asyncio.Lock()
         self.abandoned = False
+        self.jogged = False
         self.run: JobRun | None = None
 
     @property
@@ -94,7 +97,10 @@ class MachineLink:
             An alarm locks the controller, or the controller cannot be reached.
         """
         async with self.in_use:
-            return await (await self.connected()).status()
+            status = await (await self.connected()).status()
+            if status.state is State.IDLE:
+                self.jogged = False
+            return status
 
     async def close(self) -> None:
         """Close the connection; nothing is sent to the machine."""

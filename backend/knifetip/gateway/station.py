@@ -29,7 +29,6 @@ from knifetip.gateway.job_server import JobServer
 from knifetip.gateway.machine_link import MachineLink
 from knifetip.gateway.operations import (
     EXPIRY,
-    Operable,
     OperableController,
     Operation,
     OperationName,
@@ -57,7 +56,7 @@ class _Pending:
     expires: float
 
 
-class Station:
+class MachineStation:
     """Reports the state of one machine, and carries out the operations of the person at it.
 
     Parameters
@@ -121,7 +120,7 @@ class Station:
     async def _stop_unwatched_jog(self) -> None:
         """Stop a running jog if the server has not answered for ``EXPIRY`` seconds."""
         controller = self._link.controller
-        if _now() - self._answered < EXPIRY or not isinstance(controller, Operable):
+        if _now() - self._answered < EXPIRY or not isinstance(controller, OperableController):
             return
         status = controller.last_status
         if status is not None and status.state is State.JOG and not self._link.runs_job:
@@ -132,7 +131,7 @@ class Station:
 
     def _report(self) -> StationReport:
         controller, run = self._link.controller, self._link.run
-        if not isinstance(controller, Operable) or not controller.connected:
+        if not isinstance(controller, OperableController) or not controller.connected:
             return StationReport(connected=False)
         status = controller.last_status
         outputs = controller.switched_on
@@ -199,6 +198,8 @@ class Station:
         controller = self._link.controller
         if not isinstance(controller, OperableController):
             raise ControllerError("operation.no-controller", machine=self._machine.name)
+        if operation.name in (OperationName.JOG, OperationName.PARK):
+            self._link.jogged = True
         await perform(operation, controller, self._machine, is_late)
 
     def _refuse_during_job(self) -> None:

@@ -11,6 +11,12 @@ from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
 from knifetip.errors import MachineBusy
+from knifetip.jobs.batches import (
+    WornStations,
+    begins_batch,
+    no_worn_stations,
+    uses_worn_tool,
+)
 from knifetip.jobs.database import Database, rows
 from knifetip.jobs.interruption import interruption
 from knifetip.jobs.job import (
@@ -29,6 +35,9 @@ from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE, Transitions, stale_epoch_error
 from knifetip.messages import Message
 
+#: Confirmations with which a machine that feeds its sheets itself begins the next copy.
+_CONTINUES = (Confirmation.NONE, Confirmation.GIVEN)
+
 
 @dataclass(frozen=True, slots=True)
 class GatewayReport:
@@ -42,6 +51,14 @@ class GatewayReport:
     seconds_left: float | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class StopPlace:
+    """Place at which a machine stopped a job, as its gateway reports it."""
+
+    position: Sequence[float] | None = None  #: on the sheet: x, y, z (mm) and c (degrees)
+    station: int | None = None  #: number of the station in use; None if none or unknown
+
+
 class GatewayStore:
     """Repository operations for gateways on the jobs of their machines."""
 
@@ -52,7 +69,15 @@ class GatewayStore:
         self._transitions = transitions
         self._machines = machines
 
-    def claim(self, machine: str, gateway: str, *, manual: bool) -> Job | None:
+    def claim(
+        self,
+        machine: str,
+        gateway: str,
+        *,
+        manual: bool,
+        feeds: bool = False,
+        worn: WornStations = no_worn_stations,
+    ) -> Job | None:
         """Assign the next queued job of a machine to a gateway, and return the job.
 
         Returns None if there is no job to assign.  Each claim gives the job a new epoch: a number
@@ -71,6 +96,11 @@ class GatewayStore:
             new epoch, and the operator must confirm again.  If False, the job is stored as
             ``running`` before this method returns, unless it continues another job: the operator
             must confirm such a job on every machine.
+        feeds
+            Whether the machine feeds its sheets itself.  The operator must then confirm the first
+            sheet of each batch (see ``batches``), and a job with a worn tool.
+        worn
+            Returns the stations whose tools are at the end of their lives.
 
         Raises
         ------
@@ -98,12 +128,21 @@ class GatewayStore:
                     return None
                 id = row.id
                 # A begun sheet may have been moved, and a broken tool must have been replaced.
-                self._assign(session, row, gateway, manual or row.resumes is not None)
+                confirm = manual or row.resumes is not None
+                confirm = confirm or (
+                    feeds and (begins_batch(session, row) or uses_worn_tool(row, worn))
+                )
+                self._assign(session, row, gateway, confirm, feeds)
                 return self._transitions.lock(session, id)
         except IntegrityError as reason:
             raise _busy_error(machine, self._machines.jobs_on_tables().get(machine, "")) from reason
 
-    def _assign(self, session: Session, row: Job, gateway: str, manual: bool) -> None:
+    def begins_batch(self, row: Job) -> bool:
+        """Return whether the next sheet of a job is the first one of a batch (see ``batches``)."""
+        with self._db.reading() as session:
+            return begins_batch(session, row)
+
+    def _assign(self, session: Session, row: Job, gateway: str, confirm: bool, feeds: bool) -> None:
         changes: dict[str, Any] = {
             "epoch": row.epoch + 1,
             "owner": gateway,
@@ -113,8 +152,10 @@ class GatewayStore:
             "line": 0,
             "position": None,
             "copies_before": row.copies_done,
+            "feeds": feeds,
+            "stopped_at": None,
         }
-        if manual:
+        if confirm:
             changes |= {"confirmation": Confirmation.AWAITED.value, "updated": self._db.clock()}
             self._change(session, row, changes)
             event = Message("job.claimed-to-confirm")
@@ -134,7 +175,13 @@ class GatewayStore:
             **changes,
         )
 
-    def heartbeat(self, id: str, epoch: int, report: GatewayReport) -> str:
+    def heartbeat(
+        self,
+        id: str,
+        epoch: int,
+        report: GatewayReport,
+        worn: WornStations = no_worn_stations,
+    ) -> str:
         """Store the progress of a job, renew its lease, and return a command for the gateway.
 
         Parameters
@@ -145,6 +192,9 @@ class GatewayStore:
             Epoch of the gateway's claim: a number that increases with each new owner of the job.
         report
             Progress of the job, as the gateway reports it.
+        worn
+            Returns the stations whose tools are at the end of their lives.  It is called when a
+            machine that feeds its sheets itself has completed a copy.
 
         Returns
         -------
@@ -166,7 +216,7 @@ class GatewayStore:
                 return self._answer_waiting(session, row)
             if row.state == State.QUEUED:
                 row = self._start(session, row)
-            return self._answer_running(session, row, report)
+            return self._answer_running(session, row, report, worn)
 
     def _answer_waiting(self, session: Session, row: Job) -> str:
         """Return the command for a gateway that has not sent anything to the machine yet.
@@ -239,7 +289,9 @@ class GatewayStore:
             **changes,
         )
 
-    def _answer_running(self, session: Session, row: Job, report: GatewayReport) -> str:
+    def _answer_running(
+        self, session: Session, row: Job, report: GatewayReport, worn: WornStations
+    ) -> str:
         """Store the report of a gateway on its running job, and return the command for the gateway.
 
         The command is the first of the following that applies:
@@ -258,6 +310,8 @@ class GatewayStore:
             The job.
         report
             Progress of the job.
+        worn
+            Returns the stations whose tools are at the end of their lives.
         """
         copies_done = min(row.copies_before + report.copies_done, row.copies)
         copy_done = row.copies_done < copies_done < row.copies
@@ -267,9 +321,10 @@ class GatewayStore:
             copy_done and requested == "resume"
         ):
             requested = ""
-        if copy_done and confirmation == Confirmation.GIVEN:
+        by_hand = confirmation == Confirmation.GIVEN and not row.feeds
+        if copy_done and (by_hand or (row.feeds and uses_worn_tool(row, worn))):
             confirmation = Confirmation.SHEET
-        elif copy_done and confirmation == Confirmation.NONE and report.held:
+        elif copy_done and confirmation in _CONTINUES and report.held:
             # The machine feeds the next sheet itself, unless the operator has requested a hold.
             requested = "resume" if row.requested_action in ("", "resume") else requested
         changes: dict[str, Any] = {
@@ -314,6 +369,7 @@ class GatewayStore:
         *,
         line: int | None = None,
         copies_done: int | None = None,
+        place: StopPlace | None = None,
     ) -> Job:
         """Store a gateway's report that a job has ended, and return the job.
 
@@ -338,6 +394,8 @@ class GatewayStore:
         copies_done
             Number of copies completed since the gateway claimed the job; None for the number in the
             last heartbeat.
+        place
+            Place at which the machine stopped; None for the position in the last heartbeat.
 
         Raises
         ------
@@ -364,7 +422,7 @@ class GatewayStore:
             if goal is State.CANCELLED and late:
                 goal = State.INTERRUPTED
             done = None if copies_done is None else row.copies_before + copies_done
-            self._end(session, row, goal, cause, line, done)
+            self._end(session, row, goal, cause, line, done, place or StopPlace(row.position))
             return self._transitions.lock(session, id)
 
     def _end(
@@ -375,6 +433,7 @@ class GatewayStore:
         cause: Message | None,
         line: int | None,
         copies_done: int | None,
+        place: StopPlace,
     ) -> None:
         ended: dict[str, Any] = {
             "requested_action": "",
@@ -393,6 +452,7 @@ class GatewayStore:
             stop = interruption(row, cause or Message("gateway.no-reason"), line, copies_done)
             event = stop.message
             ended |= {"message": event, "line": stop.line, "copies_done": stop.copies_done}
+            ended |= stopped(stop.line, place)
             if late:
                 if event != row.message:
                     self._change(session, row, ended)
@@ -401,8 +461,9 @@ class GatewayStore:
                     report = Message("job.late-report", report=event)
                     self._transitions.write_event(session, "job", row.id, goal, owner, report)
                 return
-        elif line is not None:
-            ended["line"] = min(line, row.lines)
+        else:
+            ended["line"] = row.line if line is None else min(line, row.lines)
+            ended |= stopped(ended["line"], place)
         self._gateway_moves(session, row, goal, event, **ended)
 
     def give_back(self, session: Session, row: Job, actor: Actor, cause: Message) -> None:
@@ -450,6 +511,21 @@ class GatewayStore:
         statement = statement.execution_options(synchronize_session=False)
         if not rows(session, statement.values(**changes)):
             raise stale_epoch_error(row.id, row.state, row.epoch + 1, row.epoch)
+
+
+def stopped(line: int, place: StopPlace) -> dict[str, Any]:
+    """Return the columns of a job that record where the machine stopped it.
+
+    Parameters
+    ----------
+    line
+        Number of executed lines of the present copy.
+    place
+        Position and station.
+    """
+    position = None if place.position is None else list(place.position)
+    where = {"line": line, "position": position, "station": place.station}
+    return {"stopped_at": where, "position": position}
 
 
 def silent_gateway_message(gateway: str) -> Message:

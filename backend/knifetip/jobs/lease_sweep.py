@@ -6,7 +6,13 @@ import sqlalchemy as sa
 
 from knifetip.jobs.compile_store import CompileStore
 from knifetip.jobs.database import Database
-from knifetip.jobs.gateway_store import GatewayStore, is_claimed, silent_gateway_message
+from knifetip.jobs.gateway_store import (
+    GatewayStore,
+    StopPlace,
+    is_claimed,
+    silent_gateway_message,
+    stopped,
+)
 from knifetip.jobs.interruption import interruption
 from knifetip.jobs.job import CLOCK, LEASED, Action, Confirmation, State
 from knifetip.jobs.machine_queues import CLAIMED
@@ -78,6 +84,7 @@ class LeaseSweep:
                     epoch=row.epoch,
                     new_epoch=row.epoch + 1,
                     line=stop.line,
+                    **stopped(stop.line, StopPlace(row.position)),
                     copies_done=stop.copies_done,
                     message=stop.message,
                     seconds_left=None,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import fields
 from typing import Any
 
@@ -178,6 +178,7 @@ class OperatorStore:
                 lease=0.0,
                 line=0,
                 position=None,
+                stopped_at=None,
                 message=None,
                 requested_action="",
                 seconds_left=None,
@@ -227,7 +228,9 @@ class OperatorStore:
             )
             return self._transitions.lock(session, id)
 
-    def confirm(self, id: str, board: str = "", by: str = "") -> Job:
+    def confirm(
+        self, id: str, board: str = "", by: str = "", stations: Collection[int] | None = None
+    ) -> Job:
         """Store the operator's confirmation that the machine may begin, and return the job.
 
         The operator confirms that the table is clear and that the board and the tools of the job
@@ -243,17 +246,22 @@ class OperatorStore:
             Name of the board on the table; "" if the operator does not name it.
         by
             Name of the operator, for the log of events.
+        stations
+            Numbers of the stations whose tools the operator has checked; None if the operator does
+            not name them.
 
         Raises
         ------
         WrongState
-            The job does not wait for a confirmation, needs another board, or its machine or board
-            has changed since its compile.
+            The job does not wait for a confirmation, needs another board, uses a station that is
+            not in ``stations``, or its machine or board has changed since its compile.
         """
         with self._db.writing() as session:
             row = self._transitions.lock(session, id)
             if board and board != row.board:
                 raise WrongState("job.other-board", job=id, board=row.board, given=short(board))
+            if stations is not None:
+                _check_stations(row, stations)
             confirmed = row.confirmation == Confirmation.GIVEN and row.requested_action != "cancel"
             starts = row.state in (State.QUEUED, State.RUNNING) or row.requested_action == "resume"
             if confirmed and starts:
@@ -412,6 +420,14 @@ def _check_current(session: Session, row: Job) -> None:
     changes = changes_since_compile(session, [row])
     if changes:
         raise WrongState("job.outdated", job=row.id, changes=changes[row.id])
+
+
+def _check_stations(row: Job, stations: Collection[int]) -> None:
+    """Raise ``WrongState`` if a job uses a station that is not in ``stations``."""
+    unchecked = [tool for tool in row.tools if tool["station"] not in stations]
+    if unchecked:
+        names = [f"{tool['station']} ({tool['name']})" for tool in unchecked]
+        raise WrongState("job.tools-not-checked", job=row.id, stations=names)
 
 
 def _refused_request_error(row: Job, action: OperatorAction) -> WrongState:

@@ -174,6 +174,9 @@ class Job(Base):
     resumes: Mapped[str | None] = mapped_column(sa.String(32), index=True, default=None)
     #: the work that remains on the sheet of that job: see ``rest_record``; None for the whole
     rest: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
+    #: where the machine stopped a job that was cancelled or interrupted: line, position, station
+    stopped_at: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
+    feeds: Mapped[bool] = mapped_column(default=False)  #: the machine feeds the sheets itself
     overrides: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)
     program: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)
     toolpath: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)

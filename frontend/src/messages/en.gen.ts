@@ -2383,6 +2383,10 @@ export const TEXTS = {
     "text": "The job was started without the confirmation of the operator.",
     "hint": ""
   },
+  "job.tools-not-checked": {
+    "text": "Job {job} also uses stations whose tools the confirmation does not name: {stations}.",
+    "hint": "Check the tools in these stations, then confirm the job again."
+  },
   "job.unknown": {
     "text": "Job {job} does not exist.",
     "hint": "Choose one of the jobs that GET /api/jobs lists."
@@ -2711,6 +2715,10 @@ export const TEXTS = {
     "text": "No gateway of {machine} is connected, so nothing can be sent to the machine.",
     "hint": "Switch on the machine and start its gateway."
   },
+  "operation.job-on-machine": {
+    "text": "The machine executes a job, so it does nothing else.",
+    "hint": "Wait until the job has ended, or cancel it."
+  },
   "operation.job-running": {
     "text": "Job {job} is {state} on {machine}, so the machine does nothing else.",
     "hint": "Wait until the job has ended, or cancel it."
@@ -2737,6 +2745,10 @@ export const TEXTS = {
   },
   "operation.not-locked": {
     "text": "{name} is not locked by an alarm, so there is nothing to unlock.",
+    "hint": ""
+  },
+  "operation.stopped": {
+    "text": "A person has stopped {name} before the operation was complete.",
     "hint": ""
   },
   "operation.unknown": {

@@ -385,3 +385,33 @@ def test_a_job_lists_the_actions_that_are_routes_of_its_own(
     others = {"release", "hold", "resume", "requeue", "finish", "scrap"}
     for action in others:
         assert client.post(f"/api/jobs/{job['id']}/{action}").status_code == 409
+
+
+def test_what_the_operator_confirms_is_named(client: httpx.Client, waiting: dict[str, Any]) -> None:
+    job = client.get(f"/api/jobs/{waiting['job']}").json()
+    confirmation = client.get(f"/api/jobs/{waiting['job']}/confirmation").json()
+    assert job["tools"]
+    assert confirmation["tools"] == [
+        {**tool, "used": use["used"], "life": use["life"] or None, "warning": use["warning"]}
+        for tool in job["tools"]
+        for use in client.get(f"/api/machines/{MACHINE}/tools").json()
+        if use["station"] == tool["station"]
+    ]
+    machine = client.get(f"/api/machines/{MACHINE}").json()
+    assert confirmation["placement"] == machine["origin"]
+    assert (confirmation["awaited"], confirmation["board"]) == (True, job["board"])
+    assert (confirmation["copy"], confirmation["copies"]) == (1, 1)
+    missing = client.post(f"/api/jobs/{waiting['job']}/confirm", json={"stations": []})
+    assert missing.status_code == 409
+    assert missing.json()["code"] == "job.tools-not-checked"
+
+
+def test_a_cancelled_job_names_the_place_where_it_stopped(
+    client: httpx.Client, claimed: dict[str, Any]
+) -> None:
+    assert beat(client, claimed, 3).json()["command"] == "continue"
+    client.post(f"/api/jobs/{claimed['job']}/cancel")
+    fields = {"job": claimed["job"], "epoch": claimed["epoch"], "outcome": "cancelled", "line": 4}
+    place = {"position": [12.5, 30.0, -0.3, 45.0], "station": 1}
+    ended = client.post("/api/gateway/finish", json={**fields, **place}).json()
+    assert ended["stopped_at"] == {"line": 4, **place}

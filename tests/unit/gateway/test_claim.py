@@ -152,6 +152,8 @@ async def test_a_job_is_claimed_run_and_finished() -> None:
             "why": "",
             "line": 11,
             "copies_done": 1,
+            "position": None,
+            "station": None,
         }
     ]
     lines = [beat["line"] for beat in office.beats]
@@ -260,8 +262,13 @@ async def test_cancel_stops_the_machine_raises_the_tool_and_says_so() -> None:
         assert 160.0 < x < 560.0
         assert z == 20.0
         assert server.table.state == "Idle"
-    assert office.finished[0]["outcome"] == "cancelled"
-    assert "line 6" in office.finished[0]["why"]["text"]
+        assert server.table.outputs == {0: False, 1: False, 2: False}
+    (report,) = office.finished
+    assert report["outcome"] == "cancelled"
+    assert "line 6" in report["why"]["text"]
+    # The place is that of the head at rest, at the height before the lift, in the crease.
+    assert report["station"] == 2
+    assert report["position"] == pytest.approx([x - 60.0, 100.0, 0.5, 0.0], abs=2e-3)
 
 
 async def test_a_job_that_is_no_longer_ours_stops_the_machine_and_is_reported_with_its_line() -> (

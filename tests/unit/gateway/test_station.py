@@ -19,7 +19,7 @@ from knifetip.gateway.job_server import GatewaySettings
 from knifetip.gateway.table import Table
 from tests.unit.gateway.test_claim import MACHINE, Office
 
-JOG = {"operation": "jog", "axis": "X", "distance": 120.0, "feed": 30000.0}
+JOG: dict[str, Any] = {"operation": "jog", "axis": "X", "distance": 120.0, "feed": 30000.0}
 
 
 class StationOffice(Office):
@@ -152,7 +152,7 @@ async def test_a_stop_cancels_the_jog_and_what_waits_behind_it(
 ) -> None:
     async with shop(monkeypatch, speed=1.0) as (office, table):
         await office.report(connected=True, state="idle")
-        long = {"operation": "jog", "axis": "X", "distance": 1000.0, "feed": 6000.0}
+        long: dict[str, Any] = {"operation": "jog", "axis": "X", "distance": 1000.0, "feed": 6000.0}
         assert (await office.result(office.ask(**long)))["state"] == "done"
         await office.report(state="jog")
         assert (await office.result(office.ask(operation="stop_jog")))["state"] == "done"
@@ -164,7 +164,7 @@ async def test_a_jog_stops_when_the_server_is_silent(monkeypatch: pytest.MonkeyP
     monkeypatch.setattr(station, "EXPIRY", 0.4)
     async with shop(monkeypatch, speed=1.0) as (office, table):
         await office.report(connected=True, state="idle")
-        long = {"operation": "jog", "axis": "X", "distance": 1000.0, "feed": 6000.0}
+        long: dict[str, Any] = {"operation": "jog", "axis": "X", "distance": 1000.0, "feed": 6000.0}
         assert (await office.result(office.ask(**long)))["state"] == "done"
         office.silent = True
         while table.state != "Idle":
@@ -212,8 +212,8 @@ async def test_nothing_is_carried_out_while_a_job_runs(monkeypatch: pytest.Monke
     async with shop(monkeypatch, speed=0.2, office=office) as (office, table):
         while not office.beats or office.beats[-1]["line"] < 4:
             await asyncio.sleep(0.01)
-        for operation in (JOG, {"operation": "home"}, {"operation": "stop_jog"}):
-            refused = await office.result(office.ask(**operation))
+        for arguments in (JOG, {"operation": "home"}, {"operation": "stop_jog"}):
+            refused = await office.result(office.ask(**arguments))
             assert refused["state"] == "refused"
             assert refused["message"]["code"] == "operation.job-on-machine"
         report = await office.report(outputs=[1])

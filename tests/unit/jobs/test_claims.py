@@ -13,7 +13,7 @@ from knifetip.errors import (
     StaleEpoch,
     WrongState,
 )
-from knifetip.jobs.gateway_store import GatewayReport
+from knifetip.jobs.gateway_store import GatewayReport, StopPlace
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE
@@ -28,6 +28,7 @@ from tests.support.job_states import (
     ordered,
     queued,
     running,
+    waiting,
 )
 from tests.support.messages import stored
 from tests.support.stored import Clock
@@ -276,3 +277,127 @@ def test_a_resume_starts_one_copy_and_not_the_one_after(store: Store) -> None:
     assert str(store.events.of_job(job.id)[-1].message).startswith(
         "Copy 2 of 3 of the job is finished"
     )
+
+
+# Where a job stopped
+
+
+@pytest.mark.parametrize("outcome", ["cancelled", "interrupted"])
+def test_the_place_where_a_job_stopped_is_stored(store: Store, outcome: str) -> None:
+    job = running(store)
+    place = StopPlace((10.0, 20.0, -0.3, 90.0), 2)
+    store.gateways.finish(job.id, job.epoch, outcome, line=7, place=place)
+    stopped = {"line": 7, "position": [10.0, 20.0, -0.3, 90.0], "station": 2}
+    row = store.jobs.get(job.id)
+    assert row.stopped_at == stopped
+    assert row.position == stopped["position"]
+    if outcome == "interrupted":
+        assert store.operators.requeue(job.id).stopped_at is None
+
+
+def test_a_silent_gateway_stops_its_job_at_the_last_heartbeat(store: Store, clock: Clock) -> None:
+    job = running(store)
+    report = GatewayReport(line=5, position=(1.0, 2.0, 3.0, 4.0))
+    store.gateways.heartbeat(job.id, job.epoch, report)
+    clock.now += LEASE + 1.0
+    store.leases.run()
+    stopped = {"line": 5, "position": [1.0, 2.0, 3.0, 4.0], "station": None}
+    assert store.jobs.get(job.id).stopped_at == stopped
+
+
+def test_a_job_that_is_done_stopped_nowhere(store: Store) -> None:
+    job = running(store)
+    store.gateways.finish(job.id, job.epoch, "done", place=StopPlace((0.0, 0.0, 20.0, 0.0)))
+    assert store.jobs.get(job.id).stopped_at is None
+
+
+# Machines that feed their sheets themselves
+
+
+def fed_claim(store: Store) -> Job:
+    job = store.gateways.claim("table", "gateway", manual=False, feeds=True)
+    assert job is not None
+    return job
+
+
+def confirmed(store: Store, job: Job) -> Job:
+    assert (job.state, job.confirmation) == ("queued", "awaited")
+    store.operators.confirm(job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(0, waiting=True)) == "start"
+    return store.jobs.get(job.id)
+
+
+def test_the_first_sheet_of_a_batch_is_confirmed_and_the_next_job_follows(store: Store) -> None:
+    queued(store)
+    first = confirmed(store, fed_claim(store))
+    store.gateways.finish(first.id, first.epoch, "done")
+    queued(store)
+    assert fed_claim(store).state == "running"
+
+
+def test_another_board_begins_a_new_batch(store: Store) -> None:
+    queued(store)
+    first = confirmed(store, fed_claim(store))
+    store.gateways.finish(first.id, first.epoch, "done")
+    queued(store, board="greyboard-2.0")
+    assert store.gateways.begins_batch(fed_claim(store))
+
+
+def test_after_a_job_that_was_cancelled_the_next_one_is_confirmed(store: Store) -> None:
+    queued(store)
+    first = confirmed(store, fed_claim(store))
+    store.gateways.finish(first.id, first.epoch, "cancelled")
+    queued(store)
+    assert fed_claim(store).confirmation == "awaited"
+
+
+def test_the_copies_of_a_confirmed_job_follow_each_other(store: Store) -> None:
+    queued(store, copies=3)
+    job = confirmed(store, fed_claim(store))
+    done = GatewayReport(line=LINES, copies_done=1, held=True)
+    assert store.gateways.heartbeat(job.id, job.epoch, done) == "resume"
+
+
+def with_tool(store: Store, job: Job) -> Job:
+    tools = '[{"station": 1, "name": "Knife", "kind": "knife"}]'
+    execute(store, "UPDATE job SET tools = :tools WHERE id = :id", tools=tools, id=job.id)
+    return store.jobs.get(job.id)
+
+
+def test_a_job_with_a_worn_tool_is_confirmed(store: Store) -> None:
+    queued(store)
+    first = confirmed(store, fed_claim(store))
+    store.gateways.finish(first.id, first.epoch, "done")
+    with_tool(store, queued(store))
+    job = store.gateways.claim("table", "g", manual=False, feeds=True, worn=lambda _: {1})
+    assert job is not None
+    assert (job.state, job.confirmation) == ("queued", "awaited")
+
+
+def test_the_next_copy_with_a_worn_tool_is_confirmed(store: Store) -> None:
+    with_tool(store, queued(store, copies=3))
+    job = confirmed(store, fed_claim(store))
+    done = GatewayReport(line=LINES, copies_done=1, held=True)
+    assert store.gateways.heartbeat(job.id, job.epoch, done, lambda _: {1}) == "continue"
+    assert store.jobs.get(job.id).confirmation == "sheet"
+    store.operators.confirm(job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, done, lambda _: {1}) == "resume"
+
+
+# What the operator confirms
+
+
+def test_a_confirmation_names_the_stations_that_were_checked(store: Store) -> None:
+    job = waiting(store)
+    execute(
+        store,
+        "UPDATE job SET tools = :tools",
+        tools='[{"station": 1, "name": "Knife", "kind": "knife"},'
+        ' {"station": 2, "name": "Wheel", "kind": "crease-wheel"}]',
+    )
+    with pytest.raises(WrongState) as refused:
+        store.operators.confirm(job.id, stations=[1])
+    assert refused.value.message.code == "job.tools-not-checked"
+    assert "2 (Wheel)" in str(refused.value)
+    assert store.jobs.get(job.id).confirmation == "awaited"
+    assert store.operators.confirm(job.id, stations=[1, 2]).confirmation == "given"

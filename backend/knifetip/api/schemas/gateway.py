@@ -108,3 +108,13 @@ class FinishIn(Strict):
         default=None,
         description="Copies completed since this claim; null for the number in the last heartbeat",
     )
+    position: tuple[float, float, float, float] | None = Field(
+        default=None,
+        description="Position on the sheet at which the machine stopped: X, Y of the head axis, Z "
+        "of the tip before it was lifted (mm), C (degrees); null for that of the last heartbeat",
+    )
+    station: Count | None = Field(
+        default=None,
+        description="Number of the station that was in use when the machine stopped; null if "
+        "there was none, or if it is not known",
+    )

@@ -41,6 +41,11 @@ class ConfirmIn(Strict):
         description="Name of the board on the table; the request is refused if it is not the "
         "board of the job. Null for no check",
     )
+    stations: Annotated[list[int], Field(max_length=100)] | None = Field(
+        default=None,
+        description="Numbers of the stations whose tools the operator has checked; the request is "
+        "refused if the program uses another one. Null for no check",
+    )
     by: str = Field(
         default="",
         max_length=100,
@@ -54,6 +59,20 @@ class JobTool(BaseModel):
     station: int = Field(description="Number of the station")
     name: str = Field(description="Name of the station")
     kind: str = Field(description="Kind of the tool, such as knife or crease-wheel")
+
+
+class StopOut(BaseModel):
+    """Place at which the machine stopped a job."""
+
+    line: int = Field(description="Number of executed program lines of the present copy")
+    position: tuple[float, float, float, float] | None = Field(
+        description="Position on the sheet: X, Y of the head axis, Z of the tip before it was "
+        "lifted (mm), C (degrees); null if it is not known"
+    )
+    station: int | None = Field(
+        description="Number of the station that was in use; null if there was none, or if it is "
+        "not known"
+    )
 
 
 class JobOut(BaseModel):
@@ -156,6 +175,10 @@ class JobOut(BaseModel):
     position: tuple[float, float, float, float] | None = Field(
         description="Position on the sheet: X, Y of the head axis, Z of the tip (mm), C "
         "(degrees); null if it is not known"
+    )
+    stopped_at: StopOut | None = Field(
+        description="Where the machine stopped the job, if it was cancelled or interrupted; null "
+        "if it was not, or if nothing was sent to the machine"
     )
     seconds: float = Field(
         description="Estimated machine time of one copy (s); 0 before the job is compiled"

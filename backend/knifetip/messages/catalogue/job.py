@@ -288,6 +288,12 @@ MESSAGES: Final[Entries] = {
     "job.verified": entry(
         "The job was compiled, and its program was verified.",
     ),
+    "job.tools-not-checked": entry(
+        "Job {job} also uses stations whose tools the confirmation does not name: {stations}.",
+        "Check the tools in these stations, then confirm the job again.",
+        job="text",
+        stations="texts",
+    ),
     "job.worker-silent": entry(
         "The process {worker}, which compiles the job, stopped responding in the stage {stage}.",
         "Report the error with the log of the server if it happens again.",

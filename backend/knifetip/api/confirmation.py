@@ -1,0 +1,46 @@
+"""Route for what the operator confirms before a machine starts a job or its next copy."""
+
+from __future__ import annotations
+
+from fastapi import APIRouter
+
+from knifetip.api.parameters import JobId
+from knifetip.api.schemas.confirmation import ConfirmationOut
+from knifetip.api.service import ServiceDep
+from knifetip.jobs.operator_actions import awaits_confirmation
+from knifetip.jobs.tool_store import ToolUse
+
+router = APIRouter(prefix="/jobs", tags=["jobs"])
+
+
+@router.get("/{id}/confirmation")
+def get_confirmation(service: ServiceDep, id: JobId) -> ConfirmationOut:
+    """Get what the operator confirms before the machine starts a job or its next copy.
+
+    The operator checks board, tools, placement and sheet at the machine, and then confirms them
+    with `POST /api/jobs/{id}/confirm`.
+    """
+    row = service.store.jobs.get(id)
+    machine = service.store.library.machine(row.machine)
+    uses = {use.station: use for use in service.store.tools.uses(machine)}
+    return ConfirmationOut.model_validate(
+        {
+            "awaited": awaits_confirmation(row, service.store.database.clock()),
+            "machine": row.machine,
+            "board": row.board,
+            "tools": [{**tool, **_wear(uses.get(tool["station"]))} for tool in row.tools],
+            "placement": machine.origin,
+            "sheet": row.sheet,
+            "copy": min(row.copies_done + 1, row.copies),
+            "copies": row.copies,
+            "first_of_batch": service.store.gateways.begins_batch(row),
+            "rest_of_sheet": row.rest is not None,
+        }
+    )
+
+
+def _wear(use: ToolUse | None) -> dict[str, object]:
+    """Return the wear of a tool for clients; None for a station that the machine does not have."""
+    if use is None:
+        return {"used": None, "life": None, "warning": ""}
+    return {"used": use.used / 1000.0, "life": use.life / 1000.0 or None, "warning": use.warning}
