@@ -161,7 +161,10 @@ def gateway(
         str, typer.Option(help="URL of the knifetip server.")
     ] = "http://127.0.0.1:8080",
     machine: Annotated[
-        str, typer.Option(help="Name of a machine of the library, or path of its TOML file.")
+        str,
+        typer.Option(
+            help="Name of a machine of the library or of the server, or path of its TOML file."
+        ),
     ] = "demo-table",
     controller: Annotated[
         str,
@@ -186,15 +189,16 @@ def gateway(
     ] = "",
 ) -> None:
     """Fetch the jobs of a machine from the server and send them to its controller."""
+    from knifetip.cli.served_machine import find_machine
     from knifetip.gateway import claim
     from knifetip.gateway.job_server import GatewaySettings
     from knifetip.gateway.journal import default_path
     from knifetip.languages.registry import find_language
 
-    table = load.machine(machine)
+    headers = {"Authorization": f"Bearer {key}"} if key else {}
+    table = find_machine(machine, server, headers)
     dial = find_language(table.dialect).load_driver(table)
     print_stderr(f"{table.title}: controller {controller}, server {server}")
-    headers = {"Authorization": f"Bearer {key}"} if key else {}
     record = journal or default_path(machine, server)
     asyncio.run(
         claim.run_gateway(

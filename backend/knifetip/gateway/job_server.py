@@ -69,6 +69,7 @@ class JobServer:
         body = {
             "gateway": self._settings.name,
             "machine": self._settings.machine.name,
+            "machine_version": self._settings.machine.version or None,
             "wait": self._settings.wait,
         }
         try:

@@ -18,6 +18,7 @@ type StationPaths = paths["/api/machines/{name}/station"];
 export type Board = Schemas["BoardOut"];
 export type CornerAt = Schemas["CornerAt"];
 export type Corners = Schemas["Corners"];
+export type Definition = Schemas["DefinitionOut"];
 export type Drawing = Schemas["DrawingOut"];
 export type DrawingSummary = Schemas["DrawingSummary"];
 export type Format = Schemas["FormatOut"];
@@ -33,6 +34,8 @@ export type JobOrder = Pick<Schemas["JobIn"], "drawing" | "machine" | "board"> &
 };
 export type JobState = Job["state"];
 export type ImportReportRow = Schemas["ImportReportRow"];
+export type LibraryEntry = Schemas["EntryOut"];
+export type LibraryVersion = Schemas["VersionOut"];
 export type Lift = Job["lift"];
 export type Machine = Schemas["MachineOut"];
 /** State of a machine for the person at it. */
@@ -52,6 +55,7 @@ export type Rule = Schemas["RuleOut"];
 export type Queue = Schemas["QueueOut"];
 export type Question = Schemas["QuestionOut"];
 export type Sheet = Schemas["Sheet"];
+export type Shelf = Schemas["Shelf"];
 export type ServiceStatus = Schemas["ServiceOut"];
 export type Track = Schemas["TrackOut"];
 export type Unit = NonNullable<Drawing["unit"]>;
@@ -156,6 +160,23 @@ const putProfile = (
       body,
       bodySerializer: (profile) =>
         typeof profile === "string" ? profile : JSON.stringify(profile),
+      headers: {
+        "Content-Type": typeof body === "string" ? "application/toml" : "application/json",
+      },
+    }),
+  );
+
+/** Save a machine, board or tool as TOML text or as data; `version` is the one that was edited. */
+const putDefinition = (
+  { shelf, name }: Pick<LibraryEntry, "shelf" | "name">,
+  body: string | Record<string, unknown>,
+  { version, by, note }: { version: number | null; by: string; note: string },
+): Promise<Definition> =>
+  dataOf(
+    api.PUT(`/api/${shelf}/{name}`, {
+      params: { ...byName(name), ...ifMatch(version), query: { by, note } },
+      body: typeof body === "string" ? body : JSON.stringify(body),
+      bodySerializer: String,
       headers: {
         "Content-Type": typeof body === "string" ? "application/toml" : "application/json",
       },
@@ -272,6 +293,35 @@ export const service = {
     dataOf(api.GET("/api/formats", uncached(signal))),
   boards: (signal?: AbortSignal): Promise<Board[]> =>
     dataOf(api.GET("/api/boards", uncached(signal))),
+  library: (signal?: AbortSignal): Promise<LibraryEntry[]> =>
+    dataOf(api.GET("/api/library", uncached(signal))),
+  librarySchema: (kind: Shelf, signal?: AbortSignal): Promise<Record<string, unknown>> =>
+    dataOf(api.GET("/api/schemas/{kind}", { params: { path: { kind } }, ...uncached(signal) })),
+  definition: (
+    shelf: Shelf,
+    name: string,
+    version: number | null = null,
+    signal?: AbortSignal,
+  ): Promise<Definition> =>
+    dataOf(
+      api.GET(`/api/${shelf}/{name}/definition`, {
+        params: { ...byName(name), query: { version } },
+        ...uncached(signal),
+      }),
+    ),
+  definitionVersions: (
+    shelf: Shelf,
+    name: string,
+    signal?: AbortSignal,
+  ): Promise<LibraryVersion[]> =>
+    dataOf(api.GET(`/api/${shelf}/{name}/versions`, { params: byName(name), ...uncached(signal) })),
+  definitionUrl: (shelf: Shelf, name: string) => `/api/${shelf}/${encodeURIComponent(name)}/toml`,
+  putDefinition,
+  deleteDefinition: async (shelf: Shelf, name: string, version: number): Promise<void> => {
+    await api.DELETE(`/api/${shelf}/{name}`, {
+      params: { ...byName(name), ...ifMatch(version) },
+    });
+  },
   profiles: (signal?: AbortSignal): Promise<Profile[]> =>
     dataOf(api.GET("/api/profiles", uncached(signal))),
   profile: (name: string, signal?: AbortSignal): Promise<Profile> =>

@@ -25,6 +25,7 @@ import { useUiStore } from "../state/store";
 import css from "./app.module.css";
 import { DrawingError } from "./DrawingError";
 import { DropZone } from "./DropZone";
+import { LibraryPage } from "./LibraryPage";
 import { Picture } from "./Picture";
 import { syncWithAddress } from "./routes";
 import { StationPage } from "./StationPage";
@@ -34,12 +35,14 @@ import { Welcome } from "./Welcome";
 
 export function App() {
   const station = useUiStore((ui) => ui.station);
+  const library = useUiStore((ui) => ui.library);
   useEffect(() => {
     const ends = [syncWithAddress(), subscribeToEvents(syncDrawing)];
     return () => {
       for (const end of ends) end();
     };
   }, []);
+  if (library) return <LibraryPage />;
   return station === null ? <DrawingPage /> : <StationPage key={station} machine={station} />;
 }
 

@@ -5,6 +5,7 @@
  *     #/drawings/ID                   a drawing
  *     #/drawings/ID/jobs/ID           a drawing and a job of it
  *     #/station/MACHINE               the page of the person at a machine
+ *     #/library                       machines, boards and tools
  */
 
 import { useUiStore } from "../state/store";
@@ -14,8 +15,11 @@ export interface Route {
   readonly job: string | null;
   /** The drawing and the job follow the machine while its station page is open. */
   readonly station: string | null;
+  /** Whether the page of machines, boards and tools is open. */
+  readonly library: boolean;
 }
 
+const LIBRARY = "#/library";
 const ROUTES = /^#\/(?:drawings\/([^/]+)(?:\/jobs\/([^/]+))?|station\/([^/]+))$/;
 
 const decoded = (part: string | undefined): string | null =>
@@ -24,14 +28,20 @@ const decoded = (part: string | undefined): string | null =>
 export function routeOf(hash: string): Route {
   const [, drawing, job, station] = ROUTES.exec(hash) ?? [];
   try {
-    return { drawing: decoded(drawing), job: decoded(job), station: decoded(station) };
+    return {
+      drawing: decoded(drawing),
+      job: decoded(job),
+      station: decoded(station),
+      library: hash === LIBRARY,
+    };
   } catch {
     // Invalid percent-encoding in a typed address.
-    return { drawing: null, job: null, station: null };
+    return { drawing: null, job: null, station: null, library: false };
   }
 }
 
-export function hashOf({ drawing, job, station }: Route): string {
+export function hashOf({ drawing, job, station, library }: Route): string {
+  if (library) return LIBRARY;
   if (station !== null) return `#/station/${encodeURIComponent(station)}`;
   if (drawing === null) return "#/";
   const page = `#/drawings/${encodeURIComponent(drawing)}`;
@@ -41,15 +51,20 @@ export function hashOf({ drawing, job, station }: Route): string {
 /** Keep address and store equal until the returned function is called. */
 export function syncWithAddress(): () => void {
   const read = () => {
-    const { drawing, job, station } = routeOf(window.location.hash);
+    const { drawing, job, station, library } = routeOf(window.location.hash);
     const page = useUiStore.getState();
+    if (page.library !== library) page.set({ library });
+    if (library) return;
     if (page.station !== station) page.openStation(station);
     if (station === null && (page.drawing !== drawing || page.job !== job)) page.open(drawing, job);
   };
   read();
   window.addEventListener("hashchange", read);
   const stop = useUiStore.subscribe((page, before) => {
-    const same = page.drawing === before.drawing && page.station === before.station;
+    const same =
+      page.drawing === before.drawing &&
+      page.station === before.station &&
+      page.library === before.library;
     if (same && page.job === before.job) return;
     const hash = hashOf(page);
     if (window.location.hash === hash) return;

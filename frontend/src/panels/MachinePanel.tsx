@@ -50,6 +50,10 @@ export function MachinePanel() {
           data-testid="open-station"
         >
           Open station page
+        </a>{" "}
+        ·{" "}
+        <a className={css.link} href="#/library" data-testid="open-library">
+          Machines and boards
         </a>
       </div>
       {machine.carriages.map((carriage) => (

@@ -12,6 +12,7 @@ import {
   type ImportReportRow,
   type Job,
   type Page,
+  type Shelf,
   type Station,
   service,
 } from "../api/client";
@@ -133,6 +134,24 @@ export const queries = {
     }),
   formats: () =>
     queryOptions({ queryKey: ["formats"], queryFn: ({ signal }) => service.formats(signal) }),
+  library: () =>
+    queryOptions({ queryKey: ["library"], queryFn: ({ signal }) => service.library(signal) }),
+  librarySchema: (shelf: Shelf) =>
+    queryOptions({
+      queryKey: ["librarySchema", shelf],
+      queryFn: ({ signal }) => service.librarySchema(shelf, signal),
+      staleTime: Number.POSITIVE_INFINITY,
+    }),
+  definition: (shelf: Shelf, name: string, version: number | null = null) =>
+    queryOptions({
+      queryKey: ["definition", shelf, name, version],
+      queryFn: ({ signal }) => service.definition(shelf, name, version, signal),
+    }),
+  definitionVersions: (shelf: Shelf, name: string) =>
+    queryOptions({
+      queryKey: ["definitionVersions", shelf, name],
+      queryFn: ({ signal }) => service.definitionVersions(shelf, name, signal),
+    }),
   boards: () =>
     queryOptions({ queryKey: ["boards"], queryFn: ({ signal }) => service.boards(signal) }),
   profiles: () =>

@@ -49,6 +49,8 @@ export interface Upload {
 export interface UiState {
   /** Name of the machine whose station page is open; null while the page of drawings is. */
   readonly station: string | null;
+  /** Whether the page of machines, boards and tools is open. */
+  readonly library: boolean;
   readonly drawing: string | null;
   readonly job: string | null;
   readonly selection: ReadonlySet<number>;
@@ -115,6 +117,7 @@ export interface UiState {
 type UiValues = Pick<
   UiState,
   | "busy"
+  | "library"
   | "upload"
   | "connection"
   | "leftOpen"
@@ -147,6 +150,7 @@ const equalRows = (a: readonly number[], b: readonly number[]): boolean =>
 
 export const useUiStore = create<UiState>()((set) => ({
   station: null,
+  library: false,
   drawing: null,
   job: null,
   selection: NO_ROWS,

@@ -1,0 +1,83 @@
+/** The page of machines, boards and tools: a list, and the editor of the chosen entry. */
+
+import { Button, FileButton } from "@mantine/core";
+import { useQuery } from "@tanstack/react-query";
+import { useState } from "react";
+import { type LibraryEntry, type Shelf, service } from "../api/client";
+import { errorText } from "../messages/render";
+import { DefinitionEditor } from "../panels/DefinitionEditor";
+import css from "../panels/library.module.css";
+import { refreshLibrary, SHELF_TITLES } from "../state/definitions";
+import { slugOf } from "../state/draft";
+import { queries } from "../state/queries";
+
+const SHELVES = Object.keys(SHELF_TITLES) as Shelf[];
+
+export function LibraryPage() {
+  const { data: entries = [] } = useQuery(queries.library());
+  const [open, setOpen] = useState<Pick<LibraryEntry, "shelf" | "name"> | null>(null);
+  const [fault, setFault] = useState("");
+  const importFile = async (shelf: Shelf, file: File | null) => {
+    if (file === null) return;
+    const name = slugOf(file.name.replace(/\.toml$/i, "")) || "imported";
+    const same = entries.find((one) => one.shelf === shelf && one.name === name);
+    const version = same !== undefined && !same.shipped ? same.version : null;
+    setFault("");
+    try {
+      const note = `imported from ${file.name}`.slice(0, 200);
+      await service.putDefinition({ shelf, name }, await file.text(), { version, by: "", note });
+      await refreshLibrary();
+      setOpen({ shelf, name });
+    } catch (error) {
+      setFault(error instanceof Error ? errorText(error) : String(error));
+    }
+  };
+  return (
+    <div className={css.page} data-testid="library">
+      <nav className={css.list} aria-label="Machines, boards and tools">
+        <Button component="a" href="#/" variant="default" size="compact-sm">
+          Back to drawings
+        </Button>
+        {fault !== "" && (
+          <p className={css.fault} role="alert">
+            {fault}
+          </p>
+        )}
+        {SHELVES.map((shelf) => (
+          <section key={shelf}>
+            <h2>{SHELF_TITLES[shelf]}</h2>
+            {entries
+              .filter((one) => one.shelf === shelf)
+              .map(({ name, title, shipped, version }) => (
+                <button
+                  key={name}
+                  type="button"
+                  className={css.entry}
+                  aria-pressed={open?.shelf === shelf && open.name === name}
+                  onClick={() => setOpen({ shelf, name })}
+                  data-testid={`entry-${name}`}
+                >
+                  <span>{title || name}</span>
+                  <span className={css.mark}>{shipped ? "knifetip" : `own · v${version}`}</span>
+                </button>
+              ))}
+            <FileButton accept=".toml" onChange={(file) => void importFile(shelf, file)}>
+              {(props) => (
+                <Button {...props} size="compact-xs" variant="subtle">
+                  Import TOML file
+                </Button>
+              )}
+            </FileButton>
+          </section>
+        ))}
+      </nav>
+      <main className={css.editor}>
+        {open === null ? (
+          <p>Choose a machine, a board or a tool. Copy an entry of knifetip to make your own.</p>
+        ) : (
+          <DefinitionEditor key={`${open.shelf} ${open.name}`} entry={open} onOpen={setOpen} />
+        )}
+      </main>
+    </div>
+  );
+}

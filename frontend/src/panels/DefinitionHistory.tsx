@@ -1,0 +1,70 @@
+/** Versions of a machine, a board or a tool, and what changed in each. */
+
+import { Button } from "@mantine/core";
+import { useQuery } from "@tanstack/react-query";
+import { useState } from "react";
+import type { Definition } from "../api/client";
+import { differences } from "../state/definitions";
+import { queries } from "../state/queries";
+import css from "./library.module.css";
+
+export function DefinitionHistory({ definition }: { definition: Definition }) {
+  const { shelf, name } = definition;
+  const { data: versions = [] } = useQuery(queries.definitionVersions(shelf, name));
+  const [compared, setCompared] = useState<number | null>(null);
+  const { data: old } = useQuery({
+    ...queries.definition(shelf, name, compared),
+    enabled: compared !== null,
+  });
+  if (versions.length < 2) return null;
+  const changes = old === undefined ? [] : differences(old.fields, definition.fields);
+  return (
+    <section className={css.group} data-testid="versions">
+      <h2>Versions</h2>
+      <table className={css.history}>
+        <tbody>
+          {versions.map(({ version, at, by, note }) => (
+            <tr key={version}>
+              <td>{version}</td>
+              <td>{new Date(at * 1000).toLocaleString("en")}</td>
+              <td>{by}</td>
+              <td>{note}</td>
+              <td>
+                {version !== definition.version && (
+                  <Button
+                    size="compact-xs"
+                    variant="default"
+                    onClick={() => setCompared(version)}
+                    data-testid={`compare-${version}`}
+                  >
+                    Compare
+                  </Button>
+                )}
+              </td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      {old !== undefined && compared !== null && (
+        <table className={css.history} data-testid="differences">
+          <thead>
+            <tr>
+              <th>Field</th>
+              <th>Version {compared}</th>
+              <th>Version {definition.version}</th>
+            </tr>
+          </thead>
+          <tbody>
+            {changes.map(({ path, before, after }) => (
+              <tr key={path}>
+                <td>{path}</td>
+                <td>{before}</td>
+                <td>{after}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      )}
+    </section>
+  );
+}
