@@ -2,7 +2,7 @@
 
 import { Button, TextInput } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
-import { useEffect, useState } from "react";
+import { useState } from "react";
 import { type Definition, type LibraryEntry, service } from "../api/client";
 import { errorText } from "../messages/render";
 import { type Fields, faultsOf, GROUPS, refreshLibrary, type Schema } from "../state/definitions";
@@ -46,7 +46,6 @@ function Editor({ definition, schema, onOpen }: EditorProps) {
   const [note, setNote] = useState("");
   const [failure, setFailure] = useState<unknown>(null);
   const [deleting, setDeleting] = useState(false);
-  useEffect(() => setDeleting(false), []);
   const faults = faultsOf(failure);
   const changed = fields !== definition.fields;
 
@@ -71,6 +70,11 @@ function Editor({ definition, schema, onOpen }: EditorProps) {
   const save = () =>
     attempt(() => service.putDefinition({ shelf, name }, { ...fields }, { version, by: "", note }));
 
+  const alert = failure instanceof Error && (
+    <p className={css.fault} role="alert" data-testid="definition-fault">
+      {errorText(failure)}
+    </p>
+  );
   const grouped = new Set(Object.values(GROUPS[shelf]).flat());
   const others = Object.keys(schema.properties ?? {}).filter((key) => !grouped.has(key));
   return (
@@ -110,11 +114,7 @@ function Editor({ definition, schema, onOpen }: EditorProps) {
         )}
       </div>
       {shipped && <p>This entry is read-only. Copy it to change it.</p>}
-      {failure instanceof Error && (
-        <p className={css.fault} role="alert" data-testid="definition-fault">
-          {errorText(failure)}
-        </p>
-      )}
+      {shipped && alert}
       {[
         ...Object.entries(GROUPS[shelf]),
         ...(others.length > 0 ? [["More", others] as const] : []),
@@ -143,6 +143,7 @@ function Editor({ definition, schema, onOpen }: EditorProps) {
       ))}
       {!shipped && (
         <section className={css.group}>
+          {alert}
           <div className={css.add}>
             <TextInput
               label="What is changed, and why"
