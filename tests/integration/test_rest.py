@@ -201,3 +201,25 @@ def test_a_rest_of_a_rest_is_accepted_with_the_work_of_both_programs() -> None:
     assert "verify.not-worked" in refusals(
         pipeline.compile_rest(lines, line, machine, board, again)
     )
+
+
+def test_the_head_rises_over_a_track_that_is_left_out() -> None:
+    key = ("demo-table", "linuxcnc", "e-flute")
+    lines, line, machine, made = job(*key)
+    tracks = tracks_of(made)
+    assert tracks.station[0] == tracks.station[2]
+    lines_of_second = ((int(tracks.first_line[1]), int(tracks.last_line[1])),)
+    left = replace(
+        pipeline.rest_of(made, RestChoice(from_track=1, made=True)),
+        tracks=np.delete(np.arange(len(tracks)), 1),
+        earlier=(EarlierWork(made.program.text, lines_of_second),),
+    )
+    found = pipeline.compile_rest(lines, line, machine, load.board("e-flute"), left)
+    assert refusals(found) == set()
+    own = tracks_of(found)
+    between = found.toolpath.pose[own.last_row[0] + 1 : own.first_row[1] + 1]
+    assert between[:, 2].max() == machine.travel_z
+    # The tracks that follow one another are connected as in the whole program.
+    following = found.toolpath.pose[own.last_row[1] + 1 : own.first_row[2] + 1]
+    whole = made.toolpath.pose[tracks.last_row[2] + 1 : tracks.first_row[3] + 1]
+    np.testing.assert_array_equal(following, whole)
