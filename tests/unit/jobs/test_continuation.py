@@ -6,8 +6,9 @@ import pytest
 
 from knifetip.errors import KeyReused, WrongState
 from knifetip.jobs.gateway_store import GatewayReport
-from knifetip.jobs.job import Confirmation, State
+from knifetip.jobs.job import OPERATOR, Confirmation, State
 from knifetip.jobs.job_store import Continuation
+from knifetip.jobs.queue_store import WaitingChange, check_transferable
 from knifetip.jobs.request_key import RequestKey
 from knifetip.jobs.rest_record import RestRecord
 from knifetip.jobs.store import Store
@@ -144,3 +145,12 @@ def test_an_interrupted_rest_cannot_be_queued_from_its_start(store: Store) -> No
     store.gateways.finish(job.id, claim.epoch, "interrupted", line=3)
     with pytest.raises(WrongState, match="rest"):
         store.operators.requeue(job.id)
+
+
+def test_a_rest_stays_on_its_machine_and_makes_one_sheet(store: Store) -> None:
+    job = compiled(store, rest(store, interrupted(store)))
+    with pytest.raises(WrongState, match="one sheet"):
+        check_transferable(job)
+    with pytest.raises(WrongState, match="one sheet"):
+        store.queues.change(job.id, WaitingChange(copies=2), OPERATOR)
+    assert store.jobs.get(job.id).copies == 1
