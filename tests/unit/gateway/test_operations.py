@@ -12,7 +12,8 @@ from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected
 from knifetip.gateway import simulator
 from knifetip.gateway.controller import SafeState, State
 from knifetip.gateway.grbl import driver
-from knifetip.gateway.operations import Operation, OperationName, perform
+from knifetip.gateway.linuxcnc.driver import Linuxcnc
+from knifetip.gateway.operations import Operable, Operation, OperationName, perform
 from knifetip.gateway.table import Table
 from knifetip.library import load
 from knifetip.messages import hint
@@ -50,6 +51,14 @@ async def lock(table: Table, controller: driver.Grbl) -> None:
     table.trip_limit()
     while controller.fault is None:
         await asyncio.sleep(0.01)
+
+
+@pytest.mark.parametrize("kind", [driver.Grbl, Linuxcnc])
+def test_the_controllers_have_all_members_of_the_interface(kind: type) -> None:
+    """The gateway asks with isinstance; a missing member would disable the whole station."""
+    members = {name for name in dir(Operable) if not name.startswith("_")}
+    assert members >= {"connected", "alarm", "last_status", "switched_on", "operations", "unlock"}
+    assert members <= set(dir(kind))
 
 
 async def test_a_jog_moves_one_axis_by_its_distance() -> None:

@@ -40,6 +40,11 @@ class LinuxcncOperations:
         return frozenset(OperationName)
 
     @property
+    def connected(self) -> bool:
+        """Whether the connection to LinuxCNC is open."""
+        return self._connection.shell.connected
+
+    @property
     def alarm(self) -> Message | None:
         """Why LinuxCNC cannot move the machine, with what to do; None if it can."""
         return self._connection.alarm
