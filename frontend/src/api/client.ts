@@ -53,12 +53,22 @@ export type RestChoice = Schemas["RestIn"];
 export type Retyped = Schemas["ChangeOut"];
 export type Rule = Schemas["RuleOut"];
 export type Queue = Schemas["QueueOut"];
+export type QueueEntry = Schemas["QueueEntry"];
 export type Question = Schemas["QuestionOut"];
 export type Sheet = Schemas["Sheet"];
 export type Shelf = Schemas["Shelf"];
 export type ServiceStatus = Schemas["ServiceOut"];
+export type Statistics = Schemas["StatisticsOut"];
+export type ToolUse = Schemas["ToolUseOut"];
 export type Track = Schemas["TrackOut"];
 export type Unit = NonNullable<Drawing["unit"]>;
+/** Values of a waiting job that an operator may change. */
+export type WaitingChange = Omit<Schemas["WaitingChangeIn"], "by">;
+/** Neighbours in a queue; empty at its ends. */
+export interface Neighbours {
+  readonly previous: string;
+  readonly next: string;
+}
 export type Verdict = Schemas["VerdictOut"];
 export type VerdictSummary = Schemas["VerdictSummary"];
 
@@ -128,6 +138,44 @@ async function pageOf<T>(
 ): Promise<Page<T>> {
   const { data = [], response } = await call;
   return { rows: data as T[], next: nextCursor(response.headers.get("Link")) };
+}
+
+/** Conditions on ended jobs; a condition that is missing or empty is met by all. */
+export interface HistoryFilter {
+  readonly machine?: string;
+  readonly board?: string;
+  readonly drawing?: string;
+  readonly state?: EndedState | undefined;
+  /** Earliest end (seconds since 1970). */
+  readonly since?: number | undefined;
+}
+export type EndedState = "done" | "refused" | "interrupted" | "scrapped" | "cancelled";
+
+/** Part of the list of ended jobs; its cursor is a text. */
+export interface HistoryPart {
+  readonly rows: readonly Job[];
+  readonly next: string | null;
+}
+
+async function fetchHistory(
+  { state, since, ...filter }: HistoryFilter,
+  cursor: string | null,
+  signal?: AbortSignal,
+): Promise<HistoryPart> {
+  const query = {
+    ...filter,
+    ...(state === undefined ? {} : { state: [state] }),
+    ...(since === undefined ? {} : { since }),
+    ...(cursor === null ? {} : { cursor }),
+  };
+  const { data, response } = await api.GET("/api/history", {
+    params: { query },
+    ...uncached(signal),
+  });
+  const [, address] = /<([^>]*)>/.exec(response.headers.get("Link") ?? "") ?? [];
+  const next =
+    address === undefined ? null : new URL(address, "http://localhost").searchParams.get("cursor");
+  return { rows: (data ?? []) as Job[], next };
 }
 
 /** The revision in an ETag; null if there is none. */
@@ -229,6 +277,50 @@ export const service = {
     dataOf(
       api.POST("/api/jobs", { body: { ...order, priority: 0, overrides: [], release: false } }),
     ),
+  queue: async (machine: string, signal?: AbortSignal): Promise<Queue & { tag: string | null }> => {
+    const { data, response } = await api.GET("/api/machines/{name}/queue", {
+      params: byName(machine),
+      ...uncached(signal),
+    });
+    return { ...(data as Queue), tag: response.headers.get("ETag") };
+  },
+  /** Move a job between others, if the queue still has this ETag. */
+  moveJob: (id: string, place: Neighbours, tag: string | null): Promise<Job> =>
+    dataOf(
+      api.POST("/api/jobs/{id}/move", {
+        params: { ...byId(id), header: tag === null ? {} : { "If-Match": tag } },
+        body: { ...place, by: "" },
+      }),
+    ),
+  changeJob: (id: string, change: WaitingChange): Promise<Job> =>
+    dataOf(api.PATCH("/api/jobs/{id}", { params: byId(id), body: { ...change, by: "" } })),
+  transferJob: (id: string, machine: string): Promise<Job> =>
+    dataOf(api.POST("/api/jobs/{id}/transfer", { params: byId(id), body: { machine, by: "" } })),
+  history: fetchHistory,
+  statistics: (
+    { machine, step, since }: { machine: string; step: "day" | "week" | "month"; since: number },
+    signal?: AbortSignal,
+  ): Promise<Statistics[]> => {
+    const zone = Intl.DateTimeFormat().resolvedOptions().timeZone;
+    const query = { machine, step, since, zone };
+    return dataOf(api.GET("/api/statistics", { params: { query }, ...uncached(signal) }));
+  },
+  tools: (machine: string, signal?: AbortSignal): Promise<ToolUse[]> =>
+    dataOf(api.GET("/api/machines/{name}/tools", { params: byName(machine), ...uncached(signal) })),
+  recordToolChange: (machine: string, station: number): Promise<ToolUse[]> =>
+    dataOf(
+      api.POST("/api/machines/{name}/tools/{station}/changed", {
+        params: { path: { name: machine, station } },
+        body: { by: "" },
+      }),
+    ),
+  setToolLife: (machine: string, station: number, life: number): Promise<ToolUse[]> =>
+    dataOf(
+      api.PUT("/api/machines/{name}/tools/{station}/life", {
+        params: { path: { name: machine, station } },
+        body: { life, by: "" },
+      }),
+    ),
   command: (id: string, command: JobCommand): Promise<Job> =>
     dataOf(api.POST(`/api/jobs/{id}/${command}`, { params: byId(id) })),
   /** A command that starts motion: it is sent once, and never late. */
@@ -271,8 +363,6 @@ export const service = {
         signal: AbortSignal.any([signal, AbortSignal.timeout(SILENCE * 1000)]),
       }),
     ),
-  queue: (name: string, signal?: AbortSignal): Promise<Queue> =>
-    dataOf(api.GET("/api/machines/{name}/queue", { params: byName(name), ...uncached(signal) })),
   operate: (name: string, request: OperationRequest): Promise<Operation> =>
     dataOf(
       api.POST("/api/machines/{name}/operations", {

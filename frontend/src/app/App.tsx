@@ -3,6 +3,7 @@
 import { useEffect, useRef } from "react";
 import { DocumentPanel } from "../panels/DocumentPanel";
 import { DrawingsPanel } from "../panels/DrawingsPanel";
+import { HistoryPage } from "../panels/HistoryPage";
 import { ImportPanel } from "../panels/ImportPanel";
 import { InspectorPanel } from "../panels/InspectorPanel";
 import { JobPanel } from "../panels/JobPanel";
@@ -50,6 +51,7 @@ export function App() {
 function DrawingPage() {
   const picture = useRef<PictureCommands | null>(null);
   const drawing = useUiStore((ui) => ui.drawing);
+  const history = useUiStore((ui) => ui.history);
   const editing = useUiStore((ui) => ui.editedProfile);
   const leftOpen = useUiStore((ui) => ui.leftOpen);
   const rightOpen = useUiStore((ui) => ui.rightOpen);
@@ -64,7 +66,11 @@ function DrawingPage() {
   return (
     <div className={css.page}>
       <TopBar />
-      <aside className={css.side} hidden={!leftOpen} aria-label="Drawings, line types and import">
+      <aside
+        className={css.side}
+        hidden={!leftOpen || history}
+        aria-label="Drawings, line types and import"
+      >
         {drawing === null ? (
           <DrawingsPanel />
         ) : editing !== null ? (
@@ -82,7 +88,9 @@ function DrawingPage() {
         )}
       </aside>
       <main className={css.stage}>
-        {drawing === null ? (
+        {history ? (
+          <HistoryPage />
+        ) : drawing === null ? (
           <Welcome />
         ) : error !== null ? (
           <DrawingError error={error} />
@@ -92,7 +100,7 @@ function DrawingPage() {
       </main>
       <aside
         className={`${css.side} ${css.right}`}
-        hidden={!rightOpen}
+        hidden={!rightOpen || history}
         aria-label="Job, queue and machine"
       >
         {drawing !== null && (

@@ -4,6 +4,7 @@ import { ActionIcon, Tooltip } from "@mantine/core";
 import {
   IconArrowBackUp,
   IconArrowForwardUp,
+  IconHistory,
   IconKeyboard,
   IconLayoutSidebar,
   IconLayoutSidebarRight,
@@ -26,6 +27,7 @@ export function TopBar() {
   const busy = useUiStore((ui) => ui.busy);
   const leftOpen = useUiStore((ui) => ui.leftOpen);
   const rightOpen = useUiStore((ui) => ui.rightOpen);
+  const history = useUiStore((ui) => ui.history);
   const set = useUiStore((ui) => ui.set);
   return (
     <header className={css.top}>
@@ -68,6 +70,14 @@ export function TopBar() {
       )}
       <span className={css.gap} />
       <MachineChip />
+      <Icon
+        label="Ended jobs, statistics and tools"
+        on={history}
+        act={() => set({ history: !history })}
+        testId="history-button"
+      >
+        <IconHistory size={18} stroke={1.6} />
+      </Icon>
       <Icon label="Keyboard and mouse shortcuts (key ?)" act={() => set({ helpOpen: true })}>
         <IconKeyboard size={18} stroke={1.6} />
       </Icon>

@@ -6,9 +6,12 @@
  *     #/drawings/ID/jobs/ID           a drawing and a job of it
  *     #/station/MACHINE               the page of the person at a machine
  *     #/library                       machines, boards and tools
+ *     #/history                       ended jobs, statistics and tools
  */
 
 import { useUiStore } from "../state/store";
+
+const HISTORY = "#/history";
 
 export interface Route {
   readonly drawing: string | null;
@@ -51,10 +54,15 @@ export function hashOf({ drawing, job, station, library }: Route): string {
 /** Keep address and store equal until the returned function is called. */
 export function syncWithAddress(): () => void {
   const read = () => {
-    const { drawing, job, station, library } = routeOf(window.location.hash);
     const page = useUiStore.getState();
-    if (page.library !== library) page.set({ library });
-    if (library) return;
+    const history = window.location.hash === HISTORY;
+    const { drawing, job, station, library } = routeOf(window.location.hash);
+    if (page.history !== history || page.library !== library) page.set({ history, library });
+    // The drawing stays open behind these pages.
+    if (history || library) {
+      if (page.station !== null) page.openStation(null);
+      return;
+    }
     if (page.station !== station) page.openStation(station);
     if (station === null && (page.drawing !== drawing || page.job !== job)) page.open(drawing, job);
   };
@@ -64,9 +72,10 @@ export function syncWithAddress(): () => void {
     const same =
       page.drawing === before.drawing &&
       page.station === before.station &&
-      page.library === before.library;
+      page.library === before.library &&
+      page.history === before.history;
     if (same && page.job === before.job) return;
-    const hash = hashOf(page);
+    const hash = page.history ? HISTORY : hashOf(page);
     if (window.location.hash === hash) return;
     // Opening a drawing adds an entry to the browser history; opening a job replaces it.
     if (same) window.history.replaceState(null, "", hash);

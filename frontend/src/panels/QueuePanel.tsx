@@ -1,15 +1,15 @@
-/** All jobs: running first, then queued, then ready, then finished. */
+/** The queues of the machines in the order in which they run, then the jobs in no queue. */
 
 import { Progress } from "@mantine/core";
 import { useEffect, useState } from "react";
 import type { Job } from "../api/client";
 import { errorText } from "../messages/render";
 import { formatAgo, formatDuration } from "../state/format";
-import { isCompiling, isFinal, isOnTable, needsOperator } from "../state/jobs";
-import { useBoards, useJobs } from "../state/queries";
+import { isCompiling, isFinal, isQueued } from "../state/jobs";
+import { useBoards, useJobs, useMachines } from "../state/queries";
 import { useUiStore } from "../state/store";
-import { ConfirmationCard } from "./ConfirmationCard";
 import jobCss from "./job.module.css";
+import { MachineQueue } from "./MachineQueue";
 import css from "./panels.module.css";
 import { Section } from "./Section";
 import { ShowMore } from "./ShowMore";
@@ -20,58 +20,57 @@ const STEP = 30;
 
 /** Sort key of a job; jobs with the same key are sorted by age, newest first. */
 function sortKey(job: Job): number {
-  if (isOnTable(job) || needsOperator(job) || job.state === "interrupted") return 0;
-  if (job.state === "queued") return 1;
-  return isFinal(job) ? 3 : 2;
+  return isFinal(job) ? 1 : 0;
 }
 
 export function QueuePanel() {
   const list = useJobs();
   const { data: jobs, error } = list;
-  // The open job has its confirmation card in the job panel.
-  const current = useUiStore((ui) => ui.job);
   const [limit, setLimit] = useState(STEP);
   const [now, setNow] = useState(() => Date.now() / 1000);
   useEffect(() => {
     const timer = setInterval(() => setNow(Date.now() / 1000), 30_000);
     return () => clearInterval(timer);
   }, []);
-  const listed = [...(jobs ?? [])].sort((a, b) => sortKey(a) - sortKey(b) || b.created - a.created);
-  const waiting = listed.filter(({ state }) => state === "queued").length;
+  const listed = (jobs ?? [])
+    .filter((job) => !isQueued(job))
+    .sort((a, b) => sortKey(a) - sortKey(b) || b.created - a.created);
+  const { data: machines } = useMachines();
+  const chosen = useUiStore((ui) => ui.machine) ?? machines?.[0]?.name;
+  const queues = new Set((jobs ?? []).filter(isQueued).map(({ machine }) => machine));
+  if (chosen !== undefined) queues.add(chosen);
   return (
-    <Section
-      title="All jobs"
-      flush
-      aside={<span className={css.rowFigure}>{waiting > 0 ? `${waiting} in the queue` : ""}</span>}
-    >
-      <div data-testid="queue">
-        {error && <p className={css.note}>{errorText(error)}</p>}
-        {listed.slice(0, limit).map((job) => (
-          <div key={job.id}>
-            <Row job={job} now={now} />
-            {needsOperator(job) && job.id !== current && (
-              <div className={jobCss.inRow}>
-                <ConfirmationCard job={job} />
-              </div>
-            )}
-          </div>
-        ))}
-        {jobs !== undefined && jobs.length === 0 && (
-          <p className={css.note} style={{ padding: "0 8px", margin: "0 0 8px" }}>
-            There are no jobs yet. To create a job, open a drawing and prepare its program.
-          </p>
-        )}
-        {(listed.length > limit || list.hasNextPage) && (
-          <ShowMore
-            busy={list.isFetchingNextPage}
-            act={() => {
-              setLimit(limit + STEP);
-              if (listed.length < limit + STEP && list.hasNextPage) void list.fetchNextPage();
-            }}
-          />
-        )}
-      </div>
-    </Section>
+    <>
+      {[...queues].map((name) => (
+        <MachineQueue
+          key={name}
+          machine={name}
+          title={machines?.find((machine) => machine.name === name)?.title || name}
+        />
+      ))}
+      <Section title="Other jobs" flush>
+        <div data-testid="queue">
+          {error && <p className={css.note}>{errorText(error)}</p>}
+          {listed.slice(0, limit).map((job) => (
+            <Row key={job.id} job={job} now={now} />
+          ))}
+          {jobs !== undefined && jobs.length === 0 && (
+            <p className={css.note} style={{ padding: "0 8px", margin: "0 0 8px" }}>
+              There are no jobs yet. To create a job, open a drawing and prepare its program.
+            </p>
+          )}
+          {(listed.length > limit || list.hasNextPage) && (
+            <ShowMore
+              busy={list.isFetchingNextPage}
+              act={() => {
+                setLimit(limit + STEP);
+                if (listed.length < limit + STEP && list.hasNextPage) void list.fetchNextPage();
+              }}
+            />
+          )}
+        </div>
+      </Section>
+    </>
   );
 }
 
@@ -79,7 +78,7 @@ function Row({ job, now }: { job: Job; now: number }) {
   const open = useUiStore((ui) => ui.open);
   const current = useUiStore((ui) => ui.job === job.id);
   const { data: boards } = useBoards();
-  const moving = isOnTable(job) || isCompiling(job);
+  const moving = isCompiling(job);
   return (
     <button
       type="button"
@@ -100,7 +99,7 @@ function Row({ job, now }: { job: Job; now: number }) {
           className={jobCss.bar ?? ""}
           value={job.progress * 100}
           size={3}
-          color={job.state === "held" ? "yellow" : "blue"}
+          color="blue"
           aria-label={`Progress of ${job.drawing_name}`}
         />
       )}

@@ -3,12 +3,14 @@
 import {
   type Exceptions,
   type JobCommand,
+  type Neighbours,
   type Profile,
   pageProblem,
   type RestChoice,
   ServiceError,
   service,
   type Unit,
+  type WaitingChange,
 } from "../api/client";
 import type { LineType } from "../geometry/records";
 import {
@@ -231,4 +233,44 @@ export function continueJob(job: string, choice: RestChoice): Promise<void> {
 
 export function command(job: string, word: JobCommand): Promise<void> {
   return enqueue(async () => upsertJob(await service.command(job, word)));
+}
+
+/** Move a waiting job between two others, if the queue is still as displayed. */
+export function moveJob(job: string, machine: string, place: Neighbours): Promise<void> {
+  return enqueue(async () => {
+    const { queryKey } = queries.queue(machine);
+    try {
+      const tag = queryClient.getQueryData(queryKey)?.tag ?? null;
+      upsertJob(await service.moveJob(job, place, tag));
+    } finally {
+      // After a refusal the present order is displayed.
+      await queryClient.invalidateQueries({ queryKey });
+    }
+  });
+}
+
+/** Change priority, copies or hold of a waiting job. */
+export function changeJob(job: string, change: WaitingChange): Promise<void> {
+  return enqueue(async () => upsertJob(await service.changeJob(job, change)));
+}
+
+/** Move a waiting job to another machine; its program is compiled again. */
+export function transferJob(job: string, machine: string): Promise<void> {
+  return enqueue(async () => upsertJob(await service.transferJob(job, machine)));
+}
+
+/** Record that a new tool was put into a station. */
+export function recordToolChange(machine: string, station: number): Promise<void> {
+  return enqueue(async () => {
+    const tools = await service.recordToolChange(machine, station);
+    queryClient.setQueryData(queries.tools(machine).queryKey, tools);
+  });
+}
+
+/** Set the length that the tool of a station may work (m). */
+export function setToolLife(machine: string, station: number, life: number): Promise<void> {
+  return enqueue(async () => {
+    const tools = await service.setToolLife(machine, station, life);
+    queryClient.setQueryData(queries.tools(machine).queryKey, tools);
+  });
 }

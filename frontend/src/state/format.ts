@@ -11,6 +11,10 @@ export function formatLength(value: number): string {
   return `${value.toFixed(Math.abs(value) >= 100 ? 0 : 1)}${THIN}mm`;
 }
 
+/** A length in m. */
+export const formatMetres = (value: number): string =>
+  `${value.toLocaleString("en", { maximumFractionDigits: value < 100 ? 1 : 0 })}${THIN}m`;
+
 /** A length in an unknown unit. */
 export const formatUnitless = (value: number): string =>
   value.toLocaleString("en", { maximumFractionDigits: Math.abs(value) >= 100 ? 1 : 3 });

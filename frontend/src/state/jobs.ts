@@ -100,6 +100,10 @@ export const isCompiling = (job: Job): boolean =>
 /** The job has started on the machine and is not finished. */
 export const isOnTable = (job: Job): boolean => job.state === "running" || job.state === "held";
 
+/** The job is in the queue of its machine, or occupies the machine. */
+export const isQueued = (job: Job): boolean =>
+  isOnTable(job) || job.state === "queued" || job.state === "interrupted";
+
 /** The job has a program and a tool path. */
 export const hasProgram = (job: Job): boolean => job.program_sha256 !== "";
 

@@ -2,6 +2,7 @@
 
 import {
   infiniteQueryOptions,
+  keepPreviousData,
   QueryClient,
   queryOptions,
   useInfiniteQuery,
@@ -9,6 +10,7 @@ import {
 } from "@tanstack/react-query";
 import {
   type DrawingSummary,
+  type HistoryFilter,
   type ImportReportRow,
   type Job,
   type Page,
@@ -18,7 +20,8 @@ import {
 } from "../api/client";
 import { openEventStream } from "../api/events";
 import { buildTimeline } from "../geometry/timeline";
-import { hasProgram } from "./jobs";
+import { hasProgram, isFinal } from "./jobs";
+import { hasChanged } from "./queue";
 import { useUiStore } from "./store";
 
 export const queryClient = new QueryClient({
@@ -110,16 +113,35 @@ export const queries = {
       // Once the server is prepared it remains so until it is started again.
       refetchInterval: ({ state }) => (state.data?.preparing === false ? false : 1000),
     }),
+  queue: (machine: string) =>
+    queryOptions({
+      queryKey: ["queue", machine],
+      queryFn: ({ signal }) => service.queue(machine, signal),
+      // The estimates of start times change although no job does.
+      refetchInterval: 4000,
+    }),
+  history: (filter: HistoryFilter) =>
+    infiniteQueryOptions({
+      queryKey: ["history", filter],
+      queryFn: ({ signal, pageParam }) => service.history(filter, pageParam, signal),
+      initialPageParam: null as string | null,
+      getNextPageParam: ({ next }) => next,
+    }),
+  statistics: (wanted: Parameters<typeof service.statistics>[0]) =>
+    queryOptions({
+      queryKey: ["statistics", wanted],
+      queryFn: ({ signal }) => service.statistics(wanted, signal),
+    }),
+  tools: (machine: string) =>
+    queryOptions({
+      queryKey: ["tools", machine],
+      queryFn: ({ signal }) => service.tools(machine, signal),
+      refetchInterval: 4000,
+    }),
   machines: () =>
     queryOptions({
       queryKey: ["machines"],
       queryFn: ({ signal }) => service.machines(signal),
-      refetchInterval: 4000,
-    }),
-  queue: (name: string) =>
-    queryOptions({
-      queryKey: ["queue", name],
-      queryFn: ({ signal }) => service.queue(name, signal),
       refetchInterval: 4000,
     }),
   station: (name: string) =>
@@ -164,8 +186,17 @@ const flattenPages = <T>({ pages }: { pages: Page<T>[] }): T[] => pages.flatMap(
 export const useDrawings = () =>
   useInfiniteQuery({ ...queries.drawings(), select: flattenPages<DrawingSummary> });
 export const useJobs = () => useInfiniteQuery({ ...queries.jobs(), select: flattenPages<Job> });
-export const useMachines = () => useQuery(queries.machines());
 export const useQueue = (machine: string) => useQuery(queries.queue(machine));
+export const useHistory = (filter: HistoryFilter) =>
+  useInfiniteQuery({
+    ...queries.history(filter),
+    select: ({ pages }) => pages.flatMap(({ rows }) => rows),
+    placeholderData: keepPreviousData,
+  });
+export const useStatistics = (wanted: Parameters<typeof service.statistics>[0]) =>
+  useQuery({ ...queries.statistics(wanted), placeholderData: keepPreviousData });
+export const useTools = (machine: string) => useQuery(queries.tools(machine));
+export const useMachines = () => useQuery(queries.machines());
 /** State of a machine for the person at it. */
 export const useStation = (machine: string) => useQuery(queries.station(machine));
 export const useServiceStatus = () => useQuery(queries.status());
@@ -250,10 +281,16 @@ export function upsertJob(job: Job): void {
   const known = queryClient.getQueryData(queries.job(job.id).queryKey);
   if (known !== undefined && known.updated > job.updated) return;
   queryClient.setQueryData(queries.job(job.id).queryKey, job);
+  if (hasChanged(known, job)) {
+    void queryClient.invalidateQueries({ queryKey: ["queue"] });
+    if (known?.state !== job.state && (isFinal(job) || job.state === "interrupted")) {
+      for (const key of ["history", "statistics", "tools"])
+        void queryClient.invalidateQueries({ queryKey: [key] });
+    }
+  }
   // A job that starts or ends makes its machine busy or free.
   if (known?.state !== job.state) {
     void queryClient.invalidateQueries({ queryKey: queries.machines().queryKey });
-    void queryClient.invalidateQueries({ queryKey: queries.queue(job.machine).queryKey });
   }
   queryClient.setQueryData(queries.jobs().queryKey, (list) => {
     if (list === undefined) return list;

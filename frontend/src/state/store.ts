@@ -70,6 +70,8 @@ export interface UiState {
   readonly leftOpen: boolean;
   readonly rightOpen: boolean;
   readonly helpOpen: boolean;
+  /** The page of ended jobs, statistics and tools is shown instead of the drawing. */
+  readonly history: boolean;
   /** Program time (s) at which the preview shows the head; null while it follows the machine. */
   readonly previewTime: number | null;
   readonly machine: string | null;
@@ -123,6 +125,7 @@ type UiValues = Pick<
   | "leftOpen"
   | "rightOpen"
   | "helpOpen"
+  | "history"
   | "previewTime"
   | "machine"
   | "board"
@@ -177,6 +180,7 @@ export const useUiStore = create<UiState>()((set) => ({
   leftOpen: true,
   rightOpen: true,
   helpOpen: false,
+  history: false,
   previewTime: null,
   machine: null,
   board: null,
@@ -192,10 +196,11 @@ export const useUiStore = create<UiState>()((set) => ({
   open: (drawing, job = null) =>
     set((page) =>
       page.drawing === drawing
-        ? { job, previewTime: null }
+        ? { job, previewTime: null, history: false }
         : {
             drawing,
             job,
+            history: false,
             selection: NO_ROWS,
             pin: null,
             hover: null,
@@ -213,7 +218,7 @@ export const useUiStore = create<UiState>()((set) => ({
             corners: { ...page.corners, at: [] },
           },
     ),
-  openStation: (station) => set({ station }),
+  openStation: (station) => set(station === null ? { station } : { station, history: false }),
   openJob: (job) => set({ job, previewTime: null }),
   selectEdges: (rows, add = false) =>
     set(({ selection }) => {

@@ -1,0 +1,180 @@
+/** Ended jobs, statistics of the machines, and the life of their tools. */
+
+import { Button, SegmentedControl, Select, TextInput } from "@mantine/core";
+import { IconSearch } from "@tabler/icons-react";
+import { useState } from "react";
+import type { EndedState, HistoryFilter, Job } from "../api/client";
+import { errorText } from "../messages/render";
+import { formatDuration, pluralize } from "../state/format";
+import { useBoards, useHistory, useMachines } from "../state/queries";
+import { useUiStore } from "../state/store";
+import css from "./history.module.css";
+import { ShowMore } from "./ShowMore";
+import { StateBadge } from "./StateBadge";
+import { StatisticsView } from "./StatisticsView";
+import { ToolsView } from "./ToolsView";
+
+const VIEWS = [
+  { value: "jobs", label: "Ended jobs" },
+  { value: "statistics", label: "Statistics" },
+  { value: "tools", label: "Tools" },
+] as const;
+type View = (typeof VIEWS)[number]["value"];
+
+const STATES: readonly { value: EndedState; label: string }[] = [
+  { value: "done", label: "Finished" },
+  { value: "cancelled", label: "Cancelled" },
+  { value: "scrapped", label: "Board scrapped" },
+  { value: "interrupted", label: "Interrupted" },
+  { value: "refused", label: "Refused" },
+];
+
+/** Periods that end now, by their length in days. */
+const PERIODS = [
+  { value: "", label: "All times" },
+  { value: "1", label: "Last 24 hours" },
+  { value: "7", label: "Last 7 days" },
+  { value: "31", label: "Last 31 days" },
+  { value: "366", label: "Last year" },
+];
+
+export function HistoryPage() {
+  const [view, setView] = useState<View>("jobs");
+  const [machine, setMachine] = useState("");
+  const { data: machines } = useMachines();
+  const set = useUiStore((ui) => ui.set);
+  return (
+    <div className={css.page} data-testid="history">
+      <header className={css.head}>
+        <h1>History</h1>
+        <SegmentedControl
+          value={view}
+          onChange={(value) => setView(value as View)}
+          data={[...VIEWS]}
+          aria-label="What to show"
+        />
+        <Select
+          className={css.machine ?? ""}
+          aria-label="Machine"
+          placeholder="All machines"
+          clearable
+          value={machine || null}
+          onChange={(value) => setMachine(value ?? "")}
+          data={(machines ?? []).map(({ name, title }) => ({ value: name, label: title || name }))}
+        />
+        <Button
+          variant="default"
+          onClick={() => set({ history: false })}
+          data-testid="close-history"
+        >
+          Back to the drawing
+        </Button>
+      </header>
+      {view === "jobs" && <EndedJobs machine={machine} />}
+      {view === "statistics" && <StatisticsView machine={machine} />}
+      {view === "tools" && <ToolsView machine={machine} />}
+    </div>
+  );
+}
+
+function EndedJobs({ machine }: { machine: string }) {
+  const { data: boards } = useBoards();
+  const [filter, setFilter] = useState<Omit<HistoryFilter, "machine">>({});
+  const [days, setDays] = useState("");
+  const change = (part: Partial<HistoryFilter>) => setFilter({ ...filter, ...part });
+  const list = useHistory({ ...filter, machine });
+  const jobs = list.data ?? [];
+  return (
+    <>
+      <div className={css.filters}>
+        <TextInput
+          aria-label="Name of the drawing"
+          placeholder="Name of the drawing"
+          leftSection={<IconSearch size={15} aria-hidden />}
+          value={filter.drawing ?? ""}
+          onChange={(event) => change({ drawing: event.currentTarget.value })}
+          data-testid="history-drawing"
+        />
+        <Select
+          aria-label="Board"
+          placeholder="All boards"
+          clearable
+          value={filter.board || null}
+          onChange={(value) => change({ board: value ?? "" })}
+          data={(boards ?? []).map(({ name, title }) => ({ value: name, label: title || name }))}
+        />
+        <Select
+          aria-label="State"
+          placeholder="All states"
+          clearable
+          value={filter.state ?? null}
+          onChange={(value) => change({ state: (value as EndedState | null) ?? undefined })}
+          data={[...STATES]}
+        />
+        <Select
+          aria-label="Period"
+          value={days}
+          allowDeselect={false}
+          onChange={(value) => {
+            setDays(value ?? "");
+            // Rounded, so that the same period is the same request.
+            const since = Math.floor(Date.now() / 3.6e6) * 3600 - Number(value) * 86_400;
+            change({ since: value ? since : undefined });
+          }}
+          data={PERIODS}
+        />
+      </div>
+      {list.error && <p className={css.note}>{errorText(list.error)}</p>}
+      {list.isSuccess && jobs.length === 0 && (
+        <p className={css.note}>No job meets these conditions.</p>
+      )}
+      <ul className={css.jobs}>
+        {jobs.map((job) => (
+          <EndedJob key={job.id} job={job} />
+        ))}
+      </ul>
+      {list.hasNextPage && (
+        <ShowMore busy={list.isFetchingNextPage} act={() => void list.fetchNextPage()} />
+      )}
+    </>
+  );
+}
+
+function EndedJob({ job }: { job: Job }) {
+  const open = useUiStore((ui) => ui.open);
+  const { data: boards } = useBoards();
+  const { data: machines } = useMachines();
+  return (
+    <li>
+      <button
+        type="button"
+        className={css.job}
+        onClick={() => open(job.drawing, job.id)}
+        data-testid="history-row"
+      >
+        <img
+          className={css.picture}
+          src={`/api/drawings/${encodeURIComponent(job.drawing)}/picture`}
+          alt=""
+          loading="lazy"
+        />
+        <span className={css.name}>{job.drawing_name}</span>
+        <span>{boards?.find(({ name }) => name === job.board)?.title || job.board}</span>
+        <span>{machines?.find(({ name }) => name === job.machine)?.title || job.machine}</span>
+        <span className={css.figure}>
+          {job.copies_done === job.copies
+            ? pluralize(job.copies, "copy", "copies")
+            : `${job.copies_done} of ${pluralize(job.copies, "copy", "copies")}`}
+        </span>
+        <span className={css.figure}>{formatDuration(job.seconds * job.copies)}</span>
+        <time className={css.figure} dateTime={new Date(job.ended * 1000).toISOString()}>
+          {new Date(job.ended * 1000).toLocaleString([], {
+            dateStyle: "medium",
+            timeStyle: "short",
+          })}
+        </time>
+        <StateBadge job={job} />
+      </button>
+    </li>
+  );
+}

@@ -1,0 +1,280 @@
+/** The queue of one machine in the order in which its jobs run; rows are dragged to reorder it. */
+
+import { ActionIcon, Menu, NumberInput, Progress } from "@mantine/core";
+import {
+  IconArrowDown,
+  IconArrowUp,
+  IconCheck,
+  IconDots,
+  IconGripVertical,
+  IconPlayerPause,
+  IconPlayerPlay,
+} from "@tabler/icons-react";
+import { type DragEvent, type ReactNode, useState } from "react";
+import type { Machine, QueueEntry } from "../api/client";
+import { changeJob, moveJob, transferJob } from "../state/actions";
+import { formatDuration, pluralize } from "../state/format";
+import { isOnTable, needsOperator } from "../state/jobs";
+import { useBoards, useMachines, useQueue } from "../state/queries";
+import {
+  indexBeside,
+  neighboursAt,
+  PRIORITIES,
+  priorityTitle,
+  startText,
+  waitingIds,
+} from "../state/queue";
+import { useUiStore } from "../state/store";
+import { ConfirmationCard } from "./ConfirmationCard";
+import jobCss from "./job.module.css";
+import css from "./queue.module.css";
+import { Section } from "./Section";
+import { StateBadge } from "./StateBadge";
+
+/** The row over which a job is dragged, and whether the job would be below it. */
+interface Target {
+  readonly id: string;
+  readonly below: boolean;
+}
+
+export function MachineQueue({ machine, title }: { machine: string; title: string }) {
+  const { data: queue } = useQueue(machine);
+  const [dragged, setDragged] = useState<string | null>(null);
+  const [target, setTarget] = useState<Target | null>(null);
+  const current = useUiStore((ui) => ui.job);
+  const entries = queue?.entries ?? [];
+  const ids = waitingIds(entries);
+
+  const moveTo = (id: string, index: number) => {
+    const neighbours = neighboursAt(ids, id, index);
+    if (neighbours !== null) void moveJob(id, machine, neighbours);
+  };
+  const drop = () => {
+    if (dragged !== null && target !== null) {
+      moveTo(dragged, indexBeside(ids, dragged, target.id, target.below));
+    }
+    setDragged(null);
+    setTarget(null);
+  };
+  const dragOver = (event: DragEvent, id: string) => {
+    if (dragged === null) return;
+    event.preventDefault();
+    const { top, height } = event.currentTarget.getBoundingClientRect();
+    setTarget({ id, below: event.clientY > top + height / 2 });
+  };
+
+  return (
+    <Section
+      title={`Queue of ${title}`}
+      flush
+      aside={<span className={css.count}>{ids.length > 0 ? `${ids.length} waiting` : ""}</span>}
+    >
+      {entries.length === 0 && <p className={css.empty}>No job waits for this machine.</p>}
+      <ol className={css.queue} data-testid={`queue-of-${machine}`}>
+        {entries.map((entry) => {
+          const { job, place } = entry;
+          return (
+            <li
+              key={job.id}
+              draggable={place > 0}
+              className={css.entry}
+              data-place={place}
+              data-hold={job.on_hold}
+              data-dragged={dragged === job.id}
+              data-target={target?.id === job.id ? (target.below ? "below" : "above") : undefined}
+              onDragStart={(event) => {
+                event.dataTransfer.effectAllowed = "move";
+                event.dataTransfer.setData("text/plain", job.id);
+                setDragged(job.id);
+              }}
+              onDragOver={(event) => place > 0 && dragOver(event, job.id)}
+              onDrop={(event) => {
+                event.preventDefault();
+                drop();
+              }}
+              onDragEnd={() => {
+                setDragged(null);
+                setTarget(null);
+              }}
+            >
+              <Row entry={entry} />
+              {place > 0 && (
+                <Actions
+                  entry={entry}
+                  last={place === ids.length}
+                  move={(step) => moveTo(job.id, place - 1 + step)}
+                  toTop={() => moveTo(job.id, 0)}
+                />
+              )}
+              {needsOperator(job) && job.id !== current && (
+                <div className={jobCss.inRow}>
+                  <ConfirmationCard job={job} />
+                </div>
+              )}
+            </li>
+          );
+        })}
+      </ol>
+    </Section>
+  );
+}
+
+function Row({ entry }: { entry: QueueEntry }) {
+  const { job, place } = entry;
+  const open = useUiStore((ui) => ui.open);
+  const current = useUiStore((ui) => ui.job === job.id);
+  const { data: boards } = useBoards();
+  const board = boards?.find(({ name }) => name === job.board)?.title || job.board;
+  return (
+    <button
+      type="button"
+      className={css.row}
+      aria-current={current}
+      onClick={() => open(job.drawing, job.id)}
+      data-testid="queue-row"
+    >
+      <span className={css.place}>
+        {place > 0 ? place : "▶"}
+        {place > 0 && <IconGripVertical size={14} className={css.grip} aria-hidden />}
+      </span>
+      <img className={css.picture} src={entry.picture} alt="" loading="lazy" draggable={false} />
+      <span className={css.text}>
+        <span className={css.name}>{job.drawing_name}</span>
+        <small>
+          {board} · {pluralize(job.copies, "copy", "copies")}
+          {job.copies_done > 0 && `, ${job.copies_done} done`}
+        </small>
+        <small>
+          {formatDuration(entry.seconds)}
+          {startText(entry) !== "" && ` · ${startText(entry)}`}
+        </small>
+      </span>
+      <span className={css.state}>
+        {place === 0 && <StateBadge job={job} />}
+        {place > 0 && job.priority !== 0 && (
+          <span className={css.priority} data-priority={priorityTitle(job.priority)}>
+            {priorityTitle(job.priority)}
+          </span>
+        )}
+      </span>
+      {isOnTable(job) && (
+        <Progress
+          className={css.bar ?? ""}
+          value={job.progress * 100}
+          size={3}
+          color={job.state === "held" ? "yellow" : "blue"}
+          aria-label={`Progress of ${job.drawing_name}`}
+        />
+      )}
+    </button>
+  );
+}
+
+interface ActionsProps {
+  entry: QueueEntry;
+  last: boolean;
+  /** Move the job by some places: -1 is one place earlier. */
+  move: (step: number) => void;
+  toTop: () => void;
+}
+
+function Actions({ entry: { job, place }, last, move, toTop }: ActionsProps) {
+  const { data: machines } = useMachines();
+  const [copies, setCopies] = useState<number | null>(null);
+  const name = job.drawing_name;
+  return (
+    <div className={css.actions}>
+      <Icon label={`Move ${name} up`} off={place === 1} act={() => move(-1)} testId="move-up">
+        <IconArrowUp size={17} />
+      </Icon>
+      <Icon label={`Move ${name} down`} off={last} act={() => move(1)} testId="move-down">
+        <IconArrowDown size={17} />
+      </Icon>
+      <Icon
+        label={job.on_hold ? `End the hold of ${name}` : `Hold ${name} in the queue`}
+        act={() => void changeJob(job.id, { on_hold: !job.on_hold })}
+        testId="queue-hold"
+      >
+        {job.on_hold ? <IconPlayerPlay size={17} /> : <IconPlayerPause size={17} />}
+      </Icon>
+      <NumberInput
+        className={css.copies ?? ""}
+        aria-label={`Copies of ${name}`}
+        size="xs"
+        min={job.copies_done + 1}
+        max={1000}
+        allowDecimal={false}
+        suffix="×"
+        value={copies ?? job.copies}
+        onChange={(value) => setCopies(typeof value === "number" ? value : null)}
+        onBlur={() => {
+          if (copies !== null && copies !== job.copies) void changeJob(job.id, { copies });
+          setCopies(null);
+        }}
+        onKeyDown={(event) => event.key === "Enter" && event.currentTarget.blur()}
+        data-testid="queue-copies"
+      />
+      <Menu position="bottom-end" shadow="md" withinPortal>
+        <Menu.Target>
+          <ActionIcon
+            className={css.action ?? ""}
+            variant="subtle"
+            color="gray"
+            aria-label={`Priority and machine of ${name}`}
+            data-testid="queue-more"
+          >
+            <IconDots size={17} />
+          </ActionIcon>
+        </Menu.Target>
+        <Menu.Dropdown>
+          <Menu.Item disabled={place === 1} onClick={toTop}>
+            Move to the top
+          </Menu.Item>
+          <Menu.Label>Priority</Menu.Label>
+          {PRIORITIES.map(({ value, title }) => (
+            <Menu.Item
+              key={value}
+              rightSection={priorityTitle(job.priority) === title && <IconCheck size={14} />}
+              onClick={() => void changeJob(job.id, { priority: value })}
+            >
+              {title}
+            </Menu.Item>
+          ))}
+          <Menu.Label>Move to machine</Menu.Label>
+          {(machines ?? [])
+            .filter((machine) => machine.name !== job.machine)
+            .map((machine: Machine) => (
+              <Menu.Item key={machine.name} onClick={() => void transferJob(job.id, machine.name)}>
+                {machine.title || machine.name}
+              </Menu.Item>
+            ))}
+        </Menu.Dropdown>
+      </Menu>
+    </div>
+  );
+}
+
+interface IconProps {
+  label: string;
+  act: () => void;
+  off?: boolean;
+  testId: string;
+  children: ReactNode;
+}
+
+function Icon({ label, act, off = false, testId, children }: IconProps) {
+  return (
+    <ActionIcon
+      className={css.action ?? ""}
+      variant="subtle"
+      color="gray"
+      aria-label={label}
+      title={label}
+      disabled={off}
+      onClick={act}
+      data-testid={testId}
+    >
+      {children}
+    </ActionIcon>
+  );
+}

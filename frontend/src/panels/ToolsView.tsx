@@ -1,0 +1,110 @@
+/** The tools of machines: the length that each has worked, its life, and its changes. */
+
+import { Button, NumberInput } from "@mantine/core";
+import { IconRefresh } from "@tabler/icons-react";
+import { useState } from "react";
+import type { ToolUse } from "../api/client";
+import { renderHint, renderText } from "../messages/render";
+import { recordToolChange, setToolLife } from "../state/actions";
+import { formatMetres } from "../state/format";
+import { useMachines, useTools } from "../state/queries";
+import { ConfirmDialog } from "./ConfirmDialog";
+import css from "./history.module.css";
+
+export function ToolsView({ machine }: { machine: string }) {
+  const { data: machines } = useMachines();
+  const shown = (machines ?? []).filter(({ name }) => machine === "" || name === machine);
+  return shown.map(({ name, title }) => (
+    <MachineTools key={name} machine={name} title={title || name} />
+  ));
+}
+
+function MachineTools({ machine, title }: { machine: string; title: string }) {
+  const { data: tools } = useTools(machine);
+  return (
+    <section className={css.card} data-testid={`tools-of-${machine}`}>
+      <h2>{title}</h2>
+      <ul className={css.tools}>
+        {(tools ?? []).map((tool) => (
+          <Tool key={tool.station} machine={machine} tool={tool} />
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+function Tool({ machine, tool }: { machine: string; tool: ToolUse }) {
+  const [asked, setAsked] = useState(false);
+  const [life, setLife] = useState<number | null>(null);
+  const { station, name, used, share, warning, message } = tool;
+  return (
+    <li className={css.tool} data-warning={warning} data-testid="tool">
+      <span className={css.station}>{station}</span>
+      <span className={css.toolName}>
+        {name}
+        <small>
+          {tool.changed === 0
+            ? "No change recorded"
+            : `Changed ${new Date(tool.changed * 1000).toLocaleDateString()} (${tool.changed_by})`}
+        </small>
+      </span>
+      <span className={css.wear}>
+        <span className={css.track}>
+          <span className={css.fill} style={{ width: `${Math.min(100, share * 100)}%` }} />
+          <span className={css.onBar}>
+            {formatMetres(used)}
+            {tool.life > 0 && ` of ${formatMetres(tool.life)} · ${Math.round(share * 100)} %`}
+          </span>
+        </span>
+      </span>
+      <NumberInput
+        aria-label={`Life of ${name} in metres, 0 for no limit`}
+        className={css.life ?? ""}
+        min={0}
+        max={1e7}
+        decimalScale={1}
+        thousandSeparator=" "
+        prefix="Life "
+        suffix=" m"
+        value={life ?? tool.life}
+        onChange={(value) => setLife(typeof value === "number" ? value : null)}
+        onBlur={() => {
+          if (life !== null && life !== tool.life) void setToolLife(machine, station, life);
+          setLife(null);
+        }}
+        onKeyDown={(event) => event.key === "Enter" && event.currentTarget.blur()}
+        data-testid="tool-life"
+      />
+      <Button
+        variant={warning === "" ? "default" : "filled"}
+        leftSection={<IconRefresh size={16} aria-hidden />}
+        onClick={() => setAsked(true)}
+        data-testid="tool-changed"
+      >
+        Tool changed
+      </Button>
+      {message !== null && (
+        <p className={css.warning} role="status">
+          {renderText(message)} {renderHint(message)}
+        </p>
+      )}
+      <ConfirmDialog
+        confirmation={
+          asked
+            ? {
+                title: `Is there a new tool in station ${station}?`,
+                text: `The recorded length of ${name} becomes 0. Confirm only if the tool was changed.`,
+                yes: "Tool was changed",
+                no: "Not changed",
+              }
+            : null
+        }
+        onYes={() => {
+          setAsked(false);
+          void recordToolChange(machine, station);
+        }}
+        onNo={() => setAsked(false)}
+      />
+    </li>
+  );
+}
