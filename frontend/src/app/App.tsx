@@ -64,7 +64,7 @@ function DrawingPage() {
   });
 
   return (
-    <div className={css.page}>
+    <div className={css.page} data-history={history}>
       <TopBar />
       <aside
         className={css.side}
