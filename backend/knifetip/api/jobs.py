@@ -27,7 +27,7 @@ from knifetip.api.service import (
     fingerprint,
     set_next_page,
 )
-from knifetip.api.waiting import Waiting, waiting_of
+from knifetip.api.waiting import Waiting, language_of, waiting_of
 from knifetip.errors import OpenQuestions
 from knifetip.jobs import tasks
 from knifetip.jobs.interpretations import interpretation_of
@@ -198,7 +198,8 @@ def get_program(service: ServiceDep, request: Request, id: JobId) -> Response:
     row = service.store.jobs.get(id)
     text = service.store.jobs.column(id, "program")
     stem = row.drawing_name.rpartition(".")[0] or row.drawing_name
-    name = f"{stem}-{row.machine}.nc"
+    language = language_of(service.store.library, row)
+    name = f"{stem}-{row.machine}{language.suffix if language else '.nc'}"
     return bytes_response(request, text, row.program_sha256, "text/plain; charset=utf-8", name)
 
 
@@ -401,7 +402,7 @@ def jobs_out(store: Store, rows: Sequence[Job]) -> list[JobOut]:
 
 
 def _job_out(row: Job, waiting: Waiting, now: float) -> JobOut:
-    message = waiting.message if waiting.waiting_for else row.message
+    message = waiting.message or row.message
     computed = {
         "verdict", "progress", "waiting_for", "actions", "reason", "hint", "message", "is_rest",
     }  # fmt: skip

@@ -22,6 +22,7 @@ from knifetip.jobs.library_store import LibraryStore
 from knifetip.jobs.machine_queues import Queue
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
+from knifetip.languages.language import Language
 from knifetip.languages.registry import find_language
 from knifetip.messages import Message
 from knifetip.model.sheet import Sheet
@@ -80,6 +81,8 @@ def _waiting(library: LibraryStore, row: Job, queue: Queue | None) -> Waiting:
             sheet=_sheet(row),
         )
         return Waiting("sheet", message)
+    if row.state == State.HELD and (language := language_of(library, row)) and language.open_loop:
+        return Waiting("", Message("waiting.for-end", machine=library.titles(row)[0]))
     if row.state == State.QUEUED and queue is not None:
         return _queued(library, row, queue)
     return Waiting()
@@ -149,10 +152,23 @@ def _no_gateway(library: LibraryStore, row: Job, title: str) -> Message:
     title
         Title of its machine.
     """
-    try:
-        language = find_language(library.machine(row.machine, row.machine_version).dialect)
-    except LibraryError:
-        return Message("waiting.for-gateway", machine=title)
-    if language.no_driver:
+    language = language_of(library, row)
+    if language and language.no_driver:
         return Message("waiting.for-person", machine=title, advice=language.no_driver)
     return Message("waiting.for-gateway", machine=title)
+
+
+def language_of(library: LibraryStore, row: Job) -> Language | None:
+    """Return the controller language of a job's machine; None if the library has no such machine.
+
+    Parameters
+    ----------
+    library
+        Repository of machines.
+    row
+        The job.
+    """
+    try:
+        return find_language(library.machine(row.machine, row.machine_version).dialect)
+    except LibraryError:
+        return None

@@ -170,7 +170,8 @@ def gateway(
         str,
         typer.Option(
             help="Address of the controller: HOST:PORT, tcp://HOST:PORT, telnet://HOST, "
-            "ws://HOST:PORT/PATH, or a serial port as serial:///dev/ttyUSB0 or serial://COM3."
+            "ws://HOST:PORT/PATH, a serial port as serial:///dev/ttyUSB0 or serial://COM3, or a "
+            "folder from which the machine takes its programs as file:///FOLDER."
         ),
     ] = "127.0.0.1:2323",
     name: Annotated[
@@ -191,13 +192,13 @@ def gateway(
     """Fetch the jobs of a machine from the server and send them to its controller."""
     from knifetip.cli.served_machine import find_machine
     from knifetip.gateway import claim
+    from knifetip.gateway.hot_folder import find_driver
     from knifetip.gateway.job_server import GatewaySettings
     from knifetip.gateway.journal import default_path
-    from knifetip.languages.registry import find_language
 
     headers = {"Authorization": f"Bearer {key}"} if key else {}
     table = find_machine(machine, server, headers)
-    dial = find_language(table.dialect).load_driver(table)
+    dial = find_driver(table, controller)
     print_stderr(f"{table.title}: controller {controller}, server {server}")
     record = journal or default_path(machine, server)
     asyncio.run(

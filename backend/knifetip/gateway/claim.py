@@ -296,7 +296,8 @@ class _GatewayLoop:
         run.line = progress.executed
         run.held = progress.state is State.HOLD
         run.seconds_left = progress.seconds_left
-        run.position = self._head(progress.position, progress.output)
+        if progress.located:
+            run.position = self._head(progress.position, progress.output)
         run.output = progress.output
         station = self._station(progress.output)
         run.station = None if station is None else station.number

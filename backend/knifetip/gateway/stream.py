@@ -58,7 +58,9 @@ class Progress:
     position: Pose  #: X, Y, Z, C in work coordinates
     state: State
     output: int  #: digital output last switched on (the station in use), -1 for none
-    seconds_left: float | None  #: estimated from the pace so far, without holds (s)
+    #: estimated from the pace so far, without holds (s); None if unknown
+    seconds_left: float | None
+    located: bool = True  #: the position is known
 
 
 async def stream(
@@ -281,6 +283,7 @@ def _progress(
         status.state,
         follower.output,
         seconds_left,
+        status.located,
     )
 
 
@@ -296,8 +299,10 @@ class _Clock:
         self._running = 0.0
         self._last: float | None = None
 
-    def left(self, executed: float, status: Status) -> float:
+    def left(self, executed: float, status: Status) -> float | None:
         """Return the estimated remaining time of the program (s).
+
+        None is returned if the durations of the program lines are unknown.
 
         Parameters
         ----------
@@ -311,4 +316,4 @@ class _Clock:
             self._running += now - self._last
         self._last = now
         pace = self._running / executed if executed > PACE and self._running > 0.0 else 1.0
-        return max(self._total - executed, 0.0) * pace
+        return max(self._total - executed, 0.0) * pace if self._total > 0.0 else None

@@ -473,7 +473,7 @@ export const TEXTS = {
   },
   "controller.bad-serial-address": {
     "text": "{address!r} is not the address of a serial port.",
-    "hint": "Write it as serial:///dev/ttyUSB0 or serial://COM3; ?baud=250000 at its end sets another speed than 115200 bits per second."
+    "hint": "Write it as serial:///dev/ttyUSB0 or serial://COM3; ?baud=250000 at its end sets another speed than 115200 bits per second, &flow=rtscts or &flow=xonxoff the flow control."
   },
   "controller.busy": {
     "text": "{name} is busy: it reports the state {state}. Nothing was sent.",
@@ -1167,6 +1167,30 @@ export const TEXTS = {
     "text": " {count:# more finding is|# more findings are} not listed here.",
     "hint": ""
   },
+  "folder.bad-address": {
+    "text": "{address!r} is not the address of a folder on this computer.",
+    "hint": "Write it as file:///FOLDER with the full path of the folder, for example file:///srv/programs."
+  },
+  "folder.deleted": {
+    "text": "The program file {file} was still in the folder and was deleted. The software of the machine may have read it before.",
+    "hint": "Check at the machine that the program is not loaded. If it runs, stop it there."
+  },
+  "folder.not-deleted": {
+    "text": "The program file {file} could not be deleted ({reason}).",
+    "hint": "Delete the file. Check at the machine that the program is not loaded."
+  },
+  "folder.not-written": {
+    "text": "The program was not written into the folder {folder}, so the machine did not get it.",
+    "hint": "Check the folder, then queue the job again."
+  },
+  "folder.taken": {
+    "text": "The software of the machine has taken the program file {file}, so the machine may execute it.",
+    "hint": "Stop the program at the machine. Nothing can be stopped from here."
+  },
+  "folder.unusable": {
+    "text": "Programs cannot be written into the folder {folder} ({reason}).",
+    "hint": "Create the folder, or give the user of the gateway the permission to write into it."
+  },
   "gateway.cancelled": {
     "text": "The operator cancelled the job at program line {line}.",
     "hint": ""
@@ -1479,6 +1503,10 @@ export const TEXTS = {
     "text": "The V-groove at edge {edge} is {length:.2f} mm long, but the blade is {blade:.2f} mm wide.",
     "hint": "Draw a longer groove, or choose a V-cutter with a narrower blade."
   },
+  "hpgl.bad-address": {
+    "text": "{address!r} is not the address of a plotter.",
+    "hint": "Write it as tcp://HOST, or as serial:///dev/ttyUSB0?baud=9600&flow=rtscts; a serial port needs flow=rtscts or flow=xonxoff, as it is set at the plotter. &buffer=1024 states how many bytes the connection and the plotter hold."
+  },
   "hpgl.bad-area": {
     "text": "{path} is {value}, but must be [x0, y0, x1, y1] with x0 < x1 and y0 < y1",
     "hint": "Write the corners of the area in plotter units, the lower left corner first."
@@ -1595,6 +1623,14 @@ export const TEXTS = {
     "text": "The first instruction of the program is not IN (initialise).",
     "hint": "Write IN at the beginning of the program."
   },
+  "hpgl.not-raised": {
+    "text": "{name} has accepted nothing for {seconds:g} s, so the tool was not raised from here. It may still be lowered.",
+    "hint": "Stop the program at the machine and raise the tool there."
+  },
+  "hpgl.not-reached": {
+    "text": "{error} The machine still executes what is in its buffer, and the tool may remain lowered at the end.",
+    "hint": "Stop the program at the machine and raise the tool there."
+  },
   "hpgl.outside-area": {
     "text": "The program line moves the tool outside the working area of the machine.",
     "hint": "Move the drawing on the table, or choose a larger machine."
@@ -1614,6 +1650,10 @@ export const TEXTS = {
   "hpgl.repeated-pen": {
     "text": "{path} has the same station and the same operation (field work) as another pen",
     "hint": "Remove one of the two pens, or choose another operation for one of the two pens."
+  },
+  "hpgl.runs-on": {
+    "text": "{name} gets no more of the program. It still executes what is in its buffer, and raises the tool after that.",
+    "hint": "Stay away from the tool until the machine is at rest, or stop the program at the machine."
   },
   "hpgl.selects-while-down": {
     "text": "The program line selects a pen while the tool is down.",
@@ -4446,6 +4486,10 @@ export const TEXTS = {
   "waiting.confirmed": {
     "text": "The operator confirmed the job, and {machine} is starting.",
     "hint": ""
+  },
+  "waiting.for-end": {
+    "text": "The whole program was sent to {machine}, which does not report when it has executed it.",
+    "hint": "When the machine has finished and is at rest, resume the job: it is then done. If the machine has not finished the program, cancel the job."
   },
   "waiting.for-gateway": {
     "text": "The job waits, because the gateway of {machine} (the program that sends jobs to the machine) is not connected to the server.",

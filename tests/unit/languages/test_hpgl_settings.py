@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from knifetip.errors import ControllerError, LibraryError
+from knifetip.errors import LibraryError
 from knifetip.languages.hpgl.plotter import PenWork, Plotter
-from knifetip.languages.registry import find_language, with_language
+from knifetip.languages.registry import with_language
 from knifetip.library import load
 from knifetip.model.machine import Machine
 
@@ -155,10 +155,3 @@ def test_a_machine_without_a_device_cannot_be_driven_with_hpgl() -> None:
         match=r"cannot be controlled with programs in HPGL.*Choose the language grblhal",
     ):
         with_language(load.machine("demo-table"), "hpgl")
-
-
-def test_hpgl_has_no_driver_and_a_hint_to_download() -> None:
-    with pytest.raises(
-        ControllerError, match=r"in HPGL cannot be sent to a machine.*Download the program"
-    ):
-        find_language("hpgl").load_driver(load.machine("flat-cutter-hpgl"))

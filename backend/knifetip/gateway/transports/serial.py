@@ -1,7 +1,8 @@
 """serial: a transport over a serial or USB port, ``serial:///dev/ttyUSB0`` or ``serial://COM3``.
 
-``?baud=250000`` sets the speed.  The line DTR stays active from the first opening on, also while
-the port is closed, because many boards reset when it becomes active.
+``?baud=250000`` sets the speed, and ``?flow=rtscts`` or ``?flow=xonxoff`` the flow control, with
+which a device can stop the port from sending for any time.  The line DTR stays active from the
+first opening on, also while the port is closed, because many boards reset when it becomes active.
 """
 
 from __future__ import annotations
@@ -21,7 +22,9 @@ from knifetip.messages import Message
 
 #: Speed of a port whose address states none (bits per second), as in grbl.
 BAUD = 115200
-#: Longest time until the operating system accepts the bytes of a write (s).
+#: Kinds of flow control that an address can state.
+FLOWS = ("none", "rtscts", "xonxoff")
+#: Longest time until the operating system accepts the bytes of a write (s), without flow control.
 PATIENCE = 2.0
 
 _MISSING = frozenset({errno.ENOENT, errno.ENODEV, errno.ENXIO})
@@ -39,6 +42,7 @@ class SerialPort:
         self._port = port
         self._received: asyncio.Queue[bytes] = asyncio.Queue()
         self._writing = asyncio.Lock()
+        self._unfinished: asyncio.Future[object] | None = None
         self._closed = False
         self._loop = asyncio.get_running_loop()
         self._thread = threading.Thread(target=self._receive, name=address, daemon=True)
@@ -54,14 +58,19 @@ class SerialPort:
     async def write(self, data: bytes) -> None:
         """Send bytes after those of earlier calls; return when the operating system has them.
 
+        If the call is cancelled, the bytes are sent nevertheless, unless the port is closed before.
+
         Raises
         ------
         ControllerError
             The port is closed or unplugged, or accepts no bytes.
         """
         async with self._writing:
+            if self._unfinished is not None:  # of a cancelled call
+                await asyncio.wait([self._unfinished])
+            self._unfinished = asyncio.ensure_future(asyncio.to_thread(self._port.write, data))
             try:
-                await asyncio.to_thread(self._port.write, data)
+                await asyncio.shield(self._unfinished)
             except OSError as error:
                 raise ControllerError(
                     "controller.connection-failed", address=self.address, reason=error
@@ -72,6 +81,10 @@ class SerialPort:
         if not self._closed:
             self._closed = True
             self._port.cancel_read()
+            if self._unfinished is not None and not self._unfinished.done():
+                self._port.cancel_write()
+                await asyncio.wait([self._unfinished])
+                self._port.reset_output_buffer()  # closing would wait until they are sent
             await asyncio.to_thread(self._thread.join)
             self._port.close()
 
@@ -96,8 +109,15 @@ async def open_transport(url: SplitResult) -> SerialPort:
         The URL is invalid; or the port does not exist, is in use, is not permitted or cannot be
         configured.
     """
-    name, baud = _port_and_speed(url)
-    port = serial.Serial(baudrate=baud, write_timeout=PATIENCE, timeout=PATIENCE, exclusive=True)
+    name, baud, flow = _port_and_options(url)
+    port = serial.Serial(
+        baudrate=baud,
+        rtscts=flow == "rtscts",
+        xonxoff=flow == "xonxoff",
+        write_timeout=PATIENCE if flow == "none" else None,
+        timeout=PATIENCE,
+        exclusive=True,
+    )
     port.port = name
     try:
         await asyncio.to_thread(port.open)
@@ -107,14 +127,16 @@ async def open_transport(url: SplitResult) -> SerialPort:
     return SerialPort(f"serial://{name}", port)
 
 
-def _port_and_speed(url: SplitResult) -> tuple[str, int]:
-    """Return the name of the port in a URL, and its speed in bits per second."""
+def _port_and_options(url: SplitResult) -> tuple[str, int, str]:
+    """Return the name of the port in a URL, its speed in bits per second and its flow control."""
     options = dict(parse_qsl(url.query, keep_blank_values=True))
     baud = options.pop("baud", str(BAUD))
+    flow = options.pop("flow", "none")
     name = url.netloc + url.path
-    if not name.strip("/") or options or not baud.isdecimal() or not int(baud):
+    valid = baud.isdecimal() and int(baud) and flow in FLOWS
+    if not name.strip("/") or options or not valid:
         raise ControllerError("controller.bad-serial-address", address=url.geturl())
-    return name, int(baud)
+    return name, int(baud), flow
 
 
 def _keep_dtr(port: serial.Serial) -> None:

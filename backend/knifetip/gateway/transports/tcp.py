@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import socket
 from contextlib import suppress
 from urllib.parse import SplitResult
 
@@ -10,6 +11,8 @@ from knifetip.errors import ControllerError
 
 #: Most bytes that one ``read`` returns.
 CHUNK = 4096
+#: Bytes that the operating system holds until the controller accepts them.
+SEND_BUFFER = 1 << 14
 #: Longest time until a connection is open (s).
 PATIENCE = 5.0
 
@@ -34,6 +37,8 @@ class Tcp:
     async def write(self, data: bytes) -> None:
         """Send bytes; return when the operating system has accepted them.
 
+        If the call is cancelled, the bytes are sent nevertheless.
+
         Raises
         ------
         ControllerError
@@ -48,7 +53,9 @@ class Tcp:
             ) from error
 
     async def close(self) -> None:
-        """Close the connection."""
+        """Close the connection; bytes that the operating system has not accepted are dropped."""
+        if self._writer.transport.get_write_buffer_size():
+            self._writer.transport.abort()
         self._writer.close()
         with suppress(OSError):
             await self._writer.wait_closed()
@@ -107,4 +114,9 @@ async def open_transport(url: SplitResult) -> Tcp:
         The URL has no host or no port, or there is no answer.
     """
     host, port = host_and_port(url)
-    return Tcp(f"{host}:{port}", *await connect_socket(host, port))
+    reader, writer = await connect_socket(host, port)
+    # A write waits for the operating system, which holds little: a device that accepts no bytes
+    # must be noticed.
+    writer.transport.set_write_buffer_limits(0)
+    writer.get_extra_info("socket").setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, SEND_BUFFER)
+    return Tcp(f"{host}:{port}", reader, writer)

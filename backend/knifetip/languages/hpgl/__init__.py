@@ -10,7 +10,9 @@ LANGUAGE = Language(
     emitter="knifetip.post.hpgl:emit",
     reader="knifetip.verification.reading.hpgl:READER",
     timing="knifetip.sequencing.timing:no_halts",
-    # Open loop: the device does not report progress and cannot be stopped (ADR 27).
+    driver="knifetip.gateway.hpgl.driver:dial",
+    # The device does not report progress and cannot be stopped (ADR 71).
+    open_loop=True,
     no_driver=Message("hpgl.send-by-hand"),
     settings="knifetip.languages.hpgl.settings:read_settings",
 )

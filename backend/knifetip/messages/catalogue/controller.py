@@ -56,7 +56,7 @@ MESSAGES: Final[Entries] = {
     "controller.bad-serial-address": entry(
         "{address!r} is not the address of a serial port.",
         "Write it as serial:///dev/ttyUSB0 or serial://COM3; ?baud=250000 at its end sets another "
-        "speed than 115200 bits per second.",
+        "speed than 115200 bits per second, &flow=rtscts or &flow=xonxoff the flow control.",
         address="text",
     ),
     "controller.busy": entry(
@@ -316,6 +316,41 @@ MESSAGES: Final[Entries] = {
         "{name} was reset.",
         "Check the table and home the machine before the next job.",
         name="text",
+    ),
+    "folder.bad-address": entry(
+        "{address!r} is not the address of a folder on this computer.",
+        "Write it as file:///FOLDER with the full path of the folder, for example "
+        "file:///srv/programs.",
+        address="text",
+    ),
+    "folder.deleted": entry(
+        "The program file {file} was still in the folder and was deleted. The software of the "
+        "machine may have read it before.",
+        "Check at the machine that the program is not loaded. If it runs, stop it there.",
+        file="text",
+    ),
+    "folder.not-deleted": entry(
+        "The program file {file} could not be deleted ({reason}).",
+        "Delete the file. Check at the machine that the program is not loaded.",
+        file="text",
+        reason="text",
+    ),
+    "folder.not-written": entry(
+        "The program was not written into the folder {folder}, so the machine did not get it.",
+        "Check the folder, then queue the job again.",
+        folder="text",
+    ),
+    "folder.taken": entry(
+        "The software of the machine has taken the program file {file}, so the machine may "
+        "execute it.",
+        "Stop the program at the machine. Nothing can be stopped from here.",
+        file="text",
+    ),
+    "folder.unusable": entry(
+        "Programs cannot be written into the folder {folder} ({reason}).",
+        "Create the folder, or give the user of the gateway the permission to write into it.",
+        folder="text",
+        reason="text",
     ),
     "run.executed": entry(
         "{executed} of {lines} program lines were executed.",

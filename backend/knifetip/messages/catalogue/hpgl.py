@@ -7,6 +7,13 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
+    "hpgl.bad-address": entry(
+        "{address!r} is not the address of a plotter.",
+        "Write it as tcp://HOST, or as serial:///dev/ttyUSB0?baud=9600&flow=rtscts; a serial port "
+        "needs flow=rtscts or flow=xonxoff, as it is set at the plotter. &buffer=1024 states how "
+        "many bytes the connection and the plotter hold.",
+        address="text",
+    ),
     "hpgl.bad-area": entry(
         "{path} is {value}, but must be [x0, y0, x1, y1] with x0 < x1 and y0 < y1",
         "Write the corners of the area in plotter units, the lower left corner first.",
@@ -164,6 +171,19 @@ MESSAGES: Final[Entries] = {
         "The program line moves the tool outside the working area of the machine.",
         "Move the drawing on the table, or choose a larger machine.",
     ),
+    "hpgl.not-raised": entry(
+        "{name} has accepted nothing for {seconds:g} s, so the tool was not raised from here. It "
+        "may still be lowered.",
+        "Stop the program at the machine and raise the tool there.",
+        name="text",
+        seconds="number",
+    ),
+    "hpgl.not-reached": entry(
+        "{error} The machine still executes what is in its buffer, and the tool may remain "
+        "lowered at the end.",
+        "Stop the program at the machine and raise the tool there.",
+        error="message",
+    ),
     "hpgl.pen-cannot": entry(
         "{path} is {work!r}, but the tool of station {station} cannot do this operation",
         "Assign the pen to another station, or choose another operation in the field work.",
@@ -188,6 +208,12 @@ MESSAGES: Final[Entries] = {
         "{path} has the same station and the same operation (field work) as another pen",
         "Remove one of the two pens, or choose another operation for one of the two pens.",
         path="text",
+    ),
+    "hpgl.runs-on": entry(
+        "{name} gets no more of the program. It still executes what is in its buffer, and "
+        "raises the tool after that.",
+        "Stay away from the tool until the machine is at rest, or stop the program at the machine.",
+        name="text",
     ),
     "hpgl.selects-while-down": entry(
         "The program line selects a pen while the tool is down.",

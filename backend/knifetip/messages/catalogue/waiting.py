@@ -11,6 +11,12 @@ MESSAGES: Final[Entries] = {
         "The operator confirmed the job, and {machine} is starting.",
         machine="text",
     ),
+    "waiting.for-end": entry(
+        "The whole program was sent to {machine}, which does not report when it has executed it.",
+        "When the machine has finished and is at rest, resume the job: it is then done. If the "
+        "machine has not finished the program, cancel the job.",
+        machine="text",
+    ),
     "waiting.for-gateway": entry(
         "The job waits, because the gateway of {machine} (the program that sends jobs to the "
         "machine) is not connected to the server.",

@@ -1,0 +1,1 @@
+"""Gateway driver of HPGL plotters and flat cutters."""

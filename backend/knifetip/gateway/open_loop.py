@@ -1,0 +1,144 @@
+"""open_loop: a controller that takes a program and reports nothing, such as a plotter.
+
+Only a person at the machine knows when such a machine has finished.  When the whole program is
+handed over, the controller is therefore held, and ``resume`` means that a person has seen the end
+of the program.  It can neither be held in between nor stopped; ``stop`` states this as an error.
+The reasons are in docs/decisions/0071.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Iterable
+
+from knifetip.errors import ControllerError
+from knifetip.gateway.controller import Observer, State, Status
+
+#: Seconds after which the end can be confirmed.  Until then the machine counts as running, so that
+#: an earlier request to resume, such as for the next sheet, is completed and not taken for the end.
+LEAST_RUN = 2.0
+
+
+class OpenLoop:
+    """A controller that reports nothing; the methods are those of ``ProgramController``.
+
+    A subclass hands a program over (``hand_over``) and withdraws it (``withdraw``).
+
+    Parameters
+    ----------
+    name
+        Address of the controller, for messages.
+    """
+
+    observer: Observer | None = None
+    capacity: int | None = None
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.fault: ControllerError | None = None
+        self.sent = 0  #: lines handed over since ``open``
+        self.acknowledged = 0  #: lines executed for certain since ``open``
+        self._running = False
+        self._finished: asyncio.Event | None = None  # while a person must confirm the end
+
+    async def hand_over(self, text: bytes) -> None:
+        """Hand a whole program over to the machine.
+
+        Raises
+        ------
+        ControllerError
+            The machine or its connection accepts no more of the program.
+        """
+        raise NotImplementedError
+
+    async def withdraw(self) -> ControllerError:
+        """Keep the machine from beginning what it has not begun; return what a person must do.
+
+        The method is called after a program was handed over partly or completely.
+        """
+        raise NotImplementedError
+
+    async def open(self) -> None:
+        """Do nothing: the state of the machine cannot be requested."""
+
+    async def check(self, lines: Iterable[bytes]) -> None:
+        """Do nothing: the machine cannot parse a program without motion."""
+        del lines
+
+    async def run(self, text: bytes) -> Status:
+        """Hand a program over, and return when a person has confirmed that it is executed.
+
+        Raises
+        ------
+        ControllerError
+            The program could not be handed over completely.
+        """
+        if self.fault is not None:
+            raise self.fault
+        last = self.sent + text.count(b"\n")
+        earliest = asyncio.get_running_loop().time() + LEAST_RUN
+        self._running = True
+        try:
+            await self.hand_over(text)
+        except ControllerError as error:
+            self.fault = self.fault or error
+            raise
+        await asyncio.sleep(max(earliest - asyncio.get_running_loop().time(), 0.0))
+        self._finished = asyncio.Event()
+        await self._finished.wait()
+        self._running, self._finished = False, None
+        self.sent = self.acknowledged = last
+        return await self.status()
+
+    async def status(self) -> Status:
+        """Return what is known: not the position, and at rest only what a person has confirmed.
+
+        Raises
+        ------
+        ControllerError
+            The controller has failed before.
+        """
+        if self.fault is not None:
+            raise self.fault
+        state = State.RUN if self._running else State.IDLE
+        if self._finished is not None:
+            state = State.HOLD
+        return Status(
+            state,
+            (0.0, 0.0, 0.0, 0.0),
+            self.acknowledged,
+            still=not self._running,
+            sent=self.sent,
+            located=False,
+        )
+
+    async def hold(self) -> None:
+        """Do nothing: the machine cannot be held, and must not be reported as held."""
+
+    async def resume(self) -> None:
+        """Confirm that the machine has executed the program which was handed over."""
+        if self._finished is not None:
+            self._finished.set()
+
+    async def stop(self) -> Status:
+        """Withdraw the running program as far as possible.
+
+        Returns
+        -------
+        Status
+            Status, if no program was running: nothing was handed over.
+
+        Raises
+        ------
+        ControllerError
+            A program was running; the machine may still execute it.
+        """
+        if not self._running:
+            self.fault = None
+            return await self.status()
+        self._running, self._finished = False, None
+        self.fault = await self.withdraw()
+        raise self.fault
+
+    async def close(self) -> None:
+        """Do nothing; a subclass closes its connection."""
