@@ -2667,6 +2667,26 @@ export const TEXTS = {
     "text": "{machine} has no cutter with the name {cutter!r}.",
     "hint": "Choose one of the cutters {known:, }."
   },
+  "mcx314.four-axes": {
+    "text": "Row {row} of the toolpath moves four axes at once, and the chip MCX314 can move three.",
+    "hint": "Let the tool turn before or after its depth changes."
+  },
+  "mcx314.speed": {
+    "text": "Row {row} of the toolpath needs {rate:.0f} pulses per second, and the chip MCX314 makes {slowest} to {fastest}.",
+    "hint": "Choose another feed for the tool, or another multiple of the drive speed."
+  },
+  "mcx314.too-far": {
+    "text": "Row {row} of the toolpath needs {pulses} pulses, and the chip MCX314 counts at most {limit} in one segment.",
+    "hint": "Divide the edge, or use fewer pulses per millimetre."
+  },
+  "mcx314.too-short": {
+    "text": "Row {row} of the toolpath takes {milliseconds:.3g} ms, and writing the next segment to the chip MCX314 takes up to {refill:.3g} ms.",
+    "hint": "Choose a slower feed for the tool, or remove short edges from the drawing."
+  },
+  "mcx314.underrun": {
+    "text": "The chip MCX314 came to rest before segment {segment} was written, in the middle of a cut.",
+    "hint": "Choose a slower feed. Check the board and the position of the machine first."
+  },
   "milling.contours-cross": {
     "text": "Edge {edge} belongs to a contour that crosses another contour or itself at X{x:.3f} Y{y:.3f}, so it is not clear on which side the cutter must run.",
     "hint": "Trim the contours at their crossings, so that each part has one outline, or set the line type of the contour that is not to be cut to ignored."
