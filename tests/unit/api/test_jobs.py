@@ -41,7 +41,7 @@ def test_the_program_is_served_byte_for_byte_as_it_was_verified(
     answer = client.get(f"/api/jobs/{ready['id']}/program")
     assert hashlib.sha256(answer.content).hexdigest() == ready["program_sha256"]
     assert answer.content.count(b"\n") == ready["lines"]
-    assert answer.headers["content-disposition"] == 'attachment; filename="square-demo-table.nc"'
+    assert answer.headers["content-disposition"] == 'attachment; filename="square-demo-table.ngc"'
     assert answer.headers["etag"] == f'"{ready["program_sha256"]}"'
 
 
