@@ -114,7 +114,7 @@ function Editor({ definition, schema, onOpen }: EditorProps) {
         )}
       </div>
       {shipped && <p>This entry is read-only. Copy it to change it.</p>}
-      {shipped && alert}
+      {(shipped || deleting) && alert}
       {[
         ...Object.entries(GROUPS[shelf]),
         ...(others.length > 0 ? [["More", others] as const] : []),
@@ -143,7 +143,7 @@ function Editor({ definition, schema, onOpen }: EditorProps) {
       ))}
       {!shipped && (
         <section className={css.group}>
-          {alert}
+          {!deleting && alert}
           <div className={css.add}>
             <TextInput
               label="What is changed, and why"
