@@ -69,9 +69,10 @@ class JobServer:
         body = {
             "gateway": self._settings.name,
             "machine": self._settings.machine.name,
-            "machine_version": self._settings.machine.version or None,
             "wait": self._settings.wait,
         }
+        if self._settings.machine.version:
+            body["machine_version"] = self._settings.machine.version
         try:
             answer = await self._client.post(
                 self._url("api/gateway/claim"), json=body, timeout=self._settings.wait + 10.0
