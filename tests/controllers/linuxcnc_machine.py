@@ -89,16 +89,24 @@ class Machine:
         host, port = self.socket.getpeername()
         return f"{host}:{port}"
 
-    def pin(self, name: str) -> bool:
-        """Return the value of a HAL pin, such as ``motion.digital-out-01``."""
-        command = ["halcmd", "getp", name]
+    def pins(self, prefix: str) -> dict[str, str]:
+        """Return the values of the HAL pins whose names begin with a text, by name."""
+        command = ["halcmd", "-s", "show", "pin", prefix]
         if os.geteuid() == 0:
             command = ["runuser", "-u", "nobody", "--", *command]
-        return subprocess.check_output(command, text=True, timeout=10).strip() == "TRUE"
+        lines = subprocess.check_output(command, text=True, timeout=10).splitlines()
+        # Owner, type, direction, value, name, and the signal if there is one.
+        rows = [line.split() for line in lines if line.strip()]
+        return {row[4]: row[3] for row in rows}
 
     def lowered(self) -> list[int]:
-        """Return the digital outputs that are on; the configuration has 8."""
-        return [output for output in range(8) if self.pin(f"motion.digital-out-{output:02}")]
+        """Return the digital outputs that are on."""
+        values = self.pins("motion.digital-out")
+        return sorted(int(name[-2:]) for name, value in values.items() if value == "TRUE")
+
+    def spins(self) -> bool:
+        """Return whether the spindle is on."""
+        return self.pins("spindle.0.on")["spindle.0.on"] == "TRUE"
 
     def run(self, program: bytes, seconds: float = 60.0) -> np.ndarray:
         """Run a program to its end; return the sampled positions of the joints, (n, 4)."""

@@ -44,6 +44,7 @@ pytestmark = [
 TABLE = load.machine("router-table")
 SAFE = SafeState.of(TABLE)
 WHEEL, ROUTER = 1, 3  # outputs
+KNIFETIP = Path(sys.executable).with_name("knifetip")
 
 
 @pytest.fixture(scope="module")
@@ -108,7 +109,7 @@ def is_milling(progress: Progress) -> bool:
 def assert_safe(machine: Machine) -> None:
     assert machine.position()[2] >= TABLE.travel_z - 1e-3
     assert machine.lowered() == []
-    assert not machine.pin("spindle.0.on")
+    assert not machine.spins()
 
 
 # -- the driver -----------------------------------------------------------------------------------
@@ -126,7 +127,7 @@ async def test_a_program_runs_to_its_end_and_every_line_is_followed(machine: Mac
     assert all(seen.output in (WHEEL, ROUTER) for seen in seen if seen.position[2] < 0.0)
     np.testing.assert_allclose(machine.position(), seen[-1].position, atol=1e-3)
     assert machine.lowered() == []
-    assert not machine.pin("spindle.0.on")
+    assert not machine.spins()
 
 
 async def test_a_hold_stops_and_a_step_and_resume_continue(machine: Machine) -> None:
@@ -152,7 +153,7 @@ async def test_an_abort_lifts_the_tool_and_raises_the_stations(machine: Machine)
         async with run(controller) as updates:
             await run_until_milling(updates)
             assert machine.lowered() == [ROUTER]
-            assert machine.pin("spindle.0.on")
+            assert machine.spins()
         assert_safe(machine)
         assert controller.fault is None
         # The same connection can run the next program.
@@ -280,7 +281,7 @@ def gateway(shop: httpx.Client, machine: Machine, journal: Path) -> Iterator[Non
     """Run ``knifetip gateway`` in a process of its own."""
     arguments = ["--server", str(shop.base_url), "--machine", "router-table"]
     arguments += ["--controller", machine.address, "--journal", str(journal)]
-    process = subprocess.Popen([sys.executable, "-m", "knifetip", "gateway", *arguments])
+    process = subprocess.Popen([KNIFETIP, "gateway", *arguments])
     try:
         yield
     finally:
@@ -318,7 +319,7 @@ def test_a_job_of_the_service_runs_with_hold_resume_and_cancel(
         done = wait_for_state(shop, job, "done")
         assert done["line"] == done["lines"]
         assert machine.lowered() == []
-        assert not machine.pin("spindle.0.on")
+        assert not machine.spins()
 
         job = order_and_start()
         shop.post(f"/api/jobs/{job}/cancel").raise_for_status()

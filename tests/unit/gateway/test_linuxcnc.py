@@ -111,6 +111,27 @@ async def test_a_machine_that_is_not_ready_is_left_as_it_is(
     assert {command.split()[0] for command in shell.commands} <= allowed
 
 
+async def test_homing_is_refused_while_the_machine_is_off() -> None:
+    shell = Shell()
+    shell.values |= {"machine": "OFF", "joint_homed": "NO NO NO NO"}
+    async with dialled(shell) as controller:
+        with pytest.raises(ControllerAlarm, match="switched off"):
+            await controller.home()
+    assert "home -1" not in shell.commands
+
+
+async def test_unlock_switches_the_machine_on_then_lifts_and_releases() -> None:
+    shell = Shell()
+    shell.values["machine"] = "OFF"
+    async with dialled(shell) as controller:
+        with pytest.raises(ControllerAlarm):
+            await controller.unlock()  # the button is still pressed
+        shell.values["machine"] = "ON"
+        await controller.unlock()
+        assert controller.fault is None
+    assert shell.commands.index("machine on") < shell.commands.index("mdi M65 P0")
+
+
 async def test_a_busy_machine_is_left_as_it_is() -> None:
     shell = Shell()
     shell.values["program_status"] = "RUNNING"

@@ -107,8 +107,9 @@ class LinuxcncConnection:
             LinuxCNC cannot be reached.
         """
         if self.shell.connected:
-            await self.shell.enable()  # another client may have taken the permission
-        else:
+            with suppress(ControllerError):  # the connection may be lost without having closed
+                await self.shell.enable()  # another client may have taken the permission
+        if not self.shell.connected:
             await self.open()
         await self.shell.messages()
         self.fault = None

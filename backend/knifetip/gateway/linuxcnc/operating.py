@@ -16,7 +16,7 @@ from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected
 from knifetip.gateway.controller import SafeState, Status
 from knifetip.gateway.linuxcnc import recovery
 from knifetip.gateway.linuxcnc.connection import LinuxcncConnection
-from knifetip.gateway.operations import OperationName
+from knifetip.gateway.operations import AXES, OperationName
 from knifetip.messages import Message
 
 #: Longest time until all joints are homed (s).
@@ -71,10 +71,9 @@ class LinuxcncOperations:
             await connection.shell.set("estop off")
             await connection.shell.set("machine on")
             await connection.report()
+            self._require_power()
             if connection.alarm is None:
                 await recovery.secure(connection, self._safe)
-            elif connection.alarm.code != "linuxcnc.not-homed":
-                raise connection.fail(ControllerAlarm(connection.alarm))
         finally:
             connection.recovering = False
         self._switched_on = frozenset()
@@ -85,6 +84,8 @@ class LinuxcncOperations:
         await connection.reach()
         connection.recovering = True
         try:
+            await connection.report()
+            self._require_power()
             await connection.shell.messages()  # about earlier commands
             await connection.shell.set("mode manual")
             await connection.shell.set("teleop_enable off")
@@ -94,6 +95,12 @@ class LinuxcncOperations:
         finally:
             connection.recovering = False
         self._switched_on = frozenset()
+
+    def _require_power(self) -> None:
+        """Raise ``ControllerAlarm`` if the machine is off or in emergency stop."""
+        alarm = self._connection.alarm
+        if alarm is not None and alarm.code != "linuxcnc.not-homed":
+            raise self._connection.fail(ControllerAlarm(alarm))
 
     async def _wait_until_homed(self) -> None:
         connection, clock = self._connection, asyncio.get_running_loop()
@@ -111,7 +118,11 @@ class LinuxcncOperations:
 
     async def jog(self, axis: str, distance: float, feed: float) -> None:
         """Begin to move one axis by a distance (mm or degrees) at a feed (per minute)."""
-        await self._begin(f"G91 G1 {axis}{distance:.4f} F{max(feed, 1.0):.0f}")
+        await self._connection.execute([recovery.MODES])
+        # An absolute move: other users of LinuxCNC do not expect G91 to be in force.
+        status = await self._connection.report()
+        target = status.position[AXES.index(axis)] + distance
+        await self._begin(f"G1 {axis}{target:.4f} F{max(feed, 1.0):.0f}")
 
     async def stop_jog(self) -> None:
         """Decelerate the running jog to a stop and discard the rest of it."""
@@ -128,7 +139,7 @@ class LinuxcncOperations:
         self._switched_on = frozenset()
         if self._safe is not None:
             x, y = self._safe.park
-            await self._begin(f"G90 G1 X{x:.4f} Y{y:.4f} F{PARK_FEED:.0f}")
+            await self._begin(f"G1 X{x:.4f} Y{y:.4f} F{PARK_FEED:.0f}")
 
     async def switch(self, output: int, on: bool) -> None:
         """Switch a digital output on or off."""
@@ -136,8 +147,7 @@ class LinuxcncOperations:
         self._switched_on = self._switched_on | {output} if on else self._switched_on - {output}
 
     async def _begin(self, line: str) -> None:
-        """Begin to execute a line of G-code, in work coordinates without a tool offset."""
-        await self._connection.execute([recovery.MODES])
+        """Begin to execute a line of G-code; ``MODES`` must be in force."""
         await self._connection.shell.set(f"mdi {line}")
         if (cause := await self._connection.shell.cause()) is not None:
             raise ControllerRejected(
