@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 import time
-from collections.abc import AsyncGenerator, AsyncIterator, Callable, Iterator, Mapping
-from contextlib import aclosing, asynccontextmanager, contextmanager
+from collections.abc import AsyncGenerator, AsyncIterator, Iterator, Mapping
+from contextlib import aclosing, asynccontextmanager
 from pathlib import Path
 
-import httpx
 import numpy as np
 import pytest
 
@@ -24,13 +21,6 @@ from knifetip.library import load
 from knifetip.model.dieline import LineType
 from knifetip.post.rs274.tool_table import tool_table
 from tests.controllers.linuxcnc_machine import Machine, missing_requirement, running
-from tests.support.serving.server import (
-    Running,
-    order_job,
-    square,
-    upload_drawing,
-    wait_for_state,
-)
 from tests.support.shapes import closed, dieline, edges
 
 SKIP_REASON = missing_requirement()
@@ -44,7 +34,6 @@ pytestmark = [
 TABLE = load.machine("router-table")
 SAFE = SafeState.of(TABLE)
 WHEEL, ROUTER = 1, 3  # outputs
-KNIFETIP = Path(sys.executable).with_name("knifetip")
 
 
 @pytest.fixture(scope="module")
@@ -271,58 +260,3 @@ async def wait_until_still(controller: Linuxcnc, state: State = State.IDLE) -> N
         if status.state is state and status.still:
             return
     raise AssertionError(f"still {status.state}")
-
-
-# -- the service ----------------------------------------------------------------------------------
-
-
-@contextmanager
-def gateway(shop: httpx.Client, machine: Machine, journal: Path) -> Iterator[None]:
-    """Run ``knifetip gateway`` in a process of its own."""
-    arguments = ["--server", str(shop.base_url), "--machine", "router-table"]
-    arguments += ["--controller", machine.address, "--journal", str(journal)]
-    process = subprocess.Popen([KNIFETIP, "gateway", *arguments])
-    try:
-        yield
-    finally:
-        process.terminate()
-        process.wait(20.0)
-
-
-def wait_for(condition: Callable[[], bool], seconds: float = 60.0) -> None:
-    deadline = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < deadline, "timed out"
-        time.sleep(0.02)
-
-
-def test_a_job_of_the_service_runs_with_hold_resume_and_cancel(
-    machine: Machine, tmp_path: Path
-) -> None:
-    with Running(tmp_path / "shop.sqlite") as shop, gateway(shop, machine, tmp_path / "journal"):
-        drawing = upload_drawing(shop, square(side=200.0))["id"]
-        order = {"machine": "router-table", "board": "greyboard-3.0", "release": True}
-
-        def order_and_start() -> str:
-            job = str(order_job(shop, drawing, **order)["id"])
-            wait_for_state(shop, job, "running", confirm=True)
-            wait_for(lambda: machine.position()[2] < 0.0)
-            return job
-
-        job = order_and_start()
-        shop.post(f"/api/jobs/{job}/hold").raise_for_status()
-        wait_for_state(shop, job, "held")
-        before = machine.position()
-        time.sleep(0.5)
-        np.testing.assert_array_equal(machine.position(), before)
-        shop.post(f"/api/jobs/{job}/resume").raise_for_status()
-        done = wait_for_state(shop, job, "done")
-        assert done["line"] == done["lines"]
-        assert machine.lowered() == []
-        assert not machine.spins()
-
-        job = order_and_start()
-        shop.post(f"/api/jobs/{job}/cancel").raise_for_status()
-        stopped = wait_for_state(shop, job, "cancelled", "interrupted")
-        assert 0 < stopped["line"] < stopped["lines"]
-        assert_safe(machine)
