@@ -11,8 +11,7 @@ import css from "../panels/station.module.css";
 import { type Check, checksKey, checksOf } from "../state/checks";
 import { useFollowedJob, useServerReached } from "../state/followMachine";
 import { isOnTable, needsOperator } from "../state/jobs";
-import { useBoards, useDrawing, useJob, useMachines, useStation } from "../state/queries";
-import { useUiStore } from "../state/store";
+import { useBoards, useDrawing, useEdges, useJob, useMachines, useStation, useTimeline } from "../state/queries";
 import type { ViewerEvents } from "../viewer/contract";
 import { Canvas } from "./Canvas";
 import type { PictureCommands } from "./shortcuts";
@@ -159,7 +158,9 @@ function useChecks(machine: string) {
 function StationPicture({ place }: { place: boolean }) {
   const host = useRef<HTMLDivElement>(null);
   const commands = useRef<PictureCommands | null>(null);
-  const drawing = useUiStore((ui) => ui.drawing);
+  const { data: edges } = useEdges();
+  const { data: timeline } = useTimeline();
+  const { data: machines } = useMachines();
   const fit = useRef(() => {});
   fit.current = () => {
     if (place) commands.current?.fitTable();
@@ -169,8 +170,8 @@ function StationPicture({ place }: { place: boolean }) {
     commands.current = keys;
     fit.current();
   });
-  // biome-ignore lint/correctness/useExhaustiveDependencies: another drawing or purpose, another view
-  useEffect(() => fit.current(), [place, drawing]);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: another content or purpose, another view
+  useEffect(() => fit.current(), [place, edges, timeline, machines]);
   // A tablet is turned: the whole picture stays in view.
   useEffect(() => {
     if (host.current === null) return;

@@ -3,7 +3,6 @@
 import { IconPlugConnected, IconPlugConnectedX } from "@tabler/icons-react";
 import type { Job, Machine, Station } from "../api/client";
 import { AXES, titleOf } from "../state/station";
-import { TO_ALL_DRAWINGS } from "./labels";
 import css from "./station.module.css";
 
 interface Props {
@@ -16,7 +15,7 @@ interface Props {
 export function StationHeader({ machine, station, job, reached }: Props) {
   const { title, tone } = reached
     ? titleOf(station, job)
-    : { title: "No connection to the server", tone: "red" as const };
+    : { title: "No connection", tone: "red" as const };
   const connected = reached && station?.connected === true;
   return (
     <header className={css.header}>
@@ -37,7 +36,7 @@ export function StationHeader({ machine, station, job, reached }: Props) {
           {!reached ? "No server" : connected ? "Connected" : "No controller"}
         </span>
         <a className={css.leave} href="#/">
-          {TO_ALL_DRAWINGS}
+          All drawings
         </a>
       </div>
     </header>

@@ -74,6 +74,8 @@ function Run({ job }: { job: Job }) {
 
 /** Why the job waits or how it ended, with what to do. */
 function Reason({ job }: { job: Job }) {
+  // The list of checks says the same, one by one.
+  if (job.message?.code === "waiting.for-start") return null;
   if (job.state === "done") {
     return (
       <p className={css.message} data-tone="green" role="status" data-testid="station-done">

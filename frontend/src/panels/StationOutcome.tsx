@@ -7,7 +7,7 @@ import css from "./station.module.css";
 export function StationOutcome() {
   const last = useOutcomes((outcomes) => outcomes.last);
   return (
-    <div role="status" aria-live="polite">
+    <div className={css.outcomeArea} role="status" aria-live="polite">
       {last !== null && (
         <div
           className={css.outcome}
