@@ -19,6 +19,8 @@ export type Board = Schemas["BoardOut"];
 export type CornerAt = Schemas["CornerAt"];
 export type Corners = Schemas["Corners"];
 export type Definition = Schemas["DefinitionOut"];
+/** What the operator checks at the machine before a job or its next copy starts. */
+export type Confirmation = Schemas["ConfirmationOut"];
 export type Drawing = Schemas["DrawingOut"];
 export type DrawingSummary = Schemas["DrawingSummary"];
 export type Format = Schemas["FormatOut"];
@@ -323,6 +325,17 @@ export const service = {
     ),
   command: (id: string, command: JobCommand): Promise<Job> =>
     dataOf(api.POST(`/api/jobs/{id}/${command}`, { params: byId(id) })),
+  confirmation: (id: string, signal?: AbortSignal): Promise<Confirmation> =>
+    dataOf(api.GET("/api/jobs/{id}/confirmation", { params: byId(id), ...uncached(signal) })),
+  /** Confirm what the operator has checked: it is sent once, and never late. */
+  confirmNow: (id: string, board: string, stations: number[] | null): Promise<Job> =>
+    dataOf(
+      api.POST("/api/jobs/{id}/confirm", {
+        params: byId(id),
+        body: { board, stations, by: "" },
+        ...nowOrNever(),
+      }),
+    ),
   /** A command that starts motion: it is sent once, and never late. */
   commandNow: (id: string, command: JobCommand): Promise<Job> =>
     dataOf(api.POST(`/api/jobs/{id}/${command}`, { params: byId(id), ...nowOrNever() })),

@@ -1,6 +1,7 @@
 /** The page of the person at a machine, for a tablet beside the table. */
 
 import { useEffect, useRef, useState } from "react";
+import { NotificationList } from "../panels/NotificationList";
 import { StationAlarm } from "../panels/StationAlarm";
 import { StationControls } from "../panels/StationControls";
 import { StationHeader } from "../panels/StationHeader";
@@ -8,10 +9,10 @@ import { StationJob } from "../panels/StationJob";
 import { StationOperations } from "../panels/StationOperations";
 import { StationOutcome } from "../panels/StationOutcome";
 import css from "../panels/station.module.css";
-import { type Check, checksKey, checksOf } from "../state/checks";
+import { checkedStations, useChecks } from "../state/checks";
 import { useFollowedJob, useServerReached } from "../state/followMachine";
 import { isOnTable, needsOperator } from "../state/jobs";
-import { useBoards, useDrawing, useEdges, useJob, useMachines, useStation, useTimeline } from "../state/queries";
+import { useEdges, useJob, useMachines, useStation, useTimeline } from "../state/queries";
 import type { ViewerEvents } from "../viewer/contract";
 import { Canvas } from "./Canvas";
 import type { PictureCommands } from "./shortcuts";
@@ -32,7 +33,6 @@ const NO_EVENTS: ViewerEvents = {
   onView: () => {},
   onBox: () => {},
 };
-const NO_CHECKS: readonly Check[] = [];
 
 export function StationPage({ machine: name }: Props) {
   useFollowedJob(name);
@@ -43,7 +43,7 @@ export function StationPage({ machine: name }: Props) {
   const [tab, setTab] = useState<Tab>("job");
   const machine = machines?.find((one) => one.name === name);
   const job = open?.machine === name ? open : undefined;
-  const { checks, ticked, tick } = useChecks(name);
+  const { checks, ticked, tick } = useChecks();
   const waits = job !== undefined && (needsOperator(job) || isOnTable(job));
   // A job that asks for the person, or moves, comes to the front.
   useEffect(() => {
@@ -99,12 +99,17 @@ export function StationPage({ machine: name }: Props) {
         </div>
       </div>
       <StationOutcome />
+      <NotificationList />
       <StationControls
         machine={name}
         station={station}
         job={job}
         reached={reached}
-        checked={checks.every(({ key }) => ticked.has(key))}
+        checked={
+          checks?.every(({ key }) => ticked.has(key)) && job !== undefined
+            ? { board: job.board, stations: checkedStations(checks) }
+            : null
+        }
       />
     </main>
   );
@@ -131,27 +136,6 @@ function TabButton({ id, title, tab, select }: TabProps) {
       {title}
     </button>
   );
-}
-
-/** The checks of the job, and which of them the person has ticked. */
-function useChecks(machine: string) {
-  const { data: job } = useJob();
-  const { data: drawing } = useDrawing();
-  const { data: boards } = useBoards();
-  const { data: machines } = useMachines();
-  const [ticks, setTicks] = useState({ of: "", keys: new Set<string>() as ReadonlySet<string> });
-  const found = machines?.find(({ name }) => name === machine);
-  const of = job === undefined ? "" : checksKey(job);
-  const board = boards?.find(({ name }) => name === job?.board);
-  const checks =
-    job === undefined || found === undefined ? NO_CHECKS : checksOf(job, board, found, drawing);
-  const ticked = ticks.of === of ? ticks.keys : new Set<string>();
-  const tick = (key: string) => {
-    const keys = new Set(ticked);
-    if (!keys.delete(key)) keys.add(key);
-    setTicks({ of, keys });
-  };
-  return { checks, ticked, tick };
 }
 
 /** The picture of the job; `place` shows the whole table, to lay the sheet in its place. */

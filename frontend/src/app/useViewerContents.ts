@@ -207,7 +207,8 @@ function useShownHead(viewer: MaybeViewer): void {
       viewer.runHead(timeOf(timeline, job.line, job.position), interval * 1.1);
     } else if (previewTime !== null) viewer.moveHead(previewTime);
     else if (job.state === "done") viewer.moveHead(totalSeconds(timeline));
-    else if (job.state === "interrupted") viewer.moveHead(timeOf(timeline, job.line, job.position));
+    else if (job.stopped_at !== null)
+      viewer.moveHead(timeOf(timeline, job.stopped_at.line, job.stopped_at.position));
     else viewer.moveHead(null);
   }, [viewer, timeline, job, previewTime]);
 }

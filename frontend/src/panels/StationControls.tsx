@@ -10,7 +10,7 @@ import {
 import { type ReactNode, useEffect, useState } from "react";
 import type { Job, JobCommand, Station } from "../api/client";
 import { confirmationBefore, needsOperator } from "../state/jobs";
-import { commandJob, operate } from "../state/operations";
+import { type Checked, commandJob, operate, startJob } from "../state/operations";
 import { type Stop, stopOf } from "../state/station";
 import { AskOnce } from "./AskOnce";
 import css from "./station.module.css";
@@ -20,8 +20,8 @@ interface Props {
   readonly station: Station | undefined;
   readonly job: Job | undefined;
   readonly reached: boolean;
-  /** Whether the person has ticked all that is to be checked. */
-  readonly checked: boolean;
+  /** What the person has checked; null while something is not ticked. */
+  readonly checked: Checked | null;
 }
 
 interface Control {
@@ -38,10 +38,10 @@ const has = (job: Job | undefined, word: JobCommand): boolean =>
   job?.actions.includes(word) === true;
 
 /** What `Start` waits for. */
-function reasonAgainstStart(job: Job | undefined, checked: boolean): string | null {
+function reasonAgainstStart(job: Job | undefined, checked: Checked | null): string | null {
   if (job === undefined) return "There is no job for this machine.";
   if (!needsOperator(job) || !has(job, "confirm")) return "No job waits for its start.";
-  return checked ? null : "Check and tick everything that is listed first.";
+  return checked !== null ? null : "Check and tick everything that is listed first.";
 }
 
 /** Question before a job is ended whose machine does not move. */
@@ -77,7 +77,9 @@ export function StationControls({ machine, station, job, reached, checked }: Pro
       tone: "green",
       icon: <IconPlayerPlayFilled aria-hidden />,
       reason: reasonAgainstStart(job, checked),
-      act: () => send("Start", "confirm"),
+      act: () => {
+        if (job !== undefined && checked !== null) void startJob(job.id, checked);
+      },
     },
     {
       name: "Hold",

@@ -9,13 +9,16 @@ import { formatDuration, pluralize } from "../state/format";
 import { type Confirmation, confirmationBefore, isOnTable, needsOperator } from "../state/jobs";
 import { commandJob } from "../state/operations";
 import { useBoards } from "../state/queries";
+import { canContinue } from "../state/rest";
 import { AskOnce } from "./AskOnce";
+import { RestPanel } from "./RestPanel";
 import { StateBadge } from "./StateBadge";
 import css from "./station.module.css";
 
 interface Props {
   readonly job: Job;
-  readonly checks: readonly Check[];
+  /** null: not known yet. */
+  readonly checks: readonly Check[] | null;
   readonly ticked: ReadonlySet<string>;
   readonly reached: boolean;
   onTick(key: string): void;
@@ -37,8 +40,12 @@ export function StationJob({ job, checks, ticked, reached, onTick }: Props) {
       </p>
       {isOnTable(job) && <Run job={job} />}
       <Reason job={job} />
-      {needsOperator(job) && <Checks checks={checks} ticked={ticked} onTick={onTick} />}
-      {job.state === "interrupted" && <AfterInterruption job={job} reached={reached} />}
+      {needsOperator(job) && checks !== null && (
+        <Checks checks={checks} ticked={ticked} onTick={onTick} />
+      )}
+      {(job.state === "interrupted" || job.state === "cancelled") && (
+        <AfterInterruption job={job} reached={reached} />
+      )}
     </section>
   );
 }
@@ -97,15 +104,19 @@ function Reason({ job }: { job: Job }) {
   );
 }
 
-function Checks({ checks, ticked, onTick }: Pick<Props, "checks" | "ticked" | "onTick">) {
+interface ChecksProps extends Pick<Props, "ticked" | "onTick"> {
+  readonly checks: readonly Check[];
+}
+
+function Checks({ checks, ticked, onTick }: ChecksProps) {
   return (
     <fieldset className={css.checks} data-testid="checks">
       <legend>
         Check at the table, then start ({checks.filter(({ key }) => ticked.has(key)).length} of{" "}
         {checks.length})
       </legend>
-      {checks.map(({ key, title, detail }) => (
-        <label key={key} className={css.check} data-testid="check">
+      {checks.map(({ key, title, detail, warns }) => (
+        <label key={key} className={css.check} data-warns={warns} data-testid="check">
           <input type="checkbox" checked={ticked.has(key)} onChange={() => onTick(key)} />
           <span className={css.box} aria-hidden>
             <IconCheck className={css.tick} />
@@ -157,11 +168,13 @@ function AfterInterruption({ job, reached }: { job: Job; reached: boolean }) {
   }
   return (
     <div className={css.ways} data-testid="after-interruption">
-      <p>
-        {job.line > 0
-          ? `The picture shows where the head stopped: line ${job.line.toLocaleString("en")} of ${job.lines.toLocaleString("en")}.`
-          : "The machine had not begun to cut."}
-      </p>
+      {job.stopped_at !== null && <p>{stopText(job, job.stopped_at)}</p>}
+      {canContinue(job) && (
+        <fieldset className={css.rest} disabled={!reached}>
+          <legend>Continue this sheet, or make one more copy</legend>
+          <RestPanel job={job} />
+        </fieldset>
+      )}
       {words.map((word) => (
         <div key={word} className={css.way}>
           <button
@@ -177,5 +190,13 @@ function AfterInterruption({ job, reached }: { job: Job; reached: boolean }) {
         </div>
       ))}
     </div>
+  );
+}
+
+function stopText({ lines, tools }: Job, stop: NonNullable<Job["stopped_at"]>): string {
+  const tool = tools.find(({ station }) => station === stop.station);
+  return (
+    `The picture shows where the head stopped: line ${stop.line.toLocaleString("en")} of ` +
+    `${lines.toLocaleString("en")}${tool === undefined ? "" : `, ${tool.name} in use`}.`
   );
 }

@@ -94,13 +94,33 @@ export function isCarriedOut(word: JobCommand, job: Job): boolean {
 /** Commands that start motion: they are sent once and given up rather than sent late. */
 const STARTS: ReadonlySet<JobCommand> = new Set(["confirm", "resume"]);
 
+/** Board and tools that the operator has checked at the machine. */
+export interface Checked {
+  readonly board: string;
+  /** Numbers of the stations whose tools were checked; null if none was. */
+  readonly stations: number[] | null;
+}
+
+/** Start a job or its next copy, and follow it until the machine runs. */
+export const startJob = (job: string, { board, stations }: Checked): Promise<void> =>
+  followCommand(job, "Start", "confirm", () => service.confirmNow(job, board, stations));
+
 /** Send a command of a job, and follow it until the machine has carried it out. */
-export async function commandJob(job: string, label: string, word: JobCommand): Promise<void> {
+export const commandJob = (job: string, label: string, word: JobCommand): Promise<void> =>
+  followCommand(job, label, word, () =>
+    STARTS.has(word) ? service.commandNow(job, word) : service.command(job, word),
+  );
+
+async function followCommand(
+  job: string,
+  label: string,
+  word: JobCommand,
+  send: () => Promise<Job>,
+): Promise<void> {
   const { begin, report } = useOutcomes.getState();
   const number = begin(label);
   try {
-    const send = STARTS.has(word) ? service.commandNow : service.command;
-    upsertJob(await send(job, word));
+    upsertJob(await send());
     report(number, { label, state: "taken", text: "", hint: "" });
     const began = Date.now();
     for (;;) {

@@ -144,6 +144,12 @@ export const queries = {
       queryFn: ({ signal }) => service.machines(signal),
       refetchInterval: 4000,
     }),
+  /** `copy` tells the confirmations of the copies of a job apart. */
+  confirmation: (id: string, copy: string) =>
+    queryOptions({
+      queryKey: ["confirmation", id, copy],
+      queryFn: ({ signal }) => service.confirmation(id, signal),
+    }),
   station: (name: string) =>
     queryOptions({
       queryKey: ["station", name],

@@ -1,0 +1,309 @@
+"""The person at the table: the station page on a tablet, with touch, on the simulated table.
+
+The table runs in a thread of the test, so that the test can trip its limit switch; the server and
+the gateway are processes of their own.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import re
+import signal
+import socket
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import httpx
+import pytest
+from playwright.sync_api import Browser, FloatRect, Locator, Page, expect
+
+from knifetip.dxf.samples import samples
+from knifetip.gateway.simulator import Server, serve
+from knifetip.gateway.table import Table
+from knifetip.library import load
+
+pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(300)]
+
+MACHINE = "demo-table"
+#: Fast enough for a test, slow enough to hold a job.
+SPEED = 2.0
+#: Sizes of the tablet and its colour scheme.
+TABLETS = [(1024, 768, "dark"), (820, 1180, "light")]
+#: Smallest side of what a finger presses (CSS pixels).
+FINGER = 44
+
+
+class SimulatedTable:
+    """A simulated table that runs in a thread of its own."""
+
+    def __init__(self) -> None:
+        self.loop = asyncio.new_event_loop()
+        self._thread = threading.Thread(target=self.loop.run_forever, daemon=True)
+        self._thread.start()
+        starting = serve(load.machine(MACHINE), speed=SPEED)
+        self.server: Server = asyncio.run_coroutine_threadsafe(starting, self.loop).result(10)
+
+    @property
+    def table(self) -> Table:
+        return self.server.table
+
+    def trip_limit(self) -> None:
+        """Enter the alarm that a limit switch causes."""
+        self.loop.call_soon_threadsafe(self.table.trip_limit)
+
+    def close(self) -> None:
+        asyncio.run_coroutine_threadsafe(self.server.close(), self.loop).result(10)
+        self.loop.call_soon_threadsafe(self.loop.stop)
+        self._thread.join(10)
+
+
+class Workshop(NamedTuple):
+    """A server, a gateway and a simulated table."""
+
+    url: str
+    table: SimulatedTable
+    server: subprocess.Popen[bytes]
+
+
+def wait_until(is_so: Callable[[], bool], what: str, seconds: float = 20.0) -> None:
+    deadline = time.monotonic() + seconds
+    while not is_so():
+        assert time.monotonic() < deadline, what
+        time.sleep(0.1)
+
+
+def answers(url: str) -> bool:
+    try:
+        return httpx.get(url, timeout=2.0, trust_env=False).status_code == 200
+    except httpx.HTTPError:
+        return False
+
+
+@pytest.fixture(scope="module")
+def workshop(built: None, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Workshop]:
+    folder = tmp_path_factory.mktemp("workshop")
+    with socket.socket() as door:
+        door.bind(("127.0.0.1", 0))
+        port = door.getsockname()[1]
+    url = f"http://127.0.0.1:{port}"
+    table = SimulatedTable()
+    knifetip = [sys.executable, "-m", "knifetip.cli"]
+    database = f"sqlite:///{folder / 'station.sqlite'}"
+    options = ["--no-simulator", "--no-samples", "--port", str(port), "--database", database]
+    gateway = ["gateway", "--server", url, "--machine", MACHINE]
+    gateway += ["--controller", f"tcp://{table.server.address}", "--journal", str(folder / "j")]
+    with (folder / "log").open("wb") as log:
+        server = subprocess.Popen([*knifetip, "serve", *options], stdout=log, stderr=log)
+        processes = [server]
+        try:
+            wait_until(lambda: answers(f"{url}/readyz"), "the server does not answer", 120.0)
+            processes.append(subprocess.Popen([*knifetip, *gateway], stdout=log, stderr=log))
+            yield Workshop(url, table, server)
+        finally:
+            for process in reversed(processes):
+                process.send_signal(signal.SIGINT)
+                try:
+                    process.wait(20)
+                except subprocess.TimeoutExpired:
+                    process.kill()
+                    process.wait()
+            table.close()
+
+
+@pytest.fixture
+def api(workshop: Workshop) -> Iterator[httpx.Client]:
+    headers = {"X-Knifetip": "page"}
+    with httpx.Client(
+        base_url=workshop.url, timeout=60.0, trust_env=False, headers=headers
+    ) as client:
+        yield client
+
+
+@pytest.fixture(params=TABLETS, ids=lambda size: f"{size[0]}x{size[1]}")
+def tablet(
+    browser: Browser, workshop: Workshop, request: pytest.FixtureRequest
+) -> Iterator[tuple[Page, str]]:
+    """Open the station page on a tablet; fail if it writes an error to the console."""
+    width, height, scheme = request.param
+    context = browser.new_context(
+        viewport={"width": width, "height": height}, has_touch=True, color_scheme=scheme
+    )
+    page = context.new_page()
+    page.set_default_timeout(30_000)
+    expect.set_options(timeout=30_000)
+    errors: list[str] = []
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.goto(f"{workshop.url}/#/station/{MACHINE}")
+    yield page, f"station-{width}"
+    context.close()
+    assert errors == []
+
+
+def send_job(api: httpx.Client, copies: int) -> str:
+    """Send a job of a sample drawing to the machine, and return its id."""
+    name = "rigid-box-blank.dxf"
+    drawing = api.post("/api/drawings", files={"file": (name, samples()[name])}).json()["id"]
+    order = {"drawing": drawing, "machine": MACHINE, "board": "greyboard-2.0", "copies": copies}
+    answer = api.post("/api/jobs", json={**order, "release": True})
+    assert answer.status_code in (201, 202), answer.text
+    job = str(answer.json()["id"])
+
+    def waits() -> bool:
+        now = api.get(f"/api/jobs/{job}").json()
+        assert now["state"] in ("received", "compiling", "queued"), now
+        return bool(now["waiting_for"] == "confirmation")
+
+    wait_until(waits, "the job does not wait for the operator", 120.0)
+    return job
+
+
+def station(api: httpx.Client) -> dict[str, Any]:
+    found: dict[str, Any] = api.get(f"/api/machines/{MACHINE}/station").json()
+    return found
+
+
+def assert_done(page: Page, label: str) -> None:
+    outcome = page.get_by_test_id("outcome")
+    expect(outcome).to_contain_text(f"{label}: done")
+
+
+def box_of(target: Locator) -> FloatRect:
+    box = target.bounding_box()
+    assert box is not None
+    return box
+
+
+def assert_reachable(page: Page) -> None:
+    """Check that all targets are large enough for a finger, and that nothing sticks out."""
+    for target in page.locator("button, a, [data-testid=check]").all():
+        if target.is_visible():
+            box = box_of(target)
+            assert min(box["width"], box["height"]) >= FINGER - 0.5, target.inner_text()
+    wide = page.evaluate("document.documentElement.scrollWidth - window.innerWidth")
+    assert wide <= 0
+
+
+def tick_all(page: Page) -> None:
+    start = page.get_by_test_id("station-start")
+    expect(page.get_by_test_id("check").first).to_be_visible()
+    for check in page.get_by_test_id("check").all():
+        expect(start).to_be_disabled()
+        check.tap()
+    expect(start).to_be_enabled()
+
+
+def test_a_job_is_confirmed_held_resumed_stopped_and_the_machine_moved_by_touch(
+    tablet: tuple[Page, str], workshop: Workshop, api: httpx.Client, screenshots: Path
+) -> None:
+    page, name = tablet
+    state = page.get_by_test_id("station-state")
+    expect(state).to_have_text("At rest", timeout=60_000)
+    expect(page.get_by_test_id("emergency")).to_contain_text("not an emergency stop")
+    expect(page.get_by_test_id("station-stop")).to_be_disabled()
+
+    # Confirm one by one, then start.
+    job = send_job(api, copies=2)
+    expect(state).to_have_text("Waiting for operator")
+    checks = page.get_by_test_id("checks")
+    for text in ("Greyboard 2.0 mm", "Oscillating knife", "V-cutter", "X 20, Y 20 mm"):
+        expect(checks).to_contain_text(text)
+    assert_reachable(page)
+    page.wait_for_timeout(800)
+    page.screenshot(path=screenshots / f"{name}-1-checks.png")
+    tick_all(page)
+    page.screenshot(path=screenshots / f"{name}-2-ticked.png")
+    page.get_by_test_id("station-start").tap()
+    expect(state).to_have_text("Running")
+    expect(page.get_by_test_id("station-copy")).to_have_text("copy 1 of 2")
+    expect(page.get_by_test_id("station-left")).to_be_visible()
+
+    # While a job runs, nothing else moves the machine, and the page says why.
+    page.get_by_test_id("station-hold").tap()
+    expect(state).to_have_text("Paused")
+    assert_done(page, "Hold")
+    page.get_by_test_id("tab-machine").tap()
+    expect(page.get_by_test_id("operations-reason")).to_contain_text("A job is held")
+    expect(page.get_by_test_id("operation-home")).to_be_disabled()
+    expect(page.get_by_test_id("jog-x1")).to_have_attribute("aria-disabled", "true")
+    page.get_by_test_id("tab-job").tap()
+    page.screenshot(path=screenshots / f"{name}-3-held.png")
+    page.get_by_test_id("station-resume").tap()
+    expect(state).to_have_text("Running")
+
+    # A moving machine is stopped at once, without a question.
+    page.get_by_test_id("station-stop").tap()
+    wait_until(lambda: api.get(f"/api/jobs/{job}").json()["state"] == "cancelled", "not stopped")
+    expect(page.get_by_test_id("station-job")).to_have_attribute("data-state", "cancelled")
+    expect(page.get_by_test_id("question-text")).to_be_hidden()
+    expect(page.get_by_test_id("after-interruption")).to_contain_text("head stopped")
+    page.wait_for_timeout(800)
+    page.screenshot(path=screenshots / f"{name}-4-stopped.png")
+    wait_until(lambda: station(api)["state"] == "idle", "the machine is not at rest")
+
+    # An alarm, its meaning and the ways out.
+    workshop.table.trip_limit()
+    alarm = page.get_by_test_id("alarm")
+    expect(alarm).to_be_visible()
+    expect(state).to_have_text("Alarm")
+    assert_reachable(page)
+    page.screenshot(path=screenshots / f"{name}-5-alarm.png")
+    page.get_by_test_id("alarm-unlock").tap()
+    assert_done(page, "Unlock")
+    expect(alarm).to_be_hidden()
+    page.get_by_test_id("tab-machine").tap()
+    page.get_by_test_id("operation-home").tap()
+    assert_done(page, "Home")
+
+    # One step, then as long as the finger is down.
+    expect(page.get_by_test_id("jog-x1")).to_have_attribute("aria-disabled", "false")
+    assert_reachable(page)
+    page.screenshot(path=screenshots / f"{name}-6-machine.png")
+    before = workshop.table.table.position[0]
+    page.get_by_test_id("jog-x1").tap()
+    wait_until(lambda: abs(workshop.table.table.position[0] - before - 10.0) < 0.01, "no step")
+    expect(state).to_have_text("At rest")
+    hold_arrow(page, "jog-y1", 2.5)
+    expect(page.get_by_test_id("outcome")).to_contain_text("Stop Y: done")
+    stopped = workshop.table.table.position[1]
+    time.sleep(1.0)
+    assert workshop.table.table.position[1] == stopped > 30.0
+
+    expect(state).to_have_text("At rest")
+    page.get_by_test_id("operation-park").tap()
+    assert_done(page, "Park")
+    wait_until(lambda: abs(workshop.table.table.position[0]) < 0.01, "the machine is not parked")
+
+
+def hold_arrow(page: Page, arrow: str, seconds: float) -> None:
+    """Hold an arrow down with a finger."""
+    target = page.get_by_test_id(arrow)
+    target.scroll_into_view_if_needed()
+    box = box_of(target)
+    session = page.context.new_cdp_session(page)
+    point = {"x": box["x"] + box["width"] / 2, "y": box["y"] + box["height"] / 2}
+    touch = "Input.dispatchTouchEvent"
+    session.send(touch, {"type": "touchStart", "touchPoints": [point]})
+    page.wait_for_timeout(1000 * seconds)
+    session.send(touch, {"type": "touchEnd", "touchPoints": []})
+
+
+def test_a_page_without_server_says_so_and_takes_no_press(
+    tablet: tuple[Page, str], screenshots: Path
+) -> None:
+    page, name = tablet
+    expect(page.get_by_test_id("station-state")).to_have_text(re.compile("At rest|Alarm"))
+    expect(page.get_by_test_id("no-server")).to_be_hidden()
+    page.context.set_offline(True)
+    expect(page.get_by_test_id("no-server")).to_contain_text("emergency stop", timeout=3000)
+    page.get_by_test_id("tab-machine").tap()
+    for test_id in ("operation-home", "operation-park", "station-start", "station-stop"):
+        expect(page.get_by_test_id(test_id)).to_be_disabled()
+    expect(page.get_by_test_id("jog-x1")).to_have_attribute("aria-disabled", "true")
+    page.screenshot(path=screenshots / f"{name}-7-no-server.png")
+    page.context.set_offline(False)
+    expect(page.get_by_test_id("no-server")).to_be_hidden()
