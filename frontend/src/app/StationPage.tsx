@@ -12,7 +12,14 @@ import css from "../panels/station.module.css";
 import { checkedStations, useChecks } from "../state/checks";
 import { useFollowedJob, useServerReached } from "../state/followMachine";
 import { isOnTable, needsOperator } from "../state/jobs";
-import { useEdges, useJob, useMachines, useStation, useTimeline } from "../state/queries";
+import {
+  useDrawing,
+  useEdges,
+  useJob,
+  useMachines,
+  useStation,
+  useTimeline,
+} from "../state/queries";
 import type { ViewerEvents } from "../viewer/contract";
 import { Canvas } from "./Canvas";
 import type { PictureCommands } from "./shortcuts";
@@ -23,7 +30,8 @@ interface Props {
 
 type Tab = "job" | "machine";
 
-const INSETS = { left: 24, top: 24, right: 24, bottom: 24 };
+/** The report of the last action covers the lower edge. */
+const INSETS = { left: 24, top: 24, right: 24, bottom: 68 };
 const LABEL = "The sheet on the table, the path of the head, and the head while a job runs.";
 /** Nothing is chosen in this picture: it is looked at from a distance. */
 const NO_EVENTS: ViewerEvents = {
@@ -142,6 +150,7 @@ function TabButton({ id, title, tab, select }: TabProps) {
 function StationPicture({ place }: { place: boolean }) {
   const host = useRef<HTMLDivElement>(null);
   const commands = useRef<PictureCommands | null>(null);
+  const { data: drawing } = useDrawing();
   const { data: edges } = useEdges();
   const { data: timeline } = useTimeline();
   const { data: machines } = useMachines();
@@ -155,7 +164,7 @@ function StationPicture({ place }: { place: boolean }) {
     fit.current();
   });
   // biome-ignore lint/correctness/useExhaustiveDependencies: another content or purpose, another view
-  useEffect(() => fit.current(), [place, edges, timeline, machines]);
+  useEffect(() => fit.current(), [place, drawing, edges, timeline, machines]);
   // A tablet is turned: the whole picture stays in view.
   useEffect(() => {
     if (host.current === null) return;
