@@ -47,7 +47,7 @@ COMMANDS: Final[dict[str, _Command]] = {
     "simulator": _Command(
         "service", "Run a simulated controller, to try programs without a machine."
     ),
-    "schema": _Command("schema", "Print the JSON Schema of machine, board or profile files."),
+    "schema": _Command("schema", "Print the JSON Schema of machine, board, tool or profile files."),
     "profile": _Command(
         "profile", "List, show, export and import classification profiles (rules for line types)."
     ),

@@ -2647,6 +2647,10 @@ export const TEXTS = {
     "text": "LinuxCNC at {name} reported an error near program line {line}{cause}.",
     "hint": "Check the table and the board before the next job."
   },
+  "linuxcnc.unreadable": {
+    "text": "LinuxCNC at {name} sent a reply that the gateway cannot read: {reply}.",
+    "hint": "Close every other connection to linuxcncrsh: it mixes up the replies to two clients."
+  },
   "linuxcnc.wrong-password": {
     "text": "linuxcncrsh at {name} refused the password of the option {option}.",
     "hint": "Give the passwords of linuxcncrsh in the address: linuxcnc://HOST:PORT/?password=CONNECTPW&enable=ENABLEPW."

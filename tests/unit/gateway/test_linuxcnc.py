@@ -154,6 +154,17 @@ async def test_silence_is_a_fault_soon() -> None:
         assert controller.fault is None
 
 
+@pytest.mark.parametrize("reply", ["1.0 2.0 20", "1.0 2.0 20.0 0.0 0.0 4x", ""])
+async def test_a_garbled_position_is_a_fault(reply: str) -> None:
+    shell = Shell()
+    async with dialled(shell) as controller:
+        shell.values["rel_act_pos"] = reply
+        with pytest.raises(ControllerError) as raised:
+            await controller.status()
+        assert raised.value.message.code == "linuxcnc.unreadable"
+        assert controller.fault is raised.value
+
+
 async def test_a_cancelled_request_does_not_shift_the_replies() -> None:
     shell = Shell()
     async with dialled(shell) as controller:

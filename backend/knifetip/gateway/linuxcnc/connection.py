@@ -170,11 +170,9 @@ class LinuxcncConnection:
     async def _read_status(self) -> Status:
         get, program = self.shell.get, self.program
         activity = await get("program_status")
-        values = (await get("rel_act_pos")).split()
-        x, y, z, c = (float(values[index]) for index in _AXES)
-        position: Pose = (x, y, z, c)
+        position = self._pose_in(await get("rel_act_pos"))
         if program is not None and activity != "IDLE":
-            program.update(int(await get("program_line")))
+            program.update(self._line_in(await get("program_line")))
         self.alarm = await self._read_alarm()
         still = self._compare(position)
         if self.alarm is not None:
@@ -193,6 +191,22 @@ class LinuxcncConnection:
         return Status(
             state, position, done + begun, still, free=1, sent=done + begun, located=located
         )
+
+    def _pose_in(self, reply: str) -> Pose:
+        """Return the position in a reply, or raise ``ControllerError`` if the reply is garbled."""
+        values = reply.split()
+        try:
+            x, y, z, c = (float(values[index]) for index in _AXES)
+        except (IndexError, ValueError):
+            raise ControllerError("linuxcnc.unreadable", name=self.name, reply=reply) from None
+        return x, y, z, c
+
+    def _line_in(self, reply: str) -> int:
+        """Return the number in a reply, or raise ``ControllerError`` if the reply is garbled."""
+        try:
+            return int(reply)
+        except ValueError:
+            raise ControllerError("linuxcnc.unreadable", name=self.name, reply=reply) from None
 
     def _compare(self, position: Pose) -> bool:
         """Return whether no axis has moved since an earlier report, at least ``_APART`` ago."""

@@ -98,6 +98,12 @@ MESSAGES: Final[Entries] = {
         line="count",
         cause="message",
     ),
+    "linuxcnc.unreadable": entry(
+        "LinuxCNC at {name} sent a reply that the gateway cannot read: {reply}.",
+        "Close every other connection to linuxcncrsh: it mixes up the replies to two clients.",
+        name="text",
+        reply="text",
+    ),
     "linuxcnc.wrong-password": entry(
         "linuxcncrsh at {name} refused the password of the option {option}.",
         "Give the passwords of linuxcncrsh in the address: "
