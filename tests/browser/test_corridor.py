@@ -229,7 +229,7 @@ def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_fi
     expect(state).to_have_text("Cancelled")
 
     # Now the second job waits for its confirmation, also in the queue.
-    queued = page.get_by_test_id("queue").get_by_test_id("confirmation")
+    queued = page.get_by_test_id("queue-of-demo-table").get_by_test_id("confirmation")
     expect(queued).to_contain_text("Greyboard 2.0 mm")
     page.screenshot(path=screenshots / "copies-3-queue.png")
     queued.get_by_test_id("confirm").click()

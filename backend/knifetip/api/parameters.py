@@ -31,6 +31,7 @@ Limit = Annotated[int, Query(ge=1, le=500, description="Maximum number of items 
 DrawingId = Annotated[str, Path(description="Id of the drawing")]
 JobId = Annotated[str, Path(description="Id of the job")]
 MachineName = Annotated[str, Path(description="Name of the machine in the library")]
+StationNumber = Annotated[int, Path(description="Number of the station in the machine")]
 OperationId = Annotated[str, Path(description="Id of the operation")]
 BoardName = Annotated[str, Path(description="Name of the board in the library")]
 ProfileName = Annotated[str, Path(description="Name of the classification profile")]

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from fastapi import APIRouter
 
-from knifetip.api.parameters import MachineName
+from knifetip.api.parameters import MachineName, StationNumber
 from knifetip.api.schemas.history import ToolChangeIn, ToolEventOut, ToolLifeIn, ToolUseOut
 from knifetip.api.service import Service, ServiceDep
 from knifetip.errors import NoSuchJob
@@ -44,7 +44,10 @@ def list_tool_events(service: ServiceDep, name: MachineName) -> list[ToolEventOu
 
 @router.post("/{station}/changed")
 def record_tool_change(
-    service: ServiceDep, name: MachineName, station: int, change: ToolChangeIn | None = None
+    service: ServiceDep,
+    name: MachineName,
+    station: StationNumber,
+    change: ToolChangeIn | None = None,
 ) -> list[ToolUseOut]:
     """Record that a person has put a new tool into a station; its used length is 0 again."""
     machine = _with_station(service, name, station)
@@ -54,7 +57,7 @@ def record_tool_change(
 
 @router.put("/{station}/life")
 def set_tool_life(
-    service: ServiceDep, name: MachineName, station: int, wanted: ToolLifeIn
+    service: ServiceDep, name: MachineName, station: StationNumber, wanted: ToolLifeIn
 ) -> list[ToolUseOut]:
     """Set the life of the tool in a station; it replaces the life in the file of the machine."""
     machine = _with_station(service, name, station)

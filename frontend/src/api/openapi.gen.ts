@@ -14255,6 +14255,7 @@ export interface operations {
             path: {
                 /** @description Name of the machine in the library */
                 name: string;
+                /** @description Number of the station in the machine */
                 station: number;
             };
             cookie?: never;
@@ -14292,6 +14293,7 @@ export interface operations {
             path: {
                 /** @description Name of the machine in the library */
                 name: string;
+                /** @description Number of the station in the machine */
                 station: number;
             };
             cookie?: never;

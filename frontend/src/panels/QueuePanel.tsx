@@ -49,7 +49,7 @@ export function QueuePanel() {
         />
       ))}
       <Section title="Other jobs" flush>
-        <div data-testid="queue">
+        <div data-testid="other-jobs">
           {error && <p className={css.note}>{errorText(error)}</p>}
           {listed.slice(0, limit).map((job) => (
             <Row key={job.id} job={job} now={now} />
