@@ -1,7 +1,14 @@
-"""Jobs of the service on a complete LinuxCNC, which the gateway runs through its remote shell."""
+"""Jobs of the service on a complete LinuxCNC, which the gateway runs through its remote shell.
+
+    KNIFETIP_LINUXCNC_GATEWAY=1 pytest tests/controllers/test_linuxcnc_gateway.py
+
+These tests do not run by default: linuxcncrsh 2.9 sometimes ends when a second client connects, as
+the gateway and the test do here.
+"""
 
 from __future__ import annotations
 
+import os
 import time
 from collections.abc import AsyncGenerator, AsyncIterator, Iterator, Mapping
 from contextlib import aclosing, asynccontextmanager
@@ -24,6 +31,8 @@ from tests.controllers.linuxcnc_machine import Machine, missing_requirement, run
 from tests.support.shapes import closed, dieline, edges
 
 SKIP_REASON = missing_requirement()
+if not SKIP_REASON and "KNIFETIP_LINUXCNC_GATEWAY" not in os.environ:
+    SKIP_REASON = "linuxcncrsh may end with two clients (set KNIFETIP_LINUXCNC_GATEWAY=1 to try)"
 
 pytestmark = [
     pytest.mark.controller,
