@@ -48,7 +48,7 @@ def waiting_of(store: Store, jobs: Sequence[Job]) -> list[Waiting]:
     return [
         Waiting("compile", Message("waiting.outdated", changes=changes[row.id]))
         if row.id in changes
-        else _waiting(store.library, row, queues.get(row.machine))
+        else _waiting(store, row, queues.get(row.machine))
         for row in jobs
     ]
 
@@ -58,7 +58,8 @@ def _can_be_outdated(row: Job) -> bool:
     return row.state in (State.READY, State.QUEUED) or row.confirmation == Confirmation.SHEET
 
 
-def _waiting(library: LibraryStore, row: Job, queue: Queue | None) -> Waiting:
+def _waiting(store: Store, row: Job, queue: Queue | None) -> Waiting:
+    library = store.library
     if row.confirmation == Confirmation.AWAITED:
         machine, board = library.titles(row)
         code = "waiting.for-start" if row.state == State.QUEUED else "waiting.unconfirmed-run"
@@ -81,7 +82,7 @@ def _waiting(library: LibraryStore, row: Job, queue: Queue | None) -> Waiting:
             sheet=_sheet(row),
         )
         return Waiting("sheet", message)
-    if row.state == State.HELD and (language := language_of(library, row)) and language.open_loop:
+    if row.state == State.HELD and store.stations.reports_nothing(row.machine):
         return Waiting("", Message("waiting.for-end", machine=library.titles(row)[0]))
     if row.state == State.QUEUED and queue is not None:
         return _queued(library, row, queue)

@@ -27,6 +27,7 @@ from knifetip.errors import ControllerError, KnifetipError, OperationExpired
 from knifetip.gateway.controller import State, Status
 from knifetip.gateway.job_server import JobServer
 from knifetip.gateway.machine_link import MachineLink
+from knifetip.gateway.open_loop import OpenLoop
 from knifetip.gateway.operations import (
     EXPIRY,
     OperableController,
@@ -34,7 +35,12 @@ from knifetip.gateway.operations import (
     OperationName,
     perform,
 )
-from knifetip.gateway.station_report import OperationRequest, OperationResult, StationReport
+from knifetip.gateway.station_report import (
+    UNREPORTED,
+    OperationRequest,
+    OperationResult,
+    StationReport,
+)
 from knifetip.messages import Message
 from knifetip.model.machine import Machine
 
@@ -131,6 +137,8 @@ class MachineStation:
 
     def _report(self) -> StationReport:
         controller, run = self._link.controller, self._link.run
+        if isinstance(controller, OpenLoop):
+            return StationReport(connected=controller.fault is None, state=UNREPORTED)
         if not isinstance(controller, OperableController) or not controller.connected:
             return StationReport(connected=False)
         status = controller.last_status

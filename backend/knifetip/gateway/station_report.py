@@ -11,6 +11,9 @@ from knifetip.gateway.motion import Pose
 from knifetip.gateway.operations import Operation, OperationName
 from knifetip.messages import Message, with_text
 
+#: State of a controller that takes programs and reports nothing: a person confirms their end.
+UNREPORTED = "unreported"
+
 
 @dataclass(frozen=True, slots=True)
 class StationReport:

@@ -19,6 +19,7 @@ from sqlalchemy.orm import Session
 
 from knifetip.errors import NoSuchJob, WrongState
 from knifetip.gateway.operations import EXPIRY
+from knifetip.gateway.station_report import UNREPORTED
 from knifetip.jobs.database import Database, short
 from knifetip.jobs.job import LEASED, ON_TABLE
 from knifetip.jobs.machine_queues import CLAIMED
@@ -197,6 +198,20 @@ class StationStore:
             rows = list(session.scalars(sa.select(Station).order_by(Station.machine)))
             jobs = {row.machine: session.scalar(_job_on(row.machine)) or "" for row in rows}
         return [self._view(row, jobs[row.machine], now) for row in rows]
+
+    def reports_nothing(self, machine: str) -> bool:
+        """Return whether the controller of a machine takes programs and reports nothing.
+
+        A person at the machine then confirms the end of each program.
+
+        Parameters
+        ----------
+        machine
+            Name of the machine.
+        """
+        with self._db.reading() as session:
+            row = session.get(Station, machine)
+        return row is not None and row.state == UNREPORTED
 
     def is_watched(self, machine: str) -> bool:
         """Return whether a person has looked at a station in the last ``WATCHED`` seconds."""

@@ -38,7 +38,6 @@ class Language:
     timing: str  #: path of a ``knifetip.sequencing.timing.Timing``
     driver: str = ""  #: path of a ``knifetip.gateway.controller.Driver``, or empty
     no_driver: Message | None = None  #: advice how to send a program without the gateway
-    open_loop: bool = False  #: the controller does not report when it has executed a program
     settings: str = ""  #: path of the function that reads ``[controller]``, or empty
     linear_axes: str = "XYZ"  #: letters of the words that move linear axes (mm)
     rotary_axes: str = "C"  #: letters of the words that turn rotary axes (degrees)

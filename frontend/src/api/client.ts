@@ -9,6 +9,7 @@ import createClient from "openapi-fetch";
 import type { Edges, Toolpath, VerdictColumns } from "../geometry/records";
 import { edgesOf, toolpathOf, verdictColumnsOf } from "./columns";
 import type { components, paths } from "./openapi.gen";
+import { operatorName } from "./operator";
 import { fetchOnce, fetchWithRetries, OWN_PAGE, upload } from "./transport";
 
 export { type Problem, pageProblem, ServiceError } from "./errors";
@@ -220,11 +221,11 @@ const putProfile = (
 const putDefinition = (
   { shelf, name }: Pick<LibraryEntry, "shelf" | "name">,
   body: string | Record<string, unknown>,
-  { version, by, note }: { version: number | null; by: string; note: string },
+  { version, note }: { version: number | null; note: string },
 ): Promise<Definition> =>
   dataOf(
     api.PUT(`/api/${shelf}/{name}`, {
-      params: { ...byName(name), ...ifMatch(version), query: { by, note } },
+      params: { ...byName(name), ...ifMatch(version), query: { by: operatorName(), note } },
       body: typeof body === "string" ? body : JSON.stringify(body),
       bodySerializer: String,
       headers: {
@@ -291,13 +292,20 @@ export const service = {
     dataOf(
       api.POST("/api/jobs/{id}/move", {
         params: { ...byId(id), header: tag === null ? {} : { "If-Match": tag } },
-        body: { ...place, by: "" },
+        body: { ...place, by: operatorName() },
       }),
     ),
   changeJob: (id: string, change: WaitingChange): Promise<Job> =>
-    dataOf(api.PATCH("/api/jobs/{id}", { params: byId(id), body: { ...change, by: "" } })),
+    dataOf(
+      api.PATCH("/api/jobs/{id}", { params: byId(id), body: { ...change, by: operatorName() } }),
+    ),
   transferJob: (id: string, machine: string): Promise<Job> =>
-    dataOf(api.POST("/api/jobs/{id}/transfer", { params: byId(id), body: { machine, by: "" } })),
+    dataOf(
+      api.POST("/api/jobs/{id}/transfer", {
+        params: byId(id),
+        body: { machine, by: operatorName() },
+      }),
+    ),
   history: fetchHistory,
   statistics: (
     { machine, step, since }: { machine: string; step: "day" | "week" | "month"; since: number },
@@ -313,18 +321,22 @@ export const service = {
     dataOf(
       api.POST("/api/machines/{name}/tools/{station}/changed", {
         params: { path: { name: machine, station } },
-        body: { by: "" },
+        body: { by: operatorName() },
       }),
     ),
   setToolLife: (machine: string, station: number, life: number): Promise<ToolUse[]> =>
     dataOf(
       api.PUT("/api/machines/{name}/tools/{station}/life", {
         params: { path: { name: machine, station } },
-        body: { life, by: "" },
+        body: { life, by: operatorName() },
       }),
     ),
   command: (id: string, command: JobCommand): Promise<Job> =>
-    dataOf(api.POST(`/api/jobs/{id}/${command}`, { params: byId(id) })),
+    command === "confirm"
+      ? dataOf(
+          api.POST("/api/jobs/{id}/confirm", { params: byId(id), body: { by: operatorName() } }),
+        )
+      : dataOf(api.POST(`/api/jobs/{id}/${command}`, { params: byId(id) })),
   confirmation: (id: string, signal?: AbortSignal): Promise<Confirmation> =>
     dataOf(api.GET("/api/jobs/{id}/confirmation", { params: byId(id), ...uncached(signal) })),
   /** Confirm what the operator has checked: it is sent once, and never late. */
@@ -332,7 +344,7 @@ export const service = {
     dataOf(
       api.POST("/api/jobs/{id}/confirm", {
         params: byId(id),
-        body: { board, stations, by: "" },
+        body: { board, stations, by: operatorName() },
         ...nowOrNever(),
       }),
     ),

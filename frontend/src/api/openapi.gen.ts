@@ -4514,11 +4514,11 @@ export interface components {
             connected: boolean;
             /**
              * State
-             * @description State of the controller; empty if the controller is not connected
+             * @description State of the controller. unreported: the controller takes programs and reports nothing, so a person confirms the end of each program. Empty if the controller is not connected
              * @default
              * @enum {string}
              */
-            state: "idle" | "run" | "hold" | "jog" | "home" | "check" | "door" | "alarm" | "busy" | "";
+            state: "idle" | "run" | "hold" | "jog" | "home" | "check" | "door" | "alarm" | "busy" | "unreported" | "";
             /** @description Alarm that locks the controller; null if there is none */
             alarm?: components["schemas"]["MessageIn"] | null;
             /**
@@ -5532,10 +5532,10 @@ export interface components {
             connected: boolean;
             /**
              * State
-             * @description State of the controller; empty if the controller is not connected
+             * @description State of the controller. unreported: the controller takes programs and reports nothing, so a person confirms the end of each program. Empty if the controller is not connected
              * @enum {string}
              */
-            state: "idle" | "run" | "hold" | "jog" | "home" | "check" | "door" | "alarm" | "busy" | "";
+            state: "idle" | "run" | "hold" | "jog" | "home" | "check" | "door" | "alarm" | "busy" | "unreported" | "";
             /** @description Alarm that locks the controller, with what to do; null if there is none */
             alarm: components["schemas"]["MessageOut"] | null;
             /**

@@ -12,6 +12,7 @@ import { LearnedPanel } from "../panels/LearnedPanel";
 import { LineTypesPanel } from "../panels/LineTypesPanel";
 import { MachinePanel } from "../panels/MachinePanel";
 import { NotificationList } from "../panels/NotificationList";
+import { OperatorDialog } from "../panels/OperatorForm";
 import { OrderPanel } from "../panels/OrderPanel";
 import { PreparationBanner } from "../panels/PreparationBanner";
 import { ProfileEditor } from "../panels/ProfileEditor";
@@ -117,6 +118,7 @@ function DrawingPage() {
       <ProgressOverlay />
       <NotificationList />
       <ShortcutsDialog />
+      <OperatorDialog />
       <DropZone />
     </div>
   );

@@ -25,7 +25,7 @@ export function LibraryPage() {
     setFault("");
     try {
       const note = `imported from ${file.name}`.slice(0, 200);
-      await service.putDefinition({ shelf, name }, await file.text(), { version, by: "", note });
+      await service.putDefinition({ shelf, name }, await file.text(), { version, note });
       await refreshLibrary();
       setOpen({ shelf, name });
     } catch (error) {

@@ -2,6 +2,7 @@
 
 import { useEffect, useRef, useState } from "react";
 import { NotificationList } from "../panels/NotificationList";
+import { AskOperator, OperatorDialog } from "../panels/OperatorForm";
 import { StationAlarm } from "../panels/StationAlarm";
 import { StationControls } from "../panels/StationControls";
 import { StationHeader } from "../panels/StationHeader";
@@ -89,6 +90,7 @@ export function StationPage({ machine: name }: Props) {
       </div>
       <div className={css.side}>
         {station !== undefined && <StationAlarm {...shown} station={station} />}
+        <AskOperator />
         <div className={css.tabs} role="tablist" aria-label="Job or machine">
           <TabButton id="job" title="Job" tab={tab} select={setTab} />
           <TabButton id="machine" title="Move machine" tab={tab} select={setTab} />
@@ -108,6 +110,7 @@ export function StationPage({ machine: name }: Props) {
       </div>
       <StationOutcome />
       <NotificationList />
+      <OperatorDialog />
       <StationControls
         machine={name}
         station={station}

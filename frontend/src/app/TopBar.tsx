@@ -11,6 +11,7 @@ import {
 } from "@tabler/icons-react";
 import type { ReactNode } from "react";
 import { MachineChip } from "../panels/MachineChip";
+import { OperatorButton } from "../panels/OperatorForm";
 import { redo, undo } from "../state/actions";
 import { useProfileDraft } from "../state/profileDraft";
 import { useUiStore } from "../state/store";
@@ -69,6 +70,7 @@ export function TopBar() {
         </>
       )}
       <span className={css.gap} />
+      <OperatorButton />
       <MachineChip />
       <Icon
         label="Ended jobs, statistics and tools"
@@ -78,7 +80,7 @@ export function TopBar() {
       >
         <IconHistory size={18} stroke={1.6} />
       </Icon>
-      <Icon label="Keyboard and mouse shortcuts (key ?)" act={() => set({ helpOpen: true })}>
+      <Icon label="Shortcuts of keys and mouse (key ?)" act={() => set({ helpOpen: true })}>
         <IconKeyboard size={18} stroke={1.6} />
       </Icon>
       <Icon

@@ -4513,7 +4513,7 @@ export const TEXTS = {
   },
   "waiting.for-end": {
     "text": "The whole program was sent to {machine}, which does not report when it has executed it.",
-    "hint": "When the machine has finished and is at rest, resume the job: it is then done. If the machine has not finished the program, cancel the job."
+    "hint": "When the machine has finished and is at rest, confirm it (resume the job): the job is then done. If the machine has not finished the program, cancel the job."
   },
   "waiting.for-gateway": {
     "text": "The job waits, because the gateway of {machine} (the program that sends jobs to the machine) is not connected to the server.",

@@ -3,8 +3,10 @@
 import { Button, Checkbox, TextInput } from "@mantine/core";
 import { useState } from "react";
 import type { EarlierExceptions, Finding, Job } from "../api/client";
+import { operatorName } from "../api/operator";
 import { acceptShortfalls } from "../state/actions";
 import { pluralize } from "../state/format";
+import { useOperator } from "../state/operator";
 import { useEarlierExceptions } from "../state/queries";
 import { useUiStore } from "../state/store";
 import verdictCss from "./verdict.module.css";
@@ -17,8 +19,6 @@ const TITLES: Readonly<Record<string, readonly [string, string]>> = {
   uncut: ["cannot be made over its whole length", "cannot be made over their whole length"],
   deviation: ["differs from the drawn curve", "differ from the drawn curve"],
 };
-/** Key of the user's name in the local storage of the browser. */
-const NAME = "knifetip.accepted-by";
 /** Greatest number of characters of a reason. */
 const REASON_LENGTH = 500;
 
@@ -27,7 +27,7 @@ export function AcceptForm({ job, findings }: { job: Job; findings: readonly Fin
   const [left, setLeft] = useState<ReadonlySet<string>>(new Set());
   const { data: earlier = null } = useEarlierExceptions(job.id);
   const [typed, setTyped] = useState<string | null>(null);
-  const [by, setBy] = useState(() => localStorage.getItem(NAME) ?? "");
+  const [by, setBy] = useState(operatorName);
   const open = findings.filter((finding) => finding.severity === "shortfall" && finding.refuses);
   const kinds = [...new Set(open.map((finding) => finding.kind))];
   const chosen = open.filter((finding) => !left.has(finding.kind));
@@ -44,7 +44,7 @@ export function AcceptForm({ job, findings }: { job: Job; findings: readonly Fin
   };
   const accept = (findings: readonly Finding[]) => {
     if (!isComplete || findings.length === 0) return;
-    localStorage.setItem(NAME, by.trim());
+    useOperator.getState().keep(by);
     acceptShortfalls(job.id, {
       findings: findings.map(({ edge, code }) => ({ edge, code })),
       reason: reason.trim(),

@@ -63,12 +63,12 @@ function Editor({ definition, schema, onOpen }: EditorProps) {
     const copied = `${slugOf(name).slice(0, 50)}-${Date.now().toString(36)}`;
     const body = { ...definition.fields, title: `${title} (copy)` };
     return attempt(
-      () => service.putDefinition({ shelf, name: copied }, body, { version: null, by: "", note }),
+      () => service.putDefinition({ shelf, name: copied }, body, { version: null, note }),
       { shelf, name: copied },
     );
   };
   const save = () =>
-    attempt(() => service.putDefinition({ shelf, name }, { ...fields }, { version, by: "", note }));
+    attempt(() => service.putDefinition({ shelf, name }, { ...fields }, { version, note }));
 
   const alert = failure instanceof Error && (
     <p className={css.fault} role="alert" data-testid="definition-fault">

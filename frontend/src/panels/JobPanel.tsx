@@ -18,6 +18,7 @@ import { renderHint, renderText } from "../messages/render";
 import { command } from "../state/actions";
 import { formatDuration, pluralize } from "../state/format";
 import {
+  awaitsEnd,
   commandsOf,
   confirmationBefore,
   hasProgram,
@@ -285,7 +286,9 @@ function Controls({ job }: { job: Job }) {
         onNo={() => setAsking(null)}
       />
       {words.map((word, at) => {
-        const { title, icon, colour, variant, testId } = LOOKS[word];
+        const { icon, colour, variant, testId } = LOOKS[word];
+        const title =
+          word === "resume" && awaitsEnd(job) ? "Machine has finished" : LOOKS[word].title;
         return (
           <Button
             key={word}

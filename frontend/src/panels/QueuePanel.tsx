@@ -10,6 +10,7 @@ import { useBoards, useJobs, useMachines } from "../state/queries";
 import { useUiStore } from "../state/store";
 import jobCss from "./job.module.css";
 import { MachineQueue } from "./MachineQueue";
+import { AskOperator } from "./OperatorForm";
 import css from "./panels.module.css";
 import { Section } from "./Section";
 import { ShowMore } from "./ShowMore";
@@ -41,6 +42,7 @@ export function QueuePanel() {
   if (chosen !== undefined) queues.add(chosen);
   return (
     <>
+      {jobs?.some(isQueued) && <AskOperator />}
       {[...queues].map((name) => (
         <MachineQueue
           key={name}

@@ -9,7 +9,7 @@ import {
 } from "@tabler/icons-react";
 import { type ReactNode, useEffect, useState } from "react";
 import type { Job, JobCommand, Station } from "../api/client";
-import { confirmationBefore, needsOperator } from "../state/jobs";
+import { awaitsEnd, confirmationBefore, needsOperator } from "../state/jobs";
 import { type Checked, commandJob, operate, startJob } from "../state/operations";
 import { type Stop, stopOf } from "../state/station";
 import { AskOnce } from "./AskOnce";
@@ -86,11 +86,15 @@ export function StationControls({ machine, station, job, reached, checked }: Pro
       testId: "station-hold",
       tone: "amber",
       icon: <IconPlayerPauseFilled aria-hidden />,
-      reason: has(job, "hold") ? null : "No job runs.",
+      reason: !has(job, "hold")
+        ? "No job runs."
+        : station?.state === "unreported"
+          ? "This machine cannot be held from here. Use its own controls."
+          : null,
       act: () => send("Hold", "hold"),
     },
     {
-      name: "Resume",
+      name: job !== undefined && awaitsEnd(job) ? "Has finished" : "Resume",
       testId: "station-resume",
       tone: "blue",
       icon: <IconPlayerTrackNextFilled aria-hidden />,

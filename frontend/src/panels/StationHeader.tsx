@@ -3,6 +3,7 @@
 import { IconPlugConnected, IconPlugConnectedX } from "@tabler/icons-react";
 import type { Job, Machine, Station } from "../api/client";
 import { AXES, titleOf } from "../state/station";
+import { OperatorButton } from "./OperatorForm";
 import css from "./station.module.css";
 
 interface Props {
@@ -35,9 +36,12 @@ export function StationHeader({ machine, station, job, reached }: Props) {
           {connected ? <IconPlugConnected aria-hidden /> : <IconPlugConnectedX aria-hidden />}
           {!reached ? "No server" : connected ? "Connected" : "No controller"}
         </span>
-        <a className={css.leave} href="#/">
-          All drawings
-        </a>
+        <div className={css.operatorAndWay}>
+          <OperatorButton />
+          <a className={css.leave} href="#/">
+            All drawings
+          </a>
+        </div>
       </div>
     </header>
   );

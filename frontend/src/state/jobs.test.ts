@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Job } from "../api/client";
-import { commandsOf, confirmationBefore, needsOperator, stateStyleOf } from "./jobs";
+import { awaitsEnd, commandsOf, confirmationBefore, needsOperator, stateStyleOf } from "./jobs";
 
 const job = (change: Partial<Job>): Job =>
   ({ state: "ready", waiting_for: "", line: 0, lines: 100, copies: 1, ...change }) as Job;
@@ -69,4 +69,18 @@ describe("what is asked before it is sent", () => {
       expect(confirmationBefore(job({ state: "running" }), word)).toBeNull();
     }
   });
+});
+
+it("only a job whose machine reports nothing waits for a person to confirm its end", () => {
+  const message = {
+    code: "waiting.for-end",
+    arguments: { machine: "Plotter" },
+    text: "",
+    hint: "",
+  };
+  const waiting = job({ state: "held", message } as Partial<Job>);
+  expect(awaitsEnd(waiting)).toBe(true);
+  expect(stateStyleOf(waiting).title).toBe("Has the machine finished?");
+  expect(awaitsEnd(job({ state: "held" }))).toBe(false);
+  expect(awaitsEnd(job({ state: "running", message } as Partial<Job>))).toBe(false);
 });

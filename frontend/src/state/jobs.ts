@@ -41,11 +41,16 @@ export function commandsOf(job: Job): readonly JobCommand[] {
 export const needsOperator = (job: Job): boolean =>
   job.waiting_for === "confirmation" || job.waiting_for === "sheet";
 
+/** The machine reports nothing: a person at it confirms that it has finished. */
+export const awaitsEnd = (job: Job): boolean =>
+  job.state === "held" && job.message?.code === "waiting.for-end";
+
 /** Title and colour of the state of a job. */
 export function stateStyleOf(job: Job): StateStyle {
   if (job.waiting_for === "confirmation") return { title: "Waiting for operator", tone: "amber" };
   if (job.waiting_for === "compile") return { title: "Out of date", tone: "amber" };
   if (job.waiting_for === "sheet") return { title: "Waiting for new sheet", tone: "amber" };
+  if (awaitsEnd(job)) return { title: "Has the machine finished?", tone: "amber" };
   return STATE_STYLES[job.state];
 }
 

@@ -26,6 +26,7 @@ const STATES: Readonly<Record<Station["state"], StationTitle>> = {
   door: { title: "Safety door open", tone: "red" },
   alarm: { title: "Alarm", tone: "red" },
   busy: { title: "Busy", tone: "blue" },
+  unreported: { title: "Connected", tone: "green" },
 };
 
 /** A job that is or was on the table decides what the page shows; a final one only informs. */

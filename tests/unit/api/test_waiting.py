@@ -11,6 +11,7 @@ import pytest
 from knifetip.api.waiting import ABSENT, Waiting, waiting_of
 from knifetip.jobs.compile_result import CompileResult
 from knifetip.jobs.gateway_store import GatewayReport
+from knifetip.jobs.station_store import StationReport
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE
@@ -190,3 +191,21 @@ def test_a_machine_whose_language_is_not_streamed_has_its_program_downloaded(sto
         " jobs to the machine) is not connected to the server."
     )
     assert hint_of(waiting).startswith("Download the program")
+
+
+@pytest.mark.parametrize(
+    ("state", "code"), [("unreported", "waiting.for-end"), ("hold", None), (None, None)]
+)
+@pytest.mark.parametrize("machine", ["demo-table", "flat-cutter-hpgl"])
+def test_the_end_is_confirmed_where_the_gateway_reports_no_state(
+    store: Store, machine: str, state: str | None, code: str | None
+) -> None:
+    """A hot folder takes programs of every language; what the gateway reports decides."""
+    row = queued(store, machine=machine)
+    if state is not None:
+        store.stations.report(machine, StationReport("gateway", True, state))
+    job = store.gateways.claim(machine, "gateway", manual=False)
+    assert job is not None
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=0, held=True))
+    found = waits(store, row)
+    assert (found.message.code if found.message else None) == code

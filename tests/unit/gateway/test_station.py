@@ -7,6 +7,7 @@ import itertools
 import json
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from pathlib import Path
 from typing import Any
 
 import httpx
@@ -14,7 +15,9 @@ import pytest
 
 from knifetip.gateway import simulator, station
 from knifetip.gateway.claim import run_gateway
+from knifetip.gateway.controller import SafeState
 from knifetip.gateway.grbl import driver
+from knifetip.gateway.hot_folder import HotFolder
 from knifetip.gateway.job_server import GatewaySettings
 from knifetip.gateway.table import Table
 from tests.unit.gateway.test_claim import MACHINE, Office
@@ -110,6 +113,28 @@ async def test_the_report_names_state_position_and_operations(
         assert report["alarm"] is None
         assert report["outputs"] == []
         assert "unlock" in report["operations"]
+
+
+async def test_a_folder_of_any_language_reports_that_it_reports_nothing(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(station, "WATCHED_INTERVAL", 0.02)
+    office = StationOffice()
+
+    async def connect(safe: SafeState, stop_motion: bool) -> HotFolder:
+        del safe, stop_motion
+        return HotFolder(tmp_path, MACHINE.name, ".ngc")
+
+    async with (
+        httpx.AsyncClient(transport=httpx.MockTransport(office)) as client,
+        asyncio.timeout(20.0),
+    ):
+        settings = GatewaySettings("http://office", MACHINE, "table-7", wait=0.1, beat=0.01)
+        running = asyncio.create_task(run_gateway(settings, connect, client=client))
+        report = await office.report(connected=True)
+        running.cancel()
+        await asyncio.gather(running, return_exceptions=True)
+    assert (report["state"], report["position"], report["operations"]) == ("unreported", None, [])
 
 
 async def test_a_jog_and_an_output_that_a_person_asks_for(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -15,13 +15,18 @@ Pose = tuple[float, float, float, float]
 OperationWord = Annotated[
     Literal["unlock", "home", "jog", "stop_jog", "zero", "park", "switch"], LISTED
 ]
-StateWord = Literal["idle", "run", "hold", "jog", "home", "check", "door", "alarm", "busy", ""]
+StateWord = Literal[
+    "idle", "run", "hold", "jog", "home", "check", "door", "alarm", "busy", "unreported", ""
+]
 
 _POSITION = (
     "Position of the axes in the work coordinates of programs: X, Y, Z (mm) and C (degrees); null "
     "if it is not known"
 )
-_STATE = "State of the controller; empty if the controller is not connected"
+_STATE = (
+    "State of the controller. unreported: the controller takes programs and reports nothing, so a "
+    "person confirms the end of each program. Empty if the controller is not connected"
+)
 #: Arguments that an operation needs, by its name.
 _NEEDED = {"jog": ("axis", "distance", "feed"), "zero": ("axes",), "switch": ("output", "on")}
 

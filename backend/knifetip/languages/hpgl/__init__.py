@@ -11,8 +11,6 @@ LANGUAGE = Language(
     reader="knifetip.verification.reading.hpgl:READER",
     timing="knifetip.sequencing.timing:no_halts",
     driver="knifetip.gateway.hpgl.driver:dial",
-    # The device does not report progress and cannot be stopped (ADR 71).
-    open_loop=True,
     no_driver=Message("hpgl.send-by-hand"),
     settings="knifetip.languages.hpgl.settings:read_settings",
 )

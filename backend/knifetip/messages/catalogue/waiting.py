@@ -13,8 +13,8 @@ MESSAGES: Final[Entries] = {
     ),
     "waiting.for-end": entry(
         "The whole program was sent to {machine}, which does not report when it has executed it.",
-        "When the machine has finished and is at rest, resume the job: it is then done. If the "
-        "machine has not finished the program, cancel the job.",
+        "When the machine has finished and is at rest, confirm it (resume the job): the job is "
+        "then done. If the machine has not finished the program, cancel the job.",
         machine="text",
     ),
     "waiting.for-gateway": entry(

@@ -1,0 +1,84 @@
+/** Asks for the name of the operator, shows it, and changes it. */
+
+import { Modal } from "@mantine/core";
+import { IconUser } from "@tabler/icons-react";
+import { useId } from "react";
+import { OPERATOR_LENGTH } from "../api/operator";
+import { useOperator } from "../state/operator";
+import css from "./operator.module.css";
+
+/** The question. It blocks nothing: whoever does not answer works without a name. */
+export function OperatorForm() {
+  const name = useOperator((operator) => operator.name);
+  const keep = useOperator((operator) => operator.keep);
+  const close = useOperator((operator) => operator.close);
+  const note = useId();
+  return (
+    <form
+      className={css.form}
+      aria-label="Name of the operator"
+      action={(form) => keep(String(form.get("operator") ?? ""))}
+      data-testid="operator-form"
+    >
+      <label className={css.label}>
+        Who works at this device?
+        <input
+          className={css.input}
+          name="operator"
+          defaultValue={name ?? ""}
+          maxLength={OPERATOR_LENGTH}
+          autoComplete="name"
+          placeholder="Your name"
+          aria-describedby={note}
+          data-testid="operator-name"
+        />
+      </label>
+      <div className={css.answers}>
+        <button type="submit" className={css.yes} data-testid="operator-keep">
+          Save
+        </button>
+        <button type="button" className={css.no} onClick={close} data-testid="operator-close">
+          {name === null ? "No name" : "Cancel"}
+        </button>
+      </div>
+      <p className={css.note} id={note}>
+        Recorded with what you confirm or change, and kept on this device.
+      </p>
+    </form>
+  );
+}
+
+/** The question where it was not answered on this device. */
+export function AskOperator() {
+  const asked = useOperator((operator) => operator.name !== null);
+  return asked ? null : <OperatorForm />;
+}
+
+/** The question in a dialog, for a change of the name. */
+export function OperatorDialog() {
+  const changing = useOperator((operator) => operator.changing);
+  const close = useOperator((operator) => operator.close);
+  return (
+    <Modal opened={changing} onClose={close} title="Operator" centered>
+      <OperatorForm />
+    </Modal>
+  );
+}
+
+/** The name, which is changed by a click. */
+export function OperatorButton({ className = "" }: { className?: string }) {
+  const name = useOperator((operator) => operator.name);
+  const change = useOperator((operator) => operator.change);
+  return (
+    <button
+      type="button"
+      className={`${css.button} ${className}`}
+      onClick={change}
+      title="Change the name of the operator"
+      data-testid="operator"
+    >
+      <IconUser size={18} stroke={1.6} aria-hidden />
+      <span className={css.name}>{name || "No operator name"}</span>
+    </button>
+  );
+}
