@@ -148,6 +148,7 @@ async def heartbeat(service: ServiceDep, report: HeartbeatIn) -> HeartbeatOut:
             waiting=report.waiting,
             position=report.position,
             seconds_left=report.seconds_left,
+            phase=report.phase,
         ),
         partial(worn_stations, service),
     )

@@ -12,9 +12,10 @@ outgoing connections.  It decides the following by itself:
   stops the machine with a hold.  The machine does not continue by itself: either the operator
   resumes the job, or the server answers that the job was reassigned (409), and the machine is then
   brought into its safe state.
-- The answer ``resume`` to a heartbeat also starts the next copy.  The gateway ignores ``resume`` if
-  this heartbeat did not report a held machine.  Otherwise a late answer, meant for an earlier hold,
-  could start the next copy before its sheet is on the table.
+- The answer ``resume`` to a heartbeat also starts the next copy, and confirms the end of a program
+  whose controller does not report it.  The gateway ignores ``resume`` if this heartbeat did not
+  report a held machine in the present phase of the run (``JobRun.begin_phase``).  Otherwise a late
+  answer, meant for an earlier hold, could start the next copy before its sheet is on the table.
 - The end of a job is recorded in the journal and reported until the server has answered.  After a
   restart, a job whose end is not recorded is reported as ``done`` only if the journal records that
   every copy was executed to its last line.
@@ -293,6 +294,9 @@ class _GatewayLoop:
             run.position = self._head((x, y, last.position[2], c), last.output)
 
     def _record(self, run: JobRun, progress: Progress, copy: int) -> None:
+        if progress.awaits_end and not run.awaits_end:
+            run.begin_phase()
+        run.awaits_end = progress.awaits_end
         run.line = progress.executed
         run.held = progress.state is State.HOLD
         run.seconds_left = progress.seconds_left
@@ -321,6 +325,7 @@ class _GatewayLoop:
             Controller of the machine.
         """
         if self._now() > run.lease_end and progress.state is State.RUN:
+            run.begin_phase()
             await controller.hold()
         elif run.requested == "hold":
             if progress.state is State.RUN:
@@ -331,7 +336,7 @@ class _GatewayLoop:
             if progress.state is State.HOLD:
                 await controller.resume()
             else:
-                run.requested = ""
+                run.begin_phase()
 
     async def _wait_for_sheet(self, run: JobRun) -> None:
         """Wait until the operator has laid the sheet for the next copy and resumed the job.
@@ -345,12 +350,14 @@ class _GatewayLoop:
         JobCancelled
             The operator cancelled the job.
         """
+        run.begin_phase()
         run.held, run.requested = True, ""
         while run.requested != "resume":
             run.answered.clear()
             await run.answered.wait()
             run.raise_if_withdrawn()
-        run.held, run.requested = False, ""
+        run.begin_phase()
+        run.held = False
 
     def _head(self, axes: Pose, output: int) -> Pose:
         """Return the position of the head on the sheet, as heartbeats report it.

@@ -45,6 +45,8 @@ class Status:
     #: lines of programs that the machine may have begun since the controller was opened
     sent: int = 0
     located: bool = True  #: the work offset is known, so the position is reliable
+    #: the program is handed over, and a person must confirm with ``resume`` that it is executed
+    awaits_end: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -73,6 +73,9 @@ class JobRun:
         self.station: int | None = None  #: number of the station in use; None for none
         self.seconds_left: float | None = None
         self.requested = ""  #: hold, resume or ""
+        #: increases whenever an earlier request to resume no longer counts: see ``begin_phase``
+        self.phase = 0
+        self.awaits_end = False  #: a person must confirm the end of the program
         self.cancelled = False
         self.stale = False
         self.lease_end = now + claim.lease  #: end of the lease on the local clock
@@ -88,9 +91,21 @@ class JobRun:
             "waiting": self.waiting,
             "position": self.position,
             "seconds_left": self.seconds_left,
+            "phase": self.phase,
         }
 
-    def apply_answer(self, command: str, held: bool) -> None:
+    def begin_phase(self) -> None:
+        """Ignore requests to resume that were made until now.
+
+        This method is called when the machine continues after a hold, and when the gateway itself
+        begins to wait for the operator.  A request that the server repeats because it was not
+        reached in between does not count for the next hold.
+        """
+        self.phase += 1
+        if self.requested == "resume":
+            self.requested = ""
+
+    def apply_answer(self, command: str, held: bool, phase: int) -> None:
         """Store the command with which the server answered a heartbeat.
 
         Parameters
@@ -101,12 +116,14 @@ class JobRun:
         held
             Whether the heartbeat reported that the machine is held; if False, ``resume`` is
             ignored.
+        phase
+            Phase that the heartbeat reported; ``resume`` is ignored in any other one.
         """
         if command == "cancel":
             self.cancelled = True
         elif command == "start":
             self.waiting = False
-        elif command == "hold" or (command == "resume" and held):
+        elif command == "hold" or (command == "resume" and held and phase == self.phase):
             self.requested = command
         self.answered.set()
 

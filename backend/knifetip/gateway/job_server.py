@@ -179,7 +179,9 @@ class JobServer:
                 answer.raise_for_status()
                 response = answer.json()
                 run.lease_end = asked + float(response["lease"])
-                run.apply_answer(str(response["command"]), bool(body["held"]))
+                run.apply_answer(
+                    str(response["command"]), bool(body["held"]), int(str(body["phase"]))
+                )
             await asyncio.sleep(self._settings.beat)
 
     async def finish(self, end: JobEnd, tries: int | None = None) -> None:

@@ -14,10 +14,6 @@ from collections.abc import Iterable
 from knifetip.errors import ControllerError
 from knifetip.gateway.controller import Observer, State, Status
 
-#: Seconds after which the end can be confirmed.  Until then the machine counts as running, so that
-#: an earlier request to resume, such as for the next sheet, is completed and not taken for the end.
-LEAST_RUN = 2.0
-
 
 class OpenLoop:
     """A controller that reports nothing; the methods are those of ``ProgramController``.
@@ -76,14 +72,12 @@ class OpenLoop:
         if self.fault is not None:
             raise self.fault
         last = self.sent + text.count(b"\n")
-        earliest = asyncio.get_running_loop().time() + LEAST_RUN
         self._running = True
         try:
             await self.hand_over(text)
         except ControllerError as error:
             self.fault = self.fault or error
             raise
-        await asyncio.sleep(max(earliest - asyncio.get_running_loop().time(), 0.0))
         self._finished = asyncio.Event()
         await self._finished.wait()
         self._running, self._finished = False, None
@@ -110,6 +104,7 @@ class OpenLoop:
             still=not self._running,
             sent=self.sent,
             located=False,
+            awaits_end=self._finished is not None,
         )
 
     async def hold(self) -> None:

@@ -61,6 +61,7 @@ class Progress:
     #: estimated from the pace so far, without holds (s); None if unknown
     seconds_left: float | None
     located: bool = True  #: the position is known
+    awaits_end: bool = False  #: a person must confirm the end of the program: see ``Status``
 
 
 async def stream(
@@ -284,6 +285,7 @@ def _progress(
         follower.output,
         seconds_left,
         status.located,
+        status.awaits_end,
     )
 
 

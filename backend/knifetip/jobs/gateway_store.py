@@ -49,6 +49,11 @@ class GatewayReport:
     waiting: bool = False  #: nothing was sent to the machine; the gateway waits for ``start``
     position: Sequence[float] | None = None
     seconds_left: float | None = None
+    #: Number of the phase of the run since the claim.  A new phase begins when the machine goes on
+    #: after a hold, and when the gateway itself begins to wait for the operator: for a new sheet,
+    #: for the confirmation of the end, or because its lease has expired.  A request to resume
+    #: counts only in the phase in which the operator made it.
+    phase: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,6 +157,7 @@ class GatewayStore:
             "line": 0,
             "position": None,
             "copies_before": row.copies_done,
+            "phase": 0,
             "feeds": feeds,
             "stopped_at": None,
         }
@@ -316,9 +322,10 @@ class GatewayStore:
         copies_done = min(row.copies_before + report.copies_done, row.copies)
         copy_done = row.copies_done < copies_done < row.copies
         confirmation, requested = row.confirmation, row.requested_action
-        # The action is completed: a resume must not also start the copy after the next.
+        # The action is completed: a resume must not also start the copy after the next, or confirm
+        # the end of the program.
         if requested == ("hold" if report.held else "resume") or (
-            copy_done and requested == "resume"
+            requested == "resume" and (copy_done or report.phase != row.phase)
         ):
             requested = ""
         by_hand = confirmation == Confirmation.GIVEN and not row.feeds
@@ -330,6 +337,7 @@ class GatewayStore:
         changes: dict[str, Any] = {
             "line": min(report.line, row.lines),
             "copies_done": copies_done,
+            "phase": report.phase,
             "position": None if report.position is None else list(report.position),
             "seconds_left": report.seconds_left,
             "lease": self._db.clock() + LEASE,

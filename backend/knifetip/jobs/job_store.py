@@ -351,6 +351,7 @@ def _initial_columns(now: float, key: RequestKey | None) -> dict[str, Any]:
         "lines": 0,
         "copies_done": 0,
         "copies_before": 0,
+        "phase": 0,
         "position": None,
         "seconds": 0.0,
         "seconds_left": None,

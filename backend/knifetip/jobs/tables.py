@@ -149,6 +149,8 @@ class Job(Base):
     tools: Mapped[list[dict[str, Any]]] = mapped_column(sa.JSON, default=list)
     #: requested by the operator: hold, resume or cancel; empty when done
     requested_action: Mapped[str] = mapped_column(sa.String(8))
+    #: phase of the run that the gateway reported last: see ``GatewayReport.phase``
+    phase: Mapped[int] = mapped_column(default=0)
     stage: Mapped[str] = mapped_column(sa.String(80))
     progress: Mapped[float] = mapped_column(sa.Double)
     line: Mapped[int]

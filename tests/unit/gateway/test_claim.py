@@ -19,6 +19,7 @@ from knifetip.gateway import simulator
 from knifetip.gateway.claim import run_gateway
 from knifetip.gateway.controller import Controller, SafeState, State, Status
 from knifetip.gateway.grbl import driver
+from knifetip.gateway.job_run import JobRun, Lease
 from knifetip.gateway.job_server import GatewaySettings
 from knifetip.gateway.journal import Journal
 from knifetip.gateway.stream import Progress
@@ -231,6 +232,20 @@ async def test_a_resume_that_comes_late_does_not_start_the_next_copy() -> None:
         await gateway(office, server)
         assert [event.output for event in server.table.switch_events if event.on] == [1]
     assert office.finished[0]["outcome"] == "cancelled"
+
+
+def test_an_answer_to_a_report_of_an_earlier_phase_does_not_resume() -> None:
+    run = JobRun(Lease("job-1", 3, 5.0, "", "", 2, confirm=False), 0.0)
+    run.begin_phase()
+    run.held = True
+    before = run.heartbeat()
+    run.begin_phase()  # the program is handed over while the server answers
+    run.apply_answer("resume", bool(before["held"]), run.phase - 1)
+    assert run.requested == ""
+    run.apply_answer("resume", held=True, phase=run.phase)
+    assert run.requested == "resume"
+    run.begin_phase()
+    assert run.requested == ""
 
 
 async def test_hold_stops_the_machine_in_mid_line_and_resume_goes_on() -> None:

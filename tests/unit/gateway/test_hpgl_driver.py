@@ -15,7 +15,6 @@ import httpx
 import pytest
 
 from knifetip.errors import ControllerError, ProgramError
-from knifetip.gateway import open_loop
 from knifetip.gateway.claim import run_gateway
 from knifetip.gateway.controller import State
 from knifetip.gateway.hot_folder import find_driver
@@ -118,7 +117,6 @@ PLOTTERS = [
 
 @pytest.fixture(autouse=True)
 def _short_times(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(open_loop, "LEAST_RUN", 0.2)
     monkeypatch.setattr(driver, "PATIENCE", 1.0)
 
 
@@ -162,6 +160,30 @@ async def test_a_job_is_done_only_when_a_person_has_confirmed_its_end(far_end: F
     assert {beat["line"] for beat in office.beats} <= {0, PROGRAM.count(b"\n")}
     assert all(beat["position"] is None for beat in office.beats)
     assert {beat["seconds_left"] for beat in office.beats} <= {None, 0.0}
+
+
+async def test_each_end_and_each_sheet_is_a_phase_of_its_own() -> None:
+    office = Office(PROGRAM, copies=2)
+    waits = ("run", "first end", "sheet", "second end")
+    phases: dict[str, set[int]] = {wait: set() for wait in waits}
+
+    async with network_plotter() as (plotter, address):
+
+        def command(beat: Beat) -> str:
+            if not beat["held"]:
+                if not beat["copies_done"] and not phases["first end"]:
+                    phases["run"].add(beat["phase"])
+                return "continue"
+            second = len(plotter.received) > len(PROGRAM)
+            wait = "first end" if not beat["copies_done"] else "second end" if second else "sheet"
+            phases[wait].add(beat["phase"])
+            return "resume"
+
+        office.command = command
+        await run_job(office, MACHINE, address)
+    assert all(phases.values())
+    assert len(set.union(*phases.values())) == sum(map(len, phases.values()))
+    assert office.finished[0]["outcome"] == "done"
 
 
 @pytest.mark.parametrize("far_end", PLOTTERS)
@@ -224,14 +246,16 @@ async def test_lines_count_as_executed_when_they_no_longer_fit_into_the_buffer()
 
 
 async def test_a_hold_is_not_reported_because_the_plotter_goes_on() -> None:
-    async with network_plotter() as (_, address):
+    async with network_plotter() as (plotter, address):
+        plotter.accepts.clear()
         controller = await driver.dial(address)
-        async with aclosing(stream(PROGRAM, controller, interval=0.01)) as steps:
+        async with aclosing(stream(LONG, controller, interval=0.01)) as steps:
             async for progress in steps:
                 await controller.hold()
                 assert progress.state in (State.IDLE, State.RUN)
                 if progress.state is State.RUN:
                     break
+            plotter.accepts.set()
             with pytest.raises(ControllerError, match="gets no more"):
                 await steps.aclose()
         await controller.close()

@@ -279,6 +279,42 @@ def test_a_resume_starts_one_copy_and_not_the_one_after(store: Store) -> None:
     )
 
 
+def test_a_resume_counts_only_in_the_phase_in_which_it_was_asked(store: Store) -> None:
+    job = fed(store, copies=2)
+    between = GatewayReport(line=LINES, copies_done=1, held=True, phase=1)
+    store.gateways.heartbeat(job.id, job.epoch, between)
+    store.operators.confirm(job.id)
+    # The answer ``resume`` reached the gateway, and then the server was lost.  Its next report is
+    # that the second copy is handed over, and that a person must confirm its end.
+    at_end = GatewayReport(line=0, copies_done=1, held=True, phase=3)
+    assert store.gateways.heartbeat(job.id, job.epoch, at_end) == "continue"
+    assert store.jobs.get(job.id).requested_action == ""
+    store.operators.resume(job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, at_end) == "resume"
+
+
+def test_a_resume_that_withdrew_a_hold_does_not_confirm_the_end(store: Store) -> None:
+    job = fed(store)
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2))
+    store.operators.hold(job.id)
+    store.operators.resume(job.id)
+    # The machine was held as requested: that is the hold which the resume was for.
+    held = GatewayReport(line=3, held=True)
+    assert store.gateways.heartbeat(job.id, job.epoch, held) == "resume"
+    at_end = GatewayReport(line=3, held=True, phase=1)
+    assert store.gateways.heartbeat(job.id, job.epoch, at_end) == "continue"
+
+
+def test_a_new_claim_begins_with_the_first_phase(store: Store) -> None:
+    job = fed(store)
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, held=True, phase=4))
+    store.gateways.finish(job.id, job.epoch, "interrupted")
+    store.operators.requeue(job.id)
+    again = store.gateways.claim("table", "gateway", manual=False)
+    assert again is not None
+    assert again.phase == 0
+
+
 # Where a job stopped
 
 

@@ -71,6 +71,12 @@ class HeartbeatIn(Strict):
         default=None,
         description="Estimated time until the present copy ends (s); null if it is not known",
     )
+    phase: Count = Field(
+        default=0,
+        description="Number of the phase of the run since the claim. A new phase begins when the "
+        "machine continues after a hold, and when the gateway itself begins to wait for the "
+        "operator. The reply `resume` counts only in the phase of the report",
+    )
 
 
 class HeartbeatOut(BaseModel):
