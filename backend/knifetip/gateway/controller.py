@@ -106,6 +106,9 @@ class Controller(Protocol):
     """
 
     observer: Observer | None
+    #: Largest distance (mm) of a reported position from the path of a program that is executed as
+    #: it was sent.
+    accuracy: float
 
     @property
     def name(self) -> str:

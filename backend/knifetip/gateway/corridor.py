@@ -24,13 +24,12 @@ from knifetip.gateway.interpreter import Interpreter, LineRefused, strip_comment
 from knifetip.gateway.motion import Move, Pose
 from knifetip.gateway.program_follower import lines_of
 
-#: Largest distance of a position from the path (mm).  Reports are rounded to 0.001 mm, and grbl's
-#: chords of an arc deviate by at most 0.01 mm.
+#: Largest distance of a position from the path (mm), for a controller of unknown accuracy.
 OFF = 0.5
 #: Largest deviation of C from the headings on a move (degrees).
 TURNED = 1.0
 #: Consecutive reports that must be off the path: a single report may be damaged.
-REPORTS = 3
+REPORTS = 2
 #: Moves that a planner holds if the controller does not report it.
 PLANNER = 128
 #: Surplus answers of the controller that may be counted before they are detected.
@@ -54,6 +53,8 @@ class Corridor:
         are assumed.
     tools
         Offset of each tool, by its number (see ``Interpreter``).
+    off
+        Largest distance of a position from the path (mm).
     """
 
     def __init__(
@@ -62,7 +63,10 @@ class Corridor:
         start: Status,
         capacity: int | None,
         tools: Mapping[int, Pose] | None = None,
+        *,
+        off: float = OFF,
     ) -> None:
+        self._greatest = off
         self._lines = lines_of(text)
         self._interpreter = Interpreter(start.position, tools)
         self._base = start.sent
@@ -90,11 +94,11 @@ class Corridor:
         if self._blind or not status.located or status.state not in _STATES:
             return None
         distance, turn, line = self._nearest(status.position)
-        if distance <= OFF and turn <= TURNED:
+        if distance <= self._greatest and turn <= TURNED:
             self._off = 0
             return None
         self._off += 1
-        return _off_path(status.position, distance, turn, line) if self._off >= REPORTS else None
+        return self._error(status.position, distance, turn, line) if self._off >= REPORTS else None
 
     def check_rest(self, status: Status) -> None:
         """Compare the position of a machine at rest with the end of the last program line sent.
@@ -107,7 +111,7 @@ class Corridor:
         Raises
         ------
         ControllerError
-            The position is more than ``OFF`` mm from the end of the line, or C is more than
+            The position is farther from the end of the line than permitted, or C is more than
             ``TURNED`` degrees from it.
         """
         self._take(status.sent - self._base)
@@ -117,8 +121,8 @@ class Corridor:
         end = self._interpreter.position
         distance = math.dist(status.position[:3], end[:3])
         turn = turned_off(Move(end, end), status.position[3])
-        if distance > OFF or turn > TURNED:
-            raise _off_path(status.position, distance, turn, line)
+        if distance > self._greatest or turn > TURNED:
+            raise self._error(status.position, distance, turn, line)
 
     def _take(self, sent: int) -> None:
         """Interpret the program lines sent since the last call, and store their moves.
@@ -158,8 +162,8 @@ class Corridor:
         """Return the deviations of a position from the path, and the number of a program line.
 
         The deviations are a distance (mm) and an angle of C (degrees).  They are measured to one
-        stored move: to the first move found with deviations of at most ``OFF`` and ``TURNED``, else
-        to one within ``OFF`` mm, else to the nearest move.  The program line is the line with this
+        stored move: to the first move found with permitted deviations, else to one within the
+        permitted distance, else to the nearest move.  The program line is the line with this
         move, counted from 1; 0 stands for the start position, which is stored as a move of length
         0.  At least one move must be stored.
         """
@@ -170,13 +174,21 @@ class Corridor:
             row = (self._near + step) % count
             number, move = self._moves[row]
             distance, turn = distance_to(move, position), turned_off(move, position[3])
-            if distance <= OFF and turn <= TURNED:
+            if distance <= self._greatest and turn <= TURNED:
                 self._near = row
                 return distance, turn, number
-            order = (0.0, turn) if distance <= OFF else (distance, 0.0)
+            order = (0.0, turn) if distance <= self._greatest else (distance, 0.0)
             if order < least:
                 least, nearest = order, (distance, turn, number)
         return nearest
+
+    def _error(self, position: Pose, distance: float, turn: float, line: int) -> ControllerError:
+        x, y, z, c = position
+        if distance > self._greatest:
+            return ControllerError(
+                "controller.off-path", x=x, y=y, z=z, distance=distance, line=line
+            )
+        return ControllerError("controller.off-heading", x=x, y=y, c=c, turn=turn, line=line)
 
 
 def turned_off(move: Move, heading: float) -> float:
@@ -203,10 +215,3 @@ def distance_to(move: Move, position: Pose) -> float:
     else:
         _, fraction = move.nearest((x, y, start[2], start[3]))
     return math.dist((x, y, z), move.at(fraction)[:3])
-
-
-def _off_path(position: Pose, distance: float, turn: float, line: int) -> ControllerError:
-    x, y, z, c = position
-    if distance > OFF:
-        return ControllerError("controller.off-path", x=x, y=y, z=z, distance=distance, line=line)
-    return ControllerError("controller.off-heading", x=x, y=y, c=c, turn=turn, line=line)

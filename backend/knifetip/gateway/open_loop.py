@@ -9,6 +9,7 @@ The reasons are in docs/decisions/0071.
 from __future__ import annotations
 
 import asyncio
+import math
 from collections.abc import Iterable
 
 from knifetip.errors import ControllerError
@@ -28,6 +29,7 @@ class OpenLoop:
 
     observer: Observer | None = None
     capacity: int | None = None
+    accuracy: float = math.inf  # no position is reported
 
     def __init__(self, name: str) -> None:
         self.name = name

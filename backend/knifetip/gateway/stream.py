@@ -114,7 +114,7 @@ async def stream(
         )
     lines, total = await _measure(text, limits, status.position, tools)
     follower = ProgramFollower(text, limits, status.position, tools)
-    corridor = Corridor(text, status, controller.capacity, tools)
+    corridor = Corridor(text, status, controller.capacity, tools, off=controller.accuracy)
     clock = _Clock(total)
     base = status
     controller.observer = corridor

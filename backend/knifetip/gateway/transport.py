@@ -10,11 +10,12 @@ packages register transports as entry points of the group ``knifetip.transports`
 from __future__ import annotations
 
 import importlib
+import math
 import pkgutil
 from collections.abc import Awaitable, Callable
 from functools import cache
 from importlib.metadata import entry_points
-from typing import Protocol, TypeAlias
+from typing import Protocol, TypeAlias, runtime_checkable
 from urllib.parse import SplitResult, urlsplit
 
 from knifetip.errors import ControllerError
@@ -50,6 +51,18 @@ class Transport(Protocol):
     async def close(self) -> None:
         """Close the connection; has no effect if it is closed already."""
         ...
+
+
+@runtime_checkable
+class Paced(Protocol):
+    """A transport that states its speed, such as a serial port; others have no attribute for it."""
+
+    byte_rate: float  #: bytes per second in each direction
+
+
+def byte_rate(transport: Transport) -> float:
+    """Return the bytes per second of a transport; infinite if it does not state them."""
+    return transport.byte_rate if isinstance(transport, Paced) else math.inf
 
 
 #: Function that opens a connection to the address in a URL.  It raises ``ControllerError`` if the

@@ -503,6 +503,10 @@ export const TEXTS = {
     "text": "{name} did not finish lifting the tool within {seconds:g} s.",
     "hint": "Lift the tool and raise the stations at the table."
   },
+  "controller.line-changed": {
+    "text": "{name} received {received!r} instead of program line {line} ({sent}).",
+    "hint": "Check the cable to the controller. Check the board on the table, which may be spoiled."
+  },
   "controller.locked": {
     "text": "{name} is locked by {cause}. The stations may still be lowered.",
     "hint": "Lift the tool and raise the stations at the table, then home the machine ($H) or unlock it ($X)."

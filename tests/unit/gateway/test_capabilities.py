@@ -25,7 +25,7 @@ FLUIDNC = ["[VER:3.9 FluidNC v3.9.1:]", "[OPT:PHS]"]
 
 def test_a_default_grblhal_with_four_axes_turns_the_tool_by_a() -> None:
     found = Capabilities.read(GRBLHAL_4, 4)
-    assert found == Capabilities("XYZA", 4, 100, 1024)
+    assert found == Capabilities("XYZA", 4, 100, 1024, grblhal=True)
     assert (found.rotary_letter, found.rotary_axis) == ("A", 3)
 
 

@@ -48,13 +48,19 @@ def test_a_position_on_any_move_that_was_sent_is_right(place: tuple[int, float, 
 
 
 @pytest.mark.parametrize("place", [(50, 51, 20), (150, 100.6, -1), (205, 105, -1), (150, 100, 0)])
-def test_a_position_off_the_path_is_a_fault_after_three_reports(
+def test_a_position_off_the_path_is_a_fault_if_a_second_report_confirms_it(
     place: tuple[int, float, int],
 ) -> None:
     error = verdict(Corridor(PROGRAM, START, 15), report(*place))
     assert error is not None
     assert "away from the path of the program near program line" in error.text
     assert "home the machine" in error.hint
+
+
+@pytest.mark.parametrize(("y", "error"), [(100.09, False), (100.12, True)])
+def test_the_accuracy_of_the_controller_is_the_width_of_the_corridor(y: float, error: bool) -> None:
+    corridor = Corridor(PROGRAM, START, 15, off=0.1)
+    assert (verdict(corridor, report(150.0, y, -1.0)) is not None) is error
 
 
 TURNING = (
@@ -106,7 +112,6 @@ def test_a_single_wrong_report_is_borne_and_another_one_is_wanted_at_once() -> N
     for _ in range(5):
         assert corridor.observe(report(900, 0, 20)) is None
         assert corridor.doubtful
-        assert corridor.observe(report(900, 0, 20)) is None
         assert corridor.observe(report(150, 100, -1)) is None
         assert not corridor.doubtful
 

@@ -20,6 +20,7 @@ from knifetip.errors import (
 )
 from knifetip.gateway.controller import SafeState, State
 from knifetip.gateway.grbl.driver import Grbl
+from knifetip.gateway.grbl.polling import Polling
 
 BANNER = "Grbl 1.1h ['$' for help]"
 
@@ -115,6 +116,45 @@ async def test_opening_resets_a_controller_at_rest_and_asks_for_its_buffers() ->
         assert wire.lines == ["$I"]
         assert controller.capacity == 35
         assert (await controller.status()).state is State.IDLE
+
+
+@pytest.mark.parametrize(
+    ("echo", "changed"),
+    [
+        ("[echo: G1X10Y20]", False),
+        ("[echo: G1 X10 Y20 (cut)]", False),
+        ("[echo: G1X10Y30]", True),
+        ("[echo: G1X1", False),  # damaged on its way, so it says nothing
+    ],
+)
+async def test_a_line_that_is_echoed_must_be_the_line_that_was_sent(
+    echo: str, changed: bool
+) -> None:
+    wire = Wire({"g1 x10 y20 (cut)": f"{echo}\nok"})
+    async with opened(wire) as controller:
+        await controller.send(b"g1 x10 y20 (cut)", 7)
+        if changed:
+            with pytest.raises(ControllerError, match=r"'G1X10Y30' instead of program line 7"):
+                await controller.drain()
+        else:
+            await controller.drain()
+            assert controller.acknowledged == 1
+
+
+@pytest.mark.parametrize(
+    ("options", "polling"),
+    [
+        ("[OPT:VNMSL,35,1024,4,0]\n[FIRMWARE:grblHAL]", Polling(0.05, 0.01)),
+        ("[OPT:V,15,128]", Polling(0.1, 0.02)),
+    ],
+)
+async def test_the_firmware_decides_how_often_it_is_asked(options: str, polling: Polling) -> None:
+    controller = Grbl(Wire(options=options), silence=2.0)
+    try:
+        await controller.open()
+        assert controller.polling == polling
+    finally:
+        await controller.close()
 
 
 async def test_answers_to_an_earlier_sender_do_not_disturb_the_opening() -> None:

@@ -29,6 +29,7 @@ _LINEAR = "XYZ"
 #: Usual order of the axes in status reports; FluidNC has no other.
 _ORDER = "XYZABC"
 _FLUIDNC = "FluidNC"
+_GRBLHAL = "[FIRMWARE:grblHAL"
 #: With this number of axes and without a statement, the last one may be A or C.
 _A_OR_C = 4
 
@@ -41,6 +42,7 @@ class Capabilities:
     outputs: int | None = None  #: number of digital outputs; None if unknown
     blocks: int | None = None  #: blocks of the planner; None if unknown
     buffer: int | None = None  #: size of the receive buffer (bytes); None if unknown
+    grblhal: bool = False  #: the firmware is grblHAL
 
     @classmethod
     def read(cls, lines: Iterable[str], reported: int) -> Capabilities:
@@ -65,6 +67,7 @@ class Capabilities:
             outputs=int(outputs[1]) if outputs else 0 if plain and letters == _LINEAR else None,
             blocks=int(options[1]) if options else None,
             buffer=int(options[2]) if options else None,
+            grblhal=_GRBLHAL in text,
         )
 
     @property

@@ -20,19 +20,25 @@ from knifetip.errors import (
 )
 from knifetip.gateway.controller import Observer, State, Status
 from knifetip.gateway.grbl import answers
+from knifetip.gateway.grbl.polling import Polling
 from knifetip.gateway.grbl.receive_buffer import Count, PendingLine, ReceiveBuffer
 from knifetip.gateway.grbl.watchdog import Watchdog
+from knifetip.gateway.interpreter import strip_comments
 from knifetip.gateway.motion import Pose
-from knifetip.gateway.transport import Transport
+from knifetip.gateway.transport import Transport, byte_rate
 
 #: Most bytes without a line end that are kept; a longer sequence is noise.
 _LONGEST_ANSWER = 8192
+#: Most characters of an echoed line that a message contains.
+_LONGEST_ECHO = 60
 #: Most lines between two answers that are kept.
 _MOST_LINES = 1000
 #: Consecutive status reports that must show the same contradiction before it counts as a fault.
 _CONTRADICTIONS = {Count.SURPLUS: 2, Count.MISSING: 3}
 
 _BANNER = re.compile(r"grbl", re.IGNORECASE)
+#: A line as the controller received it; sent before the answer if the firmware is built to echo.
+_ECHO = re.compile(r"\[echo: ?(.*)\]")
 
 
 class GrblConnection:
@@ -50,8 +56,8 @@ class GrblConnection:
     silence
         Seconds after which the controller counts as silent if no status report arrives, or if a
         line has no answer although the machine is idle.
-    poll
-        Longest time between two status requests while the machine moves (s).
+    polling
+        Intervals between two status requests while the machine moves.
     """
 
     def __init__(
@@ -59,7 +65,7 @@ class GrblConnection:
         transport: Transport,
         reconnect: Callable[[], Awaitable[Transport]] | None,
         silence: float,
-        poll: float,
+        polling: Polling,
     ) -> None:
         self.name = f"grbl at {transport.address}"
         self.silence = silence
@@ -77,7 +83,7 @@ class GrblConnection:
         self.recovering = False  #: the machine is being brought into its safe state
         self._transport = transport
         self._reconnect = reconnect
-        self._watchdog = Watchdog(self, silence, poll)
+        self._watchdog = Watchdog(self, silence, polling)
         self._tasks: list[asyncio.Task[None]] = []
         self.connected = True  #: the transport is open
         self._closed = False
@@ -145,6 +151,20 @@ class GrblConnection:
         await asyncio.gather(*self._tasks, return_exceptions=True)
         self._tasks = []
         await self._transport.close()
+
+    @property
+    def byte_rate(self) -> float:
+        """Bytes per second of the transport; infinite if it does not state them."""
+        return byte_rate(self._transport)
+
+    @property
+    def polling(self) -> Polling:
+        """Intervals between two status requests while the machine moves."""
+        return self._watchdog.polling
+
+    @polling.setter
+    def polling(self, polling: Polling) -> None:
+        self._watchdog.polling = polling
 
     # -- sending ----------------------------------------------------------------------------------
 
@@ -365,6 +385,8 @@ class GrblConnection:
             self._handle_report(line)
         elif line.startswith("ALARM:"):
             self._handle_alarm(_code(line))
+        elif echo := _ECHO.fullmatch(line):
+            self._handle_echo(echo[1])
         elif _BANNER.match(line):
             self._handle_banner()
         elif line and len(self._info) < _MOST_LINES:
@@ -410,6 +432,27 @@ class GrblConnection:
                 self.refusals.append(refused)
             else:
                 self.fail(refused)
+
+    def _handle_echo(self, text: str) -> None:
+        """Compare a line as the controller received it with the line that was sent.
+
+        The next answer belongs to this line, so it is the oldest unanswered one.  Some builds
+        remove comments and blanks before they echo a line, and change it to capital letters.
+        """
+        line = self.buffer.first
+        if line is None or self._banner_due or self.recovering:
+            return
+        received = strip_comments(text.encode("ascii", "replace"))
+        if received != strip_comments(line.text):
+            self.fail(
+                ControllerError(
+                    "controller.line-changed",
+                    name=self.name,
+                    line=line.number,
+                    sent=line.excerpt,
+                    received=text[:_LONGEST_ECHO],
+                )
+            )
 
     def _handle_report(self, line: str) -> None:
         report = answers.report(line, self.rotary)

@@ -30,6 +30,7 @@ from knifetip.gateway.grbl import recovery
 from knifetip.gateway.grbl.capabilities import Capabilities
 from knifetip.gateway.grbl.connection import GrblConnection
 from knifetip.gateway.grbl.operating import GrblOperations
+from knifetip.gateway.grbl.polling import Polling
 from knifetip.gateway.grbl.receive_buffer import PendingLine
 from knifetip.gateway.interpreter import switches_output
 from knifetip.gateway.transport import Transport, connect
@@ -59,10 +60,13 @@ class Grbl(GrblOperations):
         Seconds after which the controller counts as silent if no status report arrives, or if a
         line has no answer although the machine is idle.
     poll
-        Longest time between two status requests while the machine moves (s).  While the machine is
-        idle and no line is unanswered, status requests are sent at intervals of ``silence / 5``, or
-        of ``poll`` if that is longer.
+        Longest time between two status requests while the machine moves (s); None to choose it by
+        firmware and connection (see ``polling``).  While the machine is idle and no line is
+        unanswered, status requests are sent at intervals of ``silence / 5`` if that is longer.
     """
+
+    #: grblHAL reports the positions of its steps, and its chords of an arc deviate by a few µm.
+    accuracy: float = 0.1
 
     def __init__(
         self,
@@ -71,9 +75,11 @@ class Grbl(GrblOperations):
         safe: SafeState | None = None,
         reconnect: Callable[[], Awaitable[Transport]] | None = None,
         silence: float = 5.0,
-        poll: float = 0.1,
+        poll: float | None = None,
     ) -> None:
-        self._connection = GrblConnection(transport, reconnect, silence, poll)
+        self._chooses_polling = poll is None
+        polling = Polling() if poll is None else Polling.every(poll)
+        self._connection = GrblConnection(transport, reconnect, silence, polling)
         self._safe = safe
         self._silence = silence
         self._capabilities = Capabilities()
@@ -113,6 +119,11 @@ class Grbl(GrblOperations):
         The code is 0 if there is no alarm, or if the code of the alarm was not received.
         """
         return self._connection.last_alarm
+
+    @property
+    def polling(self) -> Polling:
+        """Intervals between two status requests while the machine moves."""
+        return self._connection.polling
 
     @property
     def observer(self) -> Observer | None:
@@ -183,6 +194,8 @@ class Grbl(GrblOperations):
         self._capabilities = found = Capabilities.read(lines, connection.axes)
         connection.rotary = found.rotary_axis
         connection.buffer.set_size(found.buffer)
+        if self._chooses_polling:
+            connection.polling = Polling.of(grblhal=found.grblhal, byte_rate=connection.byte_rate)
         last = max(self._safe.outputs, default=-1) if self._safe else -1
         if found.outputs is not None and found.outputs <= last:
             raise connection.fail(
@@ -381,7 +394,7 @@ async def dial(
     *,
     stop_motion: bool = False,
     silence: float = 5.0,
-    poll: float = 0.1,
+    poll: float | None = None,
 ) -> Grbl:
     """Connect to a grbl controller, take control of it and bring its machine into the safe state.
 
@@ -400,7 +413,8 @@ async def dial(
     silence
         Seconds after which the controller counts as silent.
     poll
-        Longest time between two status requests while the machine moves (s).
+        Longest time between two status requests while the machine moves (s); None to choose it by
+        firmware and connection.
 
     Raises
     ------

@@ -9,10 +9,9 @@ from typing import Protocol
 
 from knifetip.errors import ControllerAlarm, ControllerError, ControllerSilent
 from knifetip.gateway.controller import State, Status
+from knifetip.gateway.grbl.polling import Polling
 from knifetip.gateway.grbl.receive_buffer import ReceiveBuffer
 
-#: Shortest time between two status requests that are sent after answers (s).
-_SOON = 0.02
 #: Longest time in which an idle controller answers a line that only moves axes (s).
 _PROMPT = 1.0
 #: Reports of an idle machine that must follow the last answer before an answer counts as lost.
@@ -63,15 +62,16 @@ class Watchdog:
         Seconds after which the controller counts as silent if no status report arrives, or if a
         line has no answer although the machine is idle.  For lines that only move axes, the second
         limit is at most ``_PROMPT``.
-    poll
-        Longest time between two status requests while the machine moves (s).  If the machine is
-        idle and no line is unanswered, this time is a fifth of ``silence``, but at least ``poll``.
+    polling
+        Intervals between two status requests while the machine moves.  If the machine is idle and
+        no line is unanswered, the interval is a fifth of ``silence``, but at least the usual one.
+        The attribute may be changed at any time.
     """
 
-    def __init__(self, connection: Watched, silence: float, poll: float) -> None:
+    def __init__(self, connection: Watched, silence: float, polling: Polling) -> None:
         self._connection = connection
         self._silence = silence
-        self._poll = poll
+        self.polling = polling
         self._wake = asyncio.Event()
         self._soon = False  # a line was answered: request a report soon
         self._at_once = False  # a report was doubtful: request another one at once
@@ -106,7 +106,7 @@ class Watchdog:
             self._note_progress()
 
     def request_soon(self) -> None:
-        """Make the running watchdog send a status request ``_SOON`` seconds after the last one.
+        """Make the running watchdog send a status request ``polling.soon`` after the last one.
 
         If that time has passed already, the request is sent at once.
         """
@@ -181,20 +181,20 @@ class Watchdog:
     def _interval(self) -> float:
         """Return the longest time until the next status request is sent (s).
 
-        The time is ``poll``.  While the machine is idle and no line is unanswered, the time is a
+        The time is the usual one.  While the machine is idle and no line is unanswered, it is a
         fifth of ``silence`` if that is longer.
         """
         connection = self._connection
         idle = connection.status is not None and connection.status.state is State.IDLE
         if idle and connection.buffer.first is None and not connection.recovering:
-            return max(self._poll, self._silence / 5.0)
-        return self._poll
+            return max(self.polling.usual, self._silence / 5.0)
+        return self.polling.usual
 
     async def _pause(self) -> None:
         """Wait until the next status request is due."""
         start = _now()
         while not self._at_once:
-            due = start + (min(_SOON, self._poll) if self._soon else self._interval())
+            due = start + (self.polling.soon if self._soon else self._interval())
             if (remaining := due - _now()) <= 0.0:
                 break
             self._wake.clear()

@@ -49,6 +49,8 @@ class Linuxcnc(LinuxcncOperations):
 
     #: Moves that may be executed at the same time: LinuxCNC reports the line that it executes.
     capacity: int | None = 1
+    #: The reported positions are those of the joints, which lag behind the commanded ones.
+    accuracy: float = 0.5
 
     def __init__(
         self,

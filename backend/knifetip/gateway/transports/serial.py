@@ -27,6 +27,8 @@ FLOWS = ("none", "rtscts", "xonxoff")
 #: Longest time until the operating system accepts the bytes of a write (s), without flow control.
 PATIENCE = 2.0
 
+_BITS_PER_BYTE = 10.0  # with start bit and stop bit
+
 _MISSING = frozenset({errno.ENOENT, errno.ENODEV, errno.ENXIO})
 _BUSY = frozenset({errno.EAGAIN, errno.EBUSY})
 
@@ -39,6 +41,7 @@ class SerialPort:
 
     def __init__(self, address: str, port: serial.Serial) -> None:
         self.address = address
+        self.byte_rate = port.baudrate / _BITS_PER_BYTE
         self._port = port
         self._received: asyncio.Queue[bytes] = asyncio.Queue()
         self._writing = asyncio.Lock()

@@ -101,6 +101,14 @@ MESSAGES: Final[Entries] = {
         name="text",
         seconds="number",
     ),
+    "controller.line-changed": entry(
+        "{name} received {received!r} instead of program line {line} ({sent}).",
+        "Check the cable to the controller. Check the board on the table, which may be spoiled.",
+        name="text",
+        received="text",
+        line="count",
+        sent="text",
+    ),
     "controller.locked": entry(
         "{name} is locked by {cause}. The stations may still be lowered.",
         "Lift the tool and raise the stations at the table, then home the machine ($H) or "
