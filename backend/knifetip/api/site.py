@@ -1,9 +1,17 @@
-"""Static files of the built web page."""
+"""Static files of the built web page.
+
+Scripts and styles are sent compressed, a third of their size.  They are compressed once and kept:
+their names change with their content, so there are as many as the page has.
+"""
 
 from __future__ import annotations
 
+import asyncio
+import gzip
+import re
 from pathlib import Path
 
+from starlette.datastructures import Headers
 from starlette.exceptions import HTTPException
 from starlette.responses import HTMLResponse, Response
 from starlette.staticfiles import NotModifiedResponse, StaticFiles
@@ -26,6 +34,11 @@ it: see <a href="/api/openapi.json">/api/openapi.json</a>.</p>
 _PAGE_HEADERS = {"Content-Security-Policy": PAGE_POLICY, "X-Frame-Options": "SAMEORIGIN"}
 # Names of built files contain a hash of their content, so the files never change.
 _FOREVER = "public, max-age=31536000, immutable"
+#: Files that become smaller by compression; fonts are compressed already.
+_COMPRESSED = {".js", ".css", ".svg"}
+_ACCEPTS_GZIP = re.compile(
+    r"(?:^|,)\s*(?:gzip|\*)\s*(?:;\s*q=(?!0(?:\.0*)?\s*(?:,|$))[^,]*)?(?:,|$)"
+)
 
 
 class Site(StaticFiles):
@@ -37,7 +50,9 @@ class Site(StaticFiles):
 
     def __init__(self, folder: Path) -> None:
         super().__init__(directory=folder, html=True, check_dir=False)
+        self._folder = folder
         self._index = folder / "index.html"
+        self._compressed: dict[str, bytes] = {}  # contents of files of the folder assets
 
     async def get_response(self, path: str, scope: Scope) -> Response:
         """Return a file of the built page, or ``index.html`` for a route of the page.
@@ -73,6 +88,39 @@ class Site(StaticFiles):
             response = await super().get_response("index.html", scope)
         is_asset = path.startswith("assets/") and "." in path.rsplit("/", 1)[-1]
         response.headers["Cache-Control"] = _FOREVER if is_asset else "no-cache"
-        if not isinstance(response, NotModifiedResponse):
-            response.headers.update(_PAGE_HEADERS)
+        if isinstance(response, NotModifiedResponse):
+            return response
+        response.headers.update(_PAGE_HEADERS)
+        if is_asset and Path(path).suffix in _COMPRESSED:
+            response.headers["Vary"] = "Accept-Encoding"
+            if response.status_code == 200 and _accepts_gzip(Headers(scope=scope)):
+                return await self._gzipped(path, response)
         return response
+
+    async def _gzipped(self, path: str, plain: Response) -> Response:
+        """Return the response with a compressed file of the folder ``assets``.
+
+        Parameters
+        ----------
+        path
+            Path of the file in the folder of the page.
+        plain
+            The response without compression, whose headers are kept.
+        """
+        content = self._compressed.get(path)
+        if content is None:
+            content = await asyncio.to_thread(_compress, self._folder / path)
+            self._compressed[path] = content
+        kept = {"content-type", "cache-control", "vary", *map(str.lower, _PAGE_HEADERS)}
+        headers = {name: value for name, value in plain.headers.items() if name in kept}
+        return Response(content, headers={**headers, "content-encoding": "gzip"})
+
+
+def _compress(file: Path) -> bytes:
+    return gzip.compress(file.read_bytes(), mtime=0)
+
+
+def _accepts_gzip(headers: Headers) -> bool:
+    """Return whether a client takes compressed responses; a part of a file is not compressed."""
+    accepted = headers.get("accept-encoding", "")
+    return "range" not in headers and _ACCEPTS_GZIP.search(accepted) is not None

@@ -108,7 +108,9 @@ function DrawingPage() {
           <>
             <InspectorPanel />
             <OrderPanel />
-            <JobPanel />
+            <div className={css.openJob}>
+              <JobPanel />
+            </div>
           </>
         )}
         <QueuePanel />

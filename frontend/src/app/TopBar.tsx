@@ -70,7 +70,7 @@ export function TopBar() {
         </>
       )}
       <span className={css.gap} />
-      <OperatorButton />
+      <OperatorButton className={css.operator ?? ""} />
       <MachineChip />
       <Icon
         label="Ended jobs, statistics and tools"

@@ -28,17 +28,31 @@ const blue: MantineColorsTuple = [
   "#0848a0",
 ];
 
+/** Dark enough for white text. */
+const green: MantineColorsTuple = [
+  "#e6f9f0",
+  "#c9f0dd",
+  "#9be3c1",
+  "#6bd6a5",
+  "#35d08f",
+  "#1fae74",
+  "#10925d",
+  "#0b7d4e",
+  "#096a42",
+  "#065234",
+];
+
 export const theme = createTheme({
   fontFamily: '"Inter Variable", system-ui, sans-serif',
   fontFamilyMonospace: 'ui-monospace, "SF Mono", Menlo, Consolas, monospace',
-  colors: { dark, blue },
+  colors: { dark, blue, green },
   primaryColor: "blue",
-  primaryShade: 6,
+  primaryShade: 7,
   defaultRadius: 8,
   cursorType: "pointer",
   focusRing: "auto",
   components: {
-    Tooltip: { defaultProps: { openDelay: 350, withArrow: false, fz: 12, color: "dark.5" } },
+    Tooltip: { defaultProps: { openDelay: 350, withArrow: false, fz: 12, color: "dark.6" } },
     Select: {
       defaultProps: { size: "sm", checkIconPosition: "right", comboboxProps: { shadow: "lg" } },
     },

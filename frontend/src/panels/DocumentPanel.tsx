@@ -34,9 +34,9 @@ export function DocumentPanel() {
             <IconArrowLeft size={17} />
           </ActionIcon>
         </Tooltip>
-        <h2 className={css.docName} style={{ margin: 0 }} title={drawing.name}>
+        <h1 className={css.docName} style={{ margin: 0 }} title={drawing.name}>
           {drawing.name}
-        </h2>
+        </h1>
       </div>
       <dl className={css.facts}>
         <dt>Drawing size</dt>

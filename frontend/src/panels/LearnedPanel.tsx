@@ -32,7 +32,7 @@ export function LearnedPanel() {
     <Section
       title={
         <>
-          <IconBulb size={15} color="#79b2ff" aria-hidden />
+          <IconBulb size={15} color="var(--accent-ink)" aria-hidden />
           Rules suggested from the line types that you set
         </>
       }

@@ -59,7 +59,7 @@ export function OrderPanel() {
           : null;
   return (
     <Section title="New job">
-      <div style={{ display: "grid", gap: 10 }}>
+      <div style={{ display: "grid", gap: 10 }} data-can-prepare={open === 0 || undefined}>
         <Select
           label="Machine"
           placeholder="Choose a machine"

@@ -59,6 +59,8 @@ export class Viewer {
   private frameRequest = 0;
   private hoverRow: number | null = null;
   private hoverMoves: readonly number[] = [];
+  /** Box that the view was fitted to; null since the user has moved the view. */
+  private framed: Box | null = null;
 
   constructor(
     private readonly host: HTMLElement,
@@ -219,6 +221,7 @@ export class Viewer {
   fit(box?: Box | null, animate = true): void {
     const all = box ?? this.everything();
     if (all === null) return;
+    this.framed = all;
     this.transition.start(this.camera.frameBox(all, this.insets), animate, performance.now());
     this.draw();
   }
@@ -242,6 +245,7 @@ export class Viewer {
   }
 
   panBy(dx: number, dy: number): void {
+    this.framed = null;
     this.transition.stop();
     this.camera.pan(dx, dy);
     this.draw();
@@ -262,6 +266,7 @@ export class Viewer {
   }
 
   private zoom(factor: number, about: Point): void {
+    this.framed = null;
     this.transition.stop();
     this.camera.zoom(factor, about);
     this.draw();
@@ -307,6 +312,11 @@ export class Viewer {
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     this.camera.resize(width, height);
+    // What was in view stays in view when the window or a panel changes its size.
+    if (this.framed !== null) {
+      const view = this.camera.frameBox(this.framed, this.insets);
+      this.transition.start(view, false, performance.now());
+    }
     for (const layer of this.layers) layer.resize(width, height, ratio);
     // A resized canvas is empty: render now, not in the next frame.
     cancelAnimationFrame(this.frameRequest);

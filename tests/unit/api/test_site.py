@@ -35,6 +35,37 @@ def test_built_files_are_cached_for_ever(client: httpx.Client) -> None:
 
 
 @pytest.mark.parametrize(
+    ("accepted", "encoding"),
+    [
+        ("gzip, deflate, br", "gzip"),
+        ("br;q=1.0, gzip;q=0.8", "gzip"),
+        ("*", "gzip"),
+        ("br", None),
+        ("", None),
+        ("gzip;q=0", None),
+        ("gzip;q=0.0, br", None),
+        ("x-gzip", None),
+    ],
+)
+def test_scripts_are_compressed_for_clients_that_accept_it(
+    client: httpx.Client, accepted: str, encoding: str | None
+) -> None:
+    answer = client.get("/assets/main-4f2a.js", headers={"Accept-Encoding": accepted})
+    assert answer.headers.get("content-encoding") == encoding
+    assert answer.text == "export const knife = 1\n"
+    assert answer.headers["vary"] == "Accept-Encoding"
+    assert "immutable" in answer.headers["cache-control"]
+    assert answer.headers["content-type"].startswith("text/javascript")
+    assert answer.headers["content-security-policy"].startswith("default-src 'self';")
+
+
+def test_a_part_of_a_script_is_not_compressed(client: httpx.Client) -> None:
+    headers = {"Accept-Encoding": "gzip", "Range": "bytes=0-5"}
+    answer = client.get("/assets/main-4f2a.js", headers=headers)
+    assert (answer.status_code, answer.content) == (206, b"export")
+
+
+@pytest.mark.parametrize(
     "path", ["/assets/gone.js", "/%2e%2e/secret.txt", "/..%2fsecret.txt", "/assets/%00.js"]
 )
 def test_nothing_beside_the_page_is_served(client: httpx.Client, path: str) -> None:
