@@ -39,6 +39,7 @@ class Language:
     driver: str = ""  #: path of a ``knifetip.gateway.controller.Driver``, or empty
     no_driver: Message | None = None  #: advice how to send a program without the gateway
     settings: str = ""  #: path of the function that reads ``[controller]``, or empty
+    settings_table: str = ""  #: path of the pydantic model of ``[controller]``, for editors
     linear_axes: str = "XYZ"  #: letters of the words that move linear axes (mm)
     rotary_axes: str = "C"  #: letters of the words that turn rotary axes (degrees)
 
@@ -46,7 +47,7 @@ class Language:
         """Import and return one component of the language.
 
         ``role`` is the field that names the component: ``emitter``, ``reader``, ``timing``,
-        ``driver`` or ``settings``.
+        ``driver``, ``settings`` or ``settings_table``.
         """
         return pkgutil.resolve_name(getattr(self, role))
 

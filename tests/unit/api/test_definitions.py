@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+import threading
 import tomllib
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import httpx
 import pytest
 
+from knifetip.languages.registry import language_names
 from knifetip.library import load
 from knifetip.library.definition import MAX_BYTES, Shelf
 from tests.support.serving.server import order_job, square, upload_drawing, wait_for_state
@@ -80,6 +83,42 @@ def test_a_version_in_between_is_a_conflict(client: httpx.Client) -> None:
     assert save(client, "boards/none", BOARD, '"1"').status_code == 404
     bad = save(client, "boards/conflict", BOARD, "yesterday")
     assert (bad.status_code, bad.json()["code"]) == (422, "library.bad-if-match")
+
+
+@pytest.mark.parametrize("shelf", Shelf)
+def test_of_two_changes_of_one_version_one_is_refused_and_changes_nothing(
+    client: httpx.Client, shelf: Shelf
+) -> None:
+    toml = load.library_text(shelf, SHIPPED[shelf])
+    path = f"{shelf.value}/race"
+    assert save(client, path, toml).status_code == 201
+    start = threading.Barrier(4)
+
+    def change(by: str) -> httpx.Response:
+        start.wait()
+        return save(client, path, toml, '"1"', by=by)
+
+    with ThreadPoolExecutor(4) as pool:
+        answers = dict(zip("abcd", pool.map(change, "abcd"), strict=True))
+    won = [by for by, answer in answers.items() if answer.status_code == 200]
+    lost = [answer for answer in answers.values() if answer.status_code != 200]
+    assert len(won) == 1
+    assert [(one.status_code, one.json()["code"]) for one in lost] == [(412, "library.stale")] * 3
+    # The answer names the version that the client must load and compare.
+    assert {one.json()["arguments"]["version"] for one in lost} == {2}
+    versions = client.get(f"/api/{path}/versions").json()
+    assert [(row["version"], row["by"]) for row in versions] == [(2, won[0]), (1, "")]
+
+
+@pytest.mark.parametrize("match", ['W/"2"', "2"])
+def test_a_proxy_may_have_weakened_the_version(client: httpx.Client, match: str) -> None:
+    name = f"boards/weak-{len(match)}"
+    save(client, name, BOARD)
+    save(client, name, BOARD, '"1"')
+    assert save(client, name, BOARD, match).headers["etag"] == '"3"'
+    assert save(client, name, BOARD, match).status_code == 412
+    assert client.delete(f"/api/{name}", headers={"If-Match": match}).status_code == 412
+    assert client.get(f"/api/{name}/definition").json()["version"] == 3
 
 
 @pytest.mark.parametrize("shelf", Shelf)
@@ -175,7 +214,9 @@ def test_versions_out_of_range_are_refused(client: httpx.Client) -> None:
 def test_schemas_describe_the_fields(client: httpx.Client) -> None:
     schema = client.get("/api/schemas/boards").json()
     assert schema["properties"]["groove_pass"]["description"].startswith("largest depth")
-    assert "StationTable" in client.get("/api/schemas/machines").json()["$defs"]
+    machines = client.get("/api/schemas/machines").json()
+    assert "StationTable" in machines["$defs"]
+    assert machines["properties"]["dialect"]["enum"] == language_names()
     assert client.get("/api/schemas/profiles").status_code == 422
 
 

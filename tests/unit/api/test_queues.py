@@ -88,6 +88,13 @@ def test_a_move_needs_the_present_order(client: httpx.Client, three: list[str]) 
     late = client.post(f"/api/jobs/{c}/move", json={"previous": a, "next": ""})
     assert (late.status_code, late.json()["code"]) == (412, "queue.changed")
     assert ids(client) == [c, a, b]
+    again = client.get(f"/api/machines/{MACHINE}/queue").headers["etag"]
+    weak = {"If-Match": f"W/{again}"}
+    back = client.post(f"/api/jobs/{c}/move", json={"previous": b, "next": ""}, headers=weak)
+    assert (back.status_code, ids(client)) == (200, [a, b, c])
+    anyway = {"If-Match": "*"}
+    first = client.post(f"/api/jobs/{c}/move", json={"previous": "", "next": a}, headers=anyway)
+    assert (first.status_code, ids(client)) == (200, [c, a, b])
 
 
 def test_a_priority_comes_before_a_place(client: httpx.Client, three: list[str]) -> None:

@@ -13,4 +13,5 @@ LANGUAGE = Language(
     driver="knifetip.gateway.hpgl.driver:dial",
     no_driver=Message("hpgl.send-by-hand"),
     settings="knifetip.languages.hpgl.settings:read_settings",
+    settings_table="knifetip.languages.hpgl.settings:ControllerTable",
 )

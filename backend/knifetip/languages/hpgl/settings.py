@@ -8,7 +8,8 @@ from functools import cache
 from importlib import resources
 from typing import Annotated, Any, Literal, NamedTuple
 
-from pydantic import AfterValidator, BeforeValidator, Field
+from pydantic import AfterValidator, BeforeValidator, Field, GetJsonSchemaHandler
+from pydantic_core import CoreSchema
 
 from knifetip.fields import LISTED, InvalidFields, Table, check_fields, field_error
 from knifetip.languages.hpgl.plotter import CM_PER_SECOND, Device, Pen, PenWork, Plotter
@@ -79,16 +80,24 @@ _Range = Annotated[list[int], Field(min_length=2, max_length=2), AfterValidator(
 
 
 class DeviceTable(Table):
-    """The TOML table of an HPGL device; ``devices.toml`` describes the fields."""
+    """The TOML table of an HPGL device, as in ``devices.toml``."""
 
-    title: str
-    units: Positive
-    area: Annotated[list[int], Field(min_length=4, max_length=4), AfterValidator(_check_area)]
-    origin: Annotated[Literal["corner", "centre"], LISTED]
-    pens: int = Field(gt=0)
-    speed: _Range | None = None
-    force: _Range | None = None
-    comments: bool = False
+    title: str = Field(description="name of the device")
+    units: Positive = Field(description="plotter units in one millimetre")
+    area: Annotated[list[int], Field(min_length=4, max_length=4), AfterValidator(_check_area)] = (
+        Field(description="x and y of two corners of the reachable area: x0, y0, x1, y1 (units)")
+    )
+    origin: Annotated[Literal["corner", "centre"], LISTED] = Field(
+        description="place of unit 0, 0: lower left corner or centre of the table"
+    )
+    pens: int = Field(gt=0, description="number of tools that SP can select")
+    speed: _Range | None = Field(
+        None, description="least and greatest VS (cm/s), if the device has it"
+    )
+    force: _Range | None = Field(
+        None, description="least and greatest FS (steps of the device), if the device has it"
+    )
+    comments: bool = Field(False, description="the device reads the instruction CO (HP-GL/2)")
 
     def record(self, machine: Machine) -> Device:
         """Return the device that the TOML table describes; ``machine`` is the machine that it
@@ -111,21 +120,35 @@ class DeviceTable(Table):
 class PenTable(Table):
     """The TOML table of one pen of an HPGL device."""
 
-    number: int = Field(gt=0)
-    station: int
-    work: Annotated[PenWork, Field(strict=False), LISTED]
-    force: int = 0
+    number: int = Field(gt=0, description="number of the pen in programs (SP)")
+    station: int = Field(description="number of the station that holds the tool")
+    work: Annotated[PenWork, Field(strict=False), LISTED] = Field(
+        description="what the pen makes in the board"
+    )
+    force: int = Field(0, description="force (FS); 0 if the device has none")
 
     def record(self) -> Pen:
         """Return the pen that the TOML table describes."""
         return Pen(self.number, self.station, self.work, self.force)
 
 
+class _NamedDevice:
+    """Annotation of a device, which may be the name of a device that knifetip ships."""
+
+    def __get_pydantic_json_schema__(
+        self, core: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        named = {"type": "string", "enum": sorted(_shipped_devices())}
+        return {"anyOf": [named, handler(core)]}
+
+
 class ControllerTable(Table):
     """The TOML table ``[controller]`` of an HPGL machine."""
 
-    device: Annotated[DeviceTable, BeforeValidator(_find_device)]
-    pen: list[PenTable] = Field([])
+    device: Annotated[DeviceTable, BeforeValidator(_find_device), _NamedDevice()] = Field(
+        description="plotter or flat cutter: the name of a known device, or its properties"
+    )
+    pen: list[PenTable] = Field([], description="pens, one for each work of a tool")
 
 
 class Settings(Table):

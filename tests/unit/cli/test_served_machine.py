@@ -1,0 +1,146 @@
+"""Where a gateway finds its machine: in the library, in a file, or on the server."""
+
+from __future__ import annotations
+
+import json
+import socket
+import threading
+from collections.abc import Iterator
+from http.server import BaseHTTPRequestHandler, HTTPServer
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import pytest
+
+from knifetip.cli.served_machine import find_machine
+from knifetip.errors import JobError, LibraryError
+from knifetip.library import load
+from knifetip.library.definition import Shelf, parse_toml
+
+TOML = load.library_text("machines", "demo-table")
+
+
+def fields(**changed: Any) -> dict[str, Any]:
+    """Return the fields of a machine, as the server sends them."""
+    return parse_toml(Shelf.MACHINES, "own", TOML) | changed
+
+
+class Office(NamedTuple):
+    """A server with one answer for all requests, and the requests that it has received."""
+
+    url: str
+    requests: list[tuple[str, dict[str, str]]]
+    answer: dict[str, Any]
+
+
+@pytest.fixture
+def office() -> Iterator[Office]:
+    requests: list[tuple[str, dict[str, str]]] = []
+    answer: dict[str, Any] = {"status": 200, "body": b"{}"}
+
+    class Handler(BaseHTTPRequestHandler):
+        def do_GET(self) -> None:
+            requests.append((self.path, {name.lower(): one for name, one in self.headers.items()}))
+            self.send_response(answer["status"])
+            self.send_header("Content-Length", str(len(answer["body"])))
+            self.end_headers()
+            self.wfile.write(answer["body"])
+
+        def log_message(self, format: str, *args: object) -> None:
+            """Write nothing to the output of the test."""
+
+    server = HTTPServer(("127.0.0.1", 0), Handler)
+    thread = threading.Thread(target=server.serve_forever, kwargs={"poll_interval": 0.01})
+    thread.start()
+    try:
+        yield Office(f"http://127.0.0.1:{server.server_port}", requests, answer)
+    finally:
+        server.shutdown()
+        thread.join()
+        server.server_close()
+
+
+def definition(office: Office, **changed: Any) -> None:
+    """Let the server answer with the definition of a machine."""
+    content = {"name": "own", "version": 7, "fields": fields(), **changed}
+    office.answer["body"] = json.dumps(content).encode()
+
+
+def test_a_machine_of_the_library_needs_no_server() -> None:
+    machine = find_machine("demo-table", "http://127.0.0.1:9", {})
+    assert (machine.name, machine.version) == ("demo-table", 0)
+
+
+def test_a_file_needs_no_server(tmp_path: Path) -> None:
+    file = tmp_path / "mine.toml"
+    file.write_text(TOML.replace("Demo table 1600 × 1200", "Mine"))
+    assert find_machine(str(file), "http://127.0.0.1:9", {}).title == "Mine"
+
+
+def test_a_machine_of_the_server_has_the_version_for_which_jobs_are_claimed(office: Office) -> None:
+    definition(office, fields=fields(title="Own table", width=1234.0))
+    machine = find_machine("own", office.url + "/", {"Authorization": "Bearer secret"})
+    assert (machine.name, machine.title, machine.width) == ("own", "Own table", 1234.0)
+    assert machine.version == 7
+    ((path, headers),) = office.requests
+    assert path == "/api/machines/own/definition"
+    assert headers["authorization"] == "Bearer secret"
+    assert headers["x-knifetip"] == "gateway"
+
+
+def test_a_name_is_part_of_the_path_and_nothing_else(office: Office) -> None:
+    definition(office)
+    find_machine("../jobs?x=1#y", office.url, {})
+    assert office.requests[0][0] == "/api/machines/..%2Fjobs%3Fx%3D1%23y/definition"
+
+
+def test_the_refusal_of_the_server_is_shown(office: Office) -> None:
+    problem = {
+        "detail": "There is no machine 'own'.",
+        "code": "library.unknown",
+        "arguments": {"shelf": "machine", "name": "own", "known": ["demo-table"]},
+    }
+    office.answer.update(status=404, body=json.dumps(problem).encode())
+    with pytest.raises(JobError) as refused:
+        find_machine("own", office.url, {})
+    assert "own" in str(refused.value)
+    assert refused.value.message.code != "server.answered"
+
+
+@pytest.mark.parametrize(
+    ("status", "body"),
+    [
+        (502, b"<html>bad gateway</html>"),
+        (500, b'"a text"'),
+        (200, b"[]"),
+        (200, b"{}"),
+        (200, b'{"fields": null, "version": 1}'),
+        (200, b'{"version": 3}'),
+    ],
+)
+def test_an_answer_of_something_else_is_an_error_with_its_address(
+    office: Office, status: int, body: bytes
+) -> None:
+    office.answer.update(status=status, body=body)
+    with pytest.raises((JobError, LibraryError)) as failed:
+        find_machine("own", office.url, {})
+    if isinstance(failed.value, JobError):
+        assert failed.value.message.code == "server.answered"
+        assert office.url in str(failed.value)
+
+
+def test_a_definition_that_this_version_cannot_read_names_its_field(office: Office) -> None:
+    definition(office, fields=fields(into_mat=-1.0))
+    with pytest.raises(LibraryError, match="into_mat"):
+        find_machine("own", office.url, {})
+
+
+@pytest.mark.parametrize("url", ["http://127.0.0.1:{port}", "no scheme", "http://[", "ftp://x"])
+def test_a_server_that_cannot_be_reached_is_named(url: str) -> None:
+    with socket.socket() as door:
+        door.bind(("127.0.0.1", 0))  # bound, but nobody listens
+        address = url.format(port=door.getsockname()[1])
+        with pytest.raises(JobError) as failed:
+            find_machine("own", address, {})
+    assert failed.value.message.code == "server.unreachable"
+    assert address in str(failed.value)
