@@ -220,6 +220,9 @@ class _GatewayLoop:
             run.answered.clear()
             await run.answered.wait()
             run.raise_if_withdrawn()
+            if not run.waiting and self._link.runs_dry:
+                # The dry run stops by itself; the job must not start right behind it.
+                raise JobReturned(Message("gateway.started-in-dry-run"))
             if run.waiting and self._link.in_use.locked():
                 continue  # a person at the machine uses it
             try:

@@ -81,6 +81,11 @@ class JobRun:
         self.lease_end = now + claim.lease  #: end of the lease on the local clock
         self.answered = asyncio.Event()
 
+    @property
+    def is_waiting(self) -> bool:
+        """Whether the job waits for its operator, and the gateway still owns it."""
+        return self.waiting and not self.stale and not self.cancelled
+
     def heartbeat(self) -> dict[str, object]:
         return {
             "job": self.claim.job,

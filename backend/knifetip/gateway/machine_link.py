@@ -11,6 +11,7 @@ from collections.abc import Awaitable, Callable
 
 from knifetip.errors import ControllerAlarm
 from knifetip.gateway.controller import Controller, SafeState, State, Status
+from knifetip.gateway.dry_run import DryRun
 from knifetip.gateway.job_run import JobRun
 from knifetip.gateway.operations import OperableController
 
@@ -39,6 +40,8 @@ class MachineLink:
         Whether an operation of a person has moved the machine, which was not seen at rest since.
     run
         The job that the gateway has claimed; None if there is none.
+    dry_run
+        The last program above the board that a person has asked for; None if there was none.
     """
 
     def __init__(self, safe: SafeState, connect: Connect) -> None:
@@ -50,6 +53,7 @@ class MachineLink:
         self.abandoned = False
         self.jogged = False
         self.run: JobRun | None = None
+        self.dry_run: DryRun | None = None
 
     @property
     def controller(self) -> Controller | None:
@@ -60,6 +64,11 @@ class MachineLink:
     def runs_job(self) -> bool:
         """Whether a job is on the machine: confirmed, running, or held."""
         return self.run is not None and not self.run.waiting
+
+    @property
+    def runs_dry(self) -> bool:
+        """Whether the machine executes a program above the board for a person."""
+        return self.dry_run is not None and not self.dry_run.activity.state.is_over
 
     async def connected(self) -> Controller:
         """Return a connected controller of the machine that has no fault.

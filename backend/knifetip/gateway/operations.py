@@ -38,8 +38,16 @@ class OperationName(StrEnum):
     ZERO = "zero"  #: set the work coordinates of axes to zero at the present position
     PARK = "park"  #: lift the tool, then move it to the corner of the table
     SWITCH = "switch"  #: switch a digital output on or off
+    DRY_RUN = "dry_run"  #: run the program of the waiting job above the board
+    FRAME = "frame"  #: move round the box of the sheet or of the work, above the board
+    HOLD = "hold"  #: hold a dry run
+    RESUME = "resume"  #: resume a dry run
 
 
+#: Operations that run a program above the board while a job waits (``station``).
+RUNS = frozenset({OperationName.DRY_RUN, OperationName.FRAME})
+#: Operations that change such a run, and are carried out while it uses the machine.
+OF_RUNS = frozenset({OperationName.HOLD, OperationName.RESUME, OperationName.STOP_JOG})
 #: Operations that an alarm does not prevent.
 _IN_ALARM = frozenset({OperationName.UNLOCK, OperationName.HOME})
 
@@ -55,6 +63,8 @@ class Operation:
     axes: str = ""  #: letters of the axes to set to zero
     output: int = -1  #: number of the output to switch
     on: bool = False
+    share: float = 1.0  #: share of the feeds of a dry run
+    box: tuple[float, float, float, float] | None = None  #: x0, y0, x1, y1 of a frame (mm)
 
 
 @runtime_checkable
@@ -199,12 +209,7 @@ async def perform(
     ControllerError
         The operation is not permitted now, or the controller refuses it.
     """
-    if operation.name not in controller.operations:
-        raise ControllerError("operation.unsupported", name=controller.name, request=operation.name)
-    if operation.name is OperationName.UNLOCK and controller.alarm is None:
-        raise ControllerError("operation.not-locked", name=controller.name)
-    if controller.alarm is None or operation.name not in _IN_ALARM:
-        _check(operation, controller.name, await controller.status(), machine)
+    await require_possible(operation, controller, machine)
     if is_late():
         raise OperationExpired("operation.expired", seconds=EXPIRY)
     match operation.name:
@@ -222,6 +227,28 @@ async def perform(
             await controller.park()
         case OperationName.SWITCH:
             await controller.switch(operation.output, operation.on)
+
+
+async def require_possible(
+    operation: Operation, controller: OperableController, machine: Machine
+) -> None:
+    """Raise ``ControllerError`` if a machine cannot carry out an operation now.
+
+    Parameters
+    ----------
+    operation
+        The operation.
+    controller
+        Controller of the machine.
+    machine
+        The machine, for the travel of its axes.
+    """
+    if operation.name not in controller.operations:
+        raise ControllerError("operation.unsupported", name=controller.name, request=operation.name)
+    if operation.name is OperationName.UNLOCK and controller.alarm is None:
+        raise ControllerError("operation.not-locked", name=controller.name)
+    if controller.alarm is None or operation.name not in _IN_ALARM:
+        _check(operation, controller.name, await controller.status(), machine)
 
 
 def _check(operation: Operation, name: str, status: Status, machine: Machine) -> None:

@@ -9,8 +9,10 @@ answers a report with the operations that a person has asked for:
   own monotonic clock.
 - Operations are carried out one after another, except ``stop_jog``: it does not wait, and cancels
   the operations that do.
-- Without an answer of the server for ``operations.EXPIRY`` a running jog is stopped, because the
-  person could not stop it any more.
+- Without an answer of the server for ``operations.EXPIRY`` a running jog or dry run is stopped,
+  because the person could not stop it any more.
+- A dry run uses the machine until it ends (``dry_run``).  Its operation is done when it begins;
+  meanwhile all operations are refused, except to hold, to resume and to stop it.
 """
 
 from __future__ import annotations
@@ -25,15 +27,20 @@ import httpx
 
 from knifetip.errors import ControllerError, KnifetipError, OperationExpired
 from knifetip.gateway.controller import State, Status
+from knifetip.gateway.dry_programs import DryPrograms
+from knifetip.gateway.dry_run import DryRun
 from knifetip.gateway.job_server import JobServer
 from knifetip.gateway.machine_link import MachineLink
 from knifetip.gateway.open_loop import OpenLoop
 from knifetip.gateway.operations import (
     EXPIRY,
+    OF_RUNS,
+    RUNS,
     OperableController,
     Operation,
     OperationName,
     perform,
+    require_possible,
 )
 from knifetip.gateway.station_report import (
     UNREPORTED,
@@ -79,6 +86,7 @@ class MachineStation:
         self._link = link
         self._server = server
         self._machine = machine
+        self._programs = DryPrograms(server, machine)
         self._results: list[OperationResult] = []
         self._tasks: set[asyncio.Task[None]] = set()
         self._cancelled = 0  # number of stops; an operation that was asked before a stop is dropped
@@ -103,7 +111,7 @@ class MachineStation:
                     if (reason := repr(error)) != complaint:
                         complaint = reason
                         _log.warning("the server takes no report on the machine: %s", reason)
-                    await self._stop_unwatched_jog()
+                    await self._stop_unwatched()
                     await asyncio.sleep(_PAUSE)
                     continue
                 complaint = ""
@@ -123,10 +131,14 @@ class MachineStation:
                 task.cancel()
             await asyncio.gather(*self._tasks, return_exceptions=True)
 
-    async def _stop_unwatched_jog(self) -> None:
-        """Stop a running jog if the server has not answered for ``EXPIRY`` seconds."""
+    async def _stop_unwatched(self) -> None:
+        """Stop a running jog or dry run if the server has not answered for ``EXPIRY`` seconds."""
         controller = self._link.controller
         if _now() - self._answered < EXPIRY or not isinstance(controller, OperableController):
+            return
+        if self._link.dry_run is not None and self._link.runs_dry:
+            with suppress(KnifetipError, OSError):
+                await self._link.dry_run.stop()
             return
         status = controller.last_status
         if status is not None and status.state is State.JOG and not self._link.runs_job:
@@ -152,6 +164,7 @@ class MachineStation:
             position=None if status is None or not status.located else status.position,
             outputs=tuple(sorted(outputs)),
             operations=tuple(sorted(controller.operations)),
+            activity=None if self._link.dry_run is None else self._link.dry_run.activity,
         )
 
     # -- operations -----------------------------------------------------------------------------
@@ -184,13 +197,21 @@ class MachineStation:
         def is_late() -> bool:
             return _now() >= pending.expires or self._cancelled != stops
 
+        operation = pending.request.operation
         try:
             self._refuse_during_job()
-            if pending.request.operation.name is OperationName.STOP_JOG:
-                await self._perform(pending.request.operation, is_late)
+            if operation.name in OF_RUNS and await self._change_run(operation.name):
+                pass
+            elif self._link.runs_dry:
+                raise ControllerError("dry-run.uses-machine")
+            elif operation.name is OperationName.STOP_JOG:
+                await self._perform(operation, is_late)
+            elif operation.name in RUNS:
+                await self._run(id, operation, is_late)
+                return
             else:
                 async with self._link.in_use:
-                    await self._perform(pending.request.operation, is_late)
+                    await self._perform(operation, is_late)
         except OperationExpired as late:
             result = OperationResult(id, "expired", late.message)
         except KnifetipError as refused:
@@ -209,6 +230,77 @@ class MachineStation:
         if operation.name in (OperationName.JOG, OperationName.PARK):
             self._link.jogged = True
         await perform(operation, controller, self._machine, is_late)
+
+    async def _change_run(self, name: OperationName) -> bool:
+        """Hold, resume or stop the dry run; return False if none runs that could be stopped.
+
+        Raises
+        ------
+        ControllerError
+            No dry run can be held or resumed, or the controller has failed.
+        """
+        run = self._link.dry_run
+        if run is None or not self._link.runs_dry:
+            if name is OperationName.STOP_JOG:
+                return False
+            raise ControllerError("dry-run.not-running")
+        match name:
+            case OperationName.HOLD:
+                await run.hold()
+            case OperationName.RESUME:
+                await run.resume()
+            case _:
+                await run.stop()
+        return True
+
+    async def _run(self, id: str, operation: Operation, is_late: Callable[[], bool]) -> None:
+        """Carry out an operation that runs a program above the board.
+
+        The result of the operation is recorded when the program begins.
+
+        Parameters
+        ----------
+        id
+            Id of the operation.
+        operation
+            The operation.
+        is_late
+            Returns whether the operation has expired.
+
+        Raises
+        ------
+        OperationExpired
+            The operation has expired; nothing was sent.
+        KnifetipError
+            The machine cannot do it now, or the program cannot be run above the board.
+        """
+        async with self._link.in_use:
+            self._refuse_during_job()
+            job, controller = self._link.run, self._link.controller
+            if not isinstance(controller, OperableController):
+                raise ControllerError("operation.no-controller", machine=self._machine.name)
+            if job is None or not job.is_waiting:
+                raise ControllerError("dry-run.no-job")
+            await require_possible(operation, controller, self._machine)
+            start = (await controller.status()).position
+            program = await self._programs.prepare(operation, job.claim, start)
+            if is_late():
+                raise OperationExpired("operation.expired", seconds=EXPIRY)
+            if self._link.run is not job or not job.is_waiting:
+                raise ControllerError("dry-run.no-job")
+            run = self._link.dry_run = DryRun(
+                operation.name.value,
+                job.claim.job,
+                program,
+                self._machine,
+                lambda: self._link.run is job and job.is_waiting,
+            )
+            self._results.append(OperationResult(id, "done"))
+            self._wake.set()
+            try:
+                await run.run(controller)
+            finally:
+                self._link.abandoned = controller.fault is not None
 
     def _refuse_during_job(self) -> None:
         if self._link.runs_job:

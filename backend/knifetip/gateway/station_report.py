@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from knifetip.gateway.dry_run import Activity
 from knifetip.gateway.motion import Pose
 from knifetip.gateway.operations import Operation, OperationName
 from knifetip.messages import Message, with_text
@@ -25,6 +26,7 @@ class StationReport:
     position: Pose | None = None  #: in work coordinates
     outputs: tuple[int, ...] = ()  #: outputs that are on
     operations: tuple[str, ...] = ()  #: operations that the controller can do
+    activity: Activity | None = None  #: the last program above the board; None if there was none
 
     def as_json(self) -> dict[str, object]:
         """Return the fields of the request that reports the state to the server."""
@@ -35,6 +37,7 @@ class StationReport:
             "position": self.position,
             "outputs": self.outputs,
             "operations": self.operations,
+            "activity": None if self.activity is None else self.activity.as_json(),
         }
 
 
@@ -98,8 +101,17 @@ def _request(fields: Mapping[str, Any]) -> OperationRequest:
             str(given.get("axes", "")),
             int(given.get("output", -1)),
             bool(given.get("on", False)),
+            _finite(given.get("share", 1.0)),
+            _box(given.get("box")),
         ),
     )
+
+
+def _box(value: Any) -> tuple[float, float, float, float] | None:
+    if value is None:
+        return None
+    x0, y0, x1, y1 = (_finite(one) for one in value)
+    return x0, y0, x1, y1
 
 
 def _finite(value: Any) -> float:

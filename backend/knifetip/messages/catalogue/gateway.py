@@ -40,6 +40,11 @@ MESSAGES: Final[Entries] = {
         "stating a reason.",
         "Look for the cause in the log of the gateway.",
     ),
+    "gateway.started-in-dry-run": entry(
+        "The job was started while the machine ran above the board. Nothing of the job was sent to "
+        "the machine.",
+        "Queue the job again, and start it when the machine is at rest.",
+    ),
     "gateway.switched-off": entry(
         "The gateway (the program that sends jobs to the machine) was stopped.",
         "Start the gateway if it is not running.",

@@ -1,0 +1,217 @@
+"""dry_run: a program that moves the head above the board, while a job waits for its operator.
+
+The job keeps waiting, and nothing of the run counts as work: it is reported as the activity of the
+machine, not as progress of the job.  The run stops, with the tool lifted and all outputs off, when
+a person stops it, when the job is started or leaves the machine, and when the server is silent.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import aclosing
+from dataclasses import dataclass, replace
+from enum import StrEnum
+
+from knifetip.errors import ControllerError, KnifetipError
+from knifetip.gateway.controller import Controller, State
+from knifetip.gateway.interpreter import tool_offsets
+from knifetip.gateway.motion import Limits, Pose
+from knifetip.gateway.stream import Progress, stream
+from knifetip.messages import Message, with_text
+from knifetip.model.machine import Machine, Station
+
+#: Time between two progress reports (s).
+_INTERVAL = 0.1
+
+
+class ActivityState(StrEnum):
+    """State of an activity of the machine for a person."""
+
+    RUNNING = "running"
+    HELD = "held"
+    DONE = "done"
+    STOPPED = "stopped"  #: by a person, or because the job or the server did not stay
+    FAILED = "failed"
+
+    @property
+    def is_over(self) -> bool:
+        """Whether the machine has ended the activity."""
+        return self not in (ActivityState.RUNNING, ActivityState.HELD)
+
+
+@dataclass(frozen=True, slots=True)
+class Activity:
+    """What the machine does for a person while a job waits, as it is reported to the server."""
+
+    kind: str  #: name of the operation: ``dry_run``, ``frame`` or ``tool_check``
+    job: str  #: id of the job that waits
+    state: ActivityState
+    line: int = 0  #: executed lines of the program; those of a dry run are those of the job
+    progress: float = 0.0  #: share of the lines that are executed, 0 to 1
+    seconds_left: float | None = None
+    position: Pose | None = None  #: on the sheet, as in the heartbeats of a job
+    station: int | None = None  #: number of the station whose path is shown
+    message: Message | None = None  #: why it has failed
+
+    def as_json(self) -> dict[str, object]:
+        """Return the fields of the report to the server."""
+        message = None if self.message is None else with_text(self.message)
+        return {
+            "kind": self.kind,
+            "job": self.job,
+            "state": self.state.value,
+            "line": self.line,
+            "progress": self.progress,
+            "seconds_left": self.seconds_left,
+            "position": self.position,
+            "station": self.station,
+            "message": message,
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class DryProgram:
+    """A program that switches nothing, with the stations whose paths it shows."""
+
+    text: bytes
+    #: number of the first line of each station's path, ascending, with the station
+    stations: tuple[tuple[int, Station], ...] = ()
+
+    def station_at(self, line: int) -> Station | None:
+        """Return the station whose path the machine shows after ``line`` executed lines."""
+        found = None
+        for first, station in self.stations:
+            if first > line + 1:
+                break
+            found = station
+        return found
+
+
+class _Stopped(Exception):
+    """Raised in a dry run that must stop."""
+
+
+class DryRun:
+    """A program above the board that the machine executes for a person.
+
+    Parameters
+    ----------
+    kind
+        Name of the operation that asked for it.
+    job
+        Id of the job that waits.
+    program
+        The program; it must switch nothing on and stay above the board.
+    machine
+        The machine.
+    may_go_on
+        Returns whether the job still waits at this machine.
+    """
+
+    def __init__(
+        self,
+        kind: str,
+        job: str,
+        program: DryProgram,
+        machine: Machine,
+        may_go_on: Callable[[], bool],
+    ) -> None:
+        self._program = program
+        self._machine = machine
+        self._may_go_on = may_go_on
+        self._stopped = False
+        self._held = False
+        self._activity = Activity(kind, job, ActivityState.RUNNING)
+        self._controller: Controller | None = None
+
+    @property
+    def activity(self) -> Activity:
+        """State of the run."""
+        return self._activity
+
+    async def run(self, controller: Controller) -> None:
+        """Bring the machine into its safe state, and execute the program.
+
+        All errors of the machine end the run; they are part of its activity.
+        """
+        self._controller = controller
+        try:
+            # An output that a person has switched on must not stay on.
+            await controller.stop()
+            await self._stream(controller)
+        except _Stopped:
+            self._end(ActivityState.STOPPED)
+        except KnifetipError as error:
+            self._end(ActivityState.FAILED, error.message)
+        except OSError as error:
+            self._end(ActivityState.FAILED, Message("gateway.system-error", reason=error))
+        else:
+            self._end(ActivityState.DONE)
+        finally:
+            self._controller = None
+
+    async def hold(self) -> None:
+        """Decelerate the machine to a stop from which ``resume`` can continue."""
+        self._held = True
+        await self._require_running().hold()
+
+    async def resume(self) -> None:
+        """Let the machine continue after a hold."""
+        self._held = False
+        await self._require_running().resume()
+
+    async def stop(self) -> None:
+        """End the run: the machine decelerates, and then comes into its safe state."""
+        self._stopped = True
+        if self._controller is not None:
+            await self._controller.hold()
+
+    def _require_running(self) -> Controller:
+        if self._controller is None:
+            raise ControllerError("dry-run.not-running")
+        return self._controller
+
+    async def _stream(self, controller: Controller) -> None:
+        self._raise_if_stopped()
+        updates = stream(
+            self._program.text,
+            controller,
+            limits=Limits.of(self._machine),
+            tools=tool_offsets(self._machine),
+            interval=_INTERVAL,
+        )
+        async with aclosing(updates) as progress_updates:
+            async for progress in progress_updates:
+                self._record(progress)
+                if progress.executed < progress.lines:
+                    self._raise_if_stopped()
+                    if self._held and progress.state is State.RUN:
+                        await controller.hold()
+
+    def _raise_if_stopped(self) -> None:
+        if self._stopped or not self._may_go_on():
+            raise _Stopped
+
+    def _record(self, progress: Progress) -> None:
+        station = self._program.station_at(progress.executed)
+        position = None
+        if progress.located:
+            x, y, z, c = progress.position
+            position = progress.position
+            if station is not None:
+                position = x - station.x, y - station.y, z - station.z, c - station.c
+        self._activity = replace(
+            self._activity,
+            state=ActivityState.HELD if progress.state is State.HOLD else ActivityState.RUNNING,
+            line=progress.executed,
+            progress=progress.executed / max(progress.lines, 1),
+            seconds_left=progress.seconds_left,
+            position=position,
+            station=None if station is None else station.number,
+        )
+
+    def _end(self, state: ActivityState, message: Message | None = None) -> None:
+        progress = 1.0 if state is ActivityState.DONE else self._activity.progress
+        self._activity = replace(
+            self._activity, state=state, progress=progress, seconds_left=None, message=message
+        )
