@@ -45,7 +45,7 @@ class SimulatedTable:
         self.loop = asyncio.new_event_loop()
         self._thread = threading.Thread(target=self.loop.run_forever, daemon=True)
         self._thread.start()
-        starting = serve(load.machine(MACHINE), speed=SPEED)
+        starting = serve(load.machine(MACHINE), speed=SPEED, sample=0.02)
         self.server: Server = asyncio.run_coroutine_threadsafe(starting, self.loop).result(10)
 
     @property
@@ -278,6 +278,62 @@ def test_a_job_is_confirmed_held_resumed_stopped_and_the_machine_moved_by_touch(
     page.get_by_test_id("operation-park").tap()
     assert_done(page, "Park")
     wait_until(lambda: abs(workshop.table.table.position[0]) < 0.01, "the machine is not parked")
+
+
+def test_a_waiting_job_is_run_above_the_board_by_touch(
+    tablet: tuple[Page, str], workshop: Workshop, api: httpx.Client, screenshots: Path
+) -> None:
+    page, name = tablet
+    state = page.get_by_test_id("station-state")
+    expect(state).to_have_text("At rest", timeout=60_000)
+    job = send_job(api, copies=1)
+    expect(state).to_have_text("Waiting for operator")
+    table = workshop.table.table
+    assert table.trace is not None
+    before, switched = len(table.trace.samples()), len(table.switch_events)
+    worn = api.get(f"/api/machines/{MACHINE}/tools").json()
+    tick_all(page)
+
+    # Hold, resume and stop are the large buttons of a job; its start waits.
+    page.get_by_test_id("share-50").tap()
+    page.get_by_test_id("dry-run").scroll_into_view_if_needed()
+    assert_reachable(page)
+    page.screenshot(path=screenshots / f"{name}-8-dry-run-offered.png")
+    page.get_by_test_id("operation-dry_run").tap()
+    expect(state).to_have_text("Dry run")
+    assert_done(page, "Begin dry run")
+    expect(page.get_by_test_id("station-start")).to_be_disabled()
+    expect(page.get_by_test_id("dry-run-progress")).to_be_visible()
+    wait_until(lambda: station(api)["activity"]["line"] > 20, "the dry run does not move")
+    refused = api.post(f"/api/jobs/{job}/confirm", json={})
+    assert refused.json()["code"] == "dry-run.in-progress"
+    page.get_by_test_id("station-hold").tap()
+    expect(state).to_have_text("Dry run paused")
+    page.wait_for_timeout(500)
+    page.screenshot(path=screenshots / f"{name}-9-dry-run-held.png")
+    page.get_by_test_id("station-resume").tap()
+    expect(state).to_have_text("Dry run")
+    page.get_by_test_id("station-stop").tap()
+    expect(page.get_by_test_id("dry-run-end")).to_contain_text("was stopped")
+    expect(state).to_have_text("Waiting for operator")
+
+    page.get_by_test_id("operation-frame").tap()
+    expect(state).to_have_text("Frame")
+    expect(page.get_by_test_id("dry-run-end")).to_contain_text("Frame has ended", timeout=60_000)
+    page.get_by_test_id("dry-run").scroll_into_view_if_needed()
+    page.screenshot(path=screenshots / f"{name}-10-framed.png")
+
+    # Nothing was cut, and nothing counts as cut.
+    assert table.trace.samples()[before:, 3].min() >= 20.0 - 1e-9
+    events = list(table.switch_events)[switched:]
+    assert events
+    assert not any(event.on for event in events)
+    now = api.get(f"/api/jobs/{job}").json()
+    assert (now["state"], now["line"], now["copies_done"]) == ("queued", 0, 0)
+    assert api.get(f"/api/machines/{MACHINE}/tools").json() == worn
+    expect(page.get_by_test_id("station-start")).to_be_enabled()
+    api.post(f"/api/jobs/{job}/cancel")
+    expect(state).to_have_text("At rest")
 
 
 def hold_arrow(page: Page, arrow: str, seconds: float) -> None:

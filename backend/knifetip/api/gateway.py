@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import time
 from functools import partial
+from typing import Any
 
 from fastapi import APIRouter, Request, Response
 from fastapi.responses import PlainTextResponse
@@ -19,7 +20,7 @@ from knifetip.api.parameters import JobId
 from knifetip.api.schemas.gateway import Claim, ClaimIn, FinishIn, HeartbeatIn, HeartbeatOut
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.schemas.messages import MessageIn
-from knifetip.api.schemas.stations import StationAnswer, StationIn
+from knifetip.api.schemas.stations import ActivityIn, StationAnswer, StationIn
 from knifetip.api.service import ServiceDep, bytes_response
 from knifetip.api.tools import worn_stations
 from knifetip.api.wake import wake_on_change
@@ -190,6 +191,7 @@ async def report_station(
                 station.position,
                 station.outputs,
                 station.operations,
+                None if station.activity is None else _activity(station.activity),
             ),
             [
                 OperationResult(
@@ -218,6 +220,13 @@ async def report_station(
             "watched": watched,
         }
     )
+
+
+def _activity(reported: ActivityIn) -> dict[str, Any]:
+    """Return a run above the board as the database stores it."""
+    message = None if reported.message is None else reported.message.message
+    stored = reported.model_dump(mode="json", exclude={"message"})
+    return stored | {"message": None if message is None else message.as_json()}
 
 
 def _cause(reported: str | MessageIn) -> Message | None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from fastapi import APIRouter, Response
 
 from knifetip.api.parameters import MachineName, OperationId
@@ -12,11 +14,15 @@ from knifetip.api.waiting import ABSENT
 from knifetip.jobs.station_store import StationView
 from knifetip.jobs.tables import Operation
 from knifetip.library.definition import Shelf
+from knifetip.messages import from_json
 from knifetip.model.machine import Machine
 from knifetip.model.tool import kind_of
 from knifetip.presentation.machine import machine_json, station_json
 
 router = APIRouter(prefix="/machines", tags=["machines"])
+
+#: Share of the velocities of the axes in a frame, unless a person asks for another.
+FRAME_SHARE = 0.1
 
 
 @router.get("")
@@ -70,7 +76,24 @@ async def ask_for_operation(
     """
     await _check_machine(service, name)
     asked = request.model_dump(exclude_none=True)
+    if request.operation == "frame":
+        asked |= {"share": request.share or FRAME_SHARE}
+        asked |= await service.threads.reports(_box_of_sheet, service, name)
     return _operation_out(await service.threads.reports(service.store.stations.ask, name, asked))
+
+
+def _box_of_sheet(service: Service, machine: str) -> dict[str, Any]:
+    """Return the box of the sheet of the job that waits at a machine, as argument of a frame.
+
+    The result is empty if the sheet has no size; the gateway then takes the box of the work.
+    """
+    job = service.store.stations.waiting_job(machine)
+    sheet = None if job is None else job.sheet
+    if not sheet or not sheet["width"]:
+        return {}
+    origin = service.store.library.machine(machine).origin
+    x, y = (start - sheet["margin"] for start in origin)
+    return {"box": [x, y, x + sheet["width"], y + sheet["height"]]}
 
 
 @router.get("/{name}/operations/{id}")
@@ -93,10 +116,16 @@ def station_out(view: StationView) -> StationOut:
             "position": row.position if alive else None,
             "outputs": row.outputs if alive else [],
             "operations": row.operations if alive else [],
+            "activity": _activity(row.activity) if alive and row.activity else None,
             "job": view.job,
             "seen_seconds_ago": view.age,
         }
     )
+
+
+def _activity(stored: dict[str, Any]) -> dict[str, Any]:
+    message = stored.get("message")
+    return {**stored, "message": None if message is None else from_json(message)}
 
 
 def _operation_out(row: Operation) -> OperationOut:

@@ -220,7 +220,7 @@ class _GatewayLoop:
             run.answered.clear()
             await run.answered.wait()
             run.raise_if_withdrawn()
-            if not run.waiting and self._link.runs_dry:
+            if not run.is_waiting and self._link.runs_dry:
                 # The dry run stops by itself; the job must not start right behind it.
                 raise JobReturned(Message("gateway.started-in-dry-run"))
             if run.waiting and self._link.in_use.locked():

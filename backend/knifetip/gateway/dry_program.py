@@ -154,8 +154,11 @@ class _DryWriter:
         axes = [letter for letter in (b"X", b"Y", b"C") if letter in numbers]
         if not axes:
             return b""
-        words = [b"%s%.4f" % (letter, numbers[letter]) for letter in (*axes, b"I", b"J")
-                 if letter in numbers]
+        words = [
+            b"%s%.4f" % (letter, numbers[letter])
+            for letter in (*axes, b"I", b"J")
+            if letter in numbers
+        ]
         if self._motion == 0.0:
             fastest = 60.0 * min(self._velocity[letter] for letter in axes)
             words = [b"G94 G1", *words, _feed_word(self._share * fastest)]

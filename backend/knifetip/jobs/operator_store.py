@@ -31,6 +31,7 @@ from knifetip.jobs.operator_actions import (
     has_only_shortfalls,
     is_fully_executed,
 )
+from knifetip.jobs.station_store import dry_run_on
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import Transitions, advice
 from knifetip.messages import Message
@@ -254,7 +255,8 @@ class OperatorStore:
         ------
         WrongState
             The job does not wait for a confirmation, needs another board, uses a station that is
-            not in ``stations``, or its machine or board has changed since its compile.
+            not in ``stations``, its machine or board has changed since its compile, or its machine
+            runs above the board.
         """
         with self._db.writing() as session:
             row = self._transitions.lock(session, id)
@@ -268,6 +270,8 @@ class OperatorStore:
                 return row
             _check_current(session, row)
             self._check_waiting(row)
+            if dry_run_on(session, row.machine, self._db.timer()):
+                raise WrongState("dry-run.in-progress", job=row.id)
             sheet = row.confirmation == Confirmation.SHEET
             action = "" if row.state == State.QUEUED else "resume"
             self._change(

@@ -18,10 +18,10 @@ from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
 from knifetip.errors import NoSuchJob, WrongState
-from knifetip.gateway.operations import EXPIRY
+from knifetip.gateway.operations import EXPIRY, RUNS
 from knifetip.gateway.station_report import UNREPORTED
 from knifetip.jobs.database import Database, short
-from knifetip.jobs.job import LEASED, ON_TABLE
+from knifetip.jobs.job import LEASED, ON_TABLE, Confirmation, State
 from knifetip.jobs.machine_queues import CLAIMED
 from knifetip.jobs.tables import Job, Operation, Station
 from knifetip.messages import Message
@@ -48,6 +48,7 @@ class StationReport:
     position: Sequence[float] | None = None
     outputs: Sequence[int] = ()  #: outputs that are on
     operations: Sequence[str] = ()  #: operations that the controller can do
+    activity: Mapping[str, Any] | None = None  #: last run above the board
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,6 +117,7 @@ class StationStore:
             "position": None if report.position is None else list(report.position),
             "outputs": list(report.outputs),
             "operations": list(report.operations),
+            "activity": None if report.activity is None else dict(report.activity),
         }
         with self._db.reading() as session:
             row = session.get(Station, machine)
@@ -233,7 +235,8 @@ class StationStore:
         ------
         WrongState
             A job is running or held on the machine, its gateway or its controller is not connected,
-            or its controller cannot do the operation.
+            or its controller cannot do the operation; or the operation is a run above the board,
+            and no job waits for its operator.
         """
         now = self._db.timer()
         with self._db.writing(urgent=True) as session:
@@ -250,8 +253,12 @@ class StationStore:
             if not view.row.connected:
                 raise WrongState("operation.no-controller", machine=machine)
             name = str(request["operation"])
+            if view.row.state == UNREPORTED:
+                raise WrongState("operation.unreported", machine=machine, request=name)
             if name not in view.row.operations:
                 raise WrongState("operation.unsupported", name=machine, request=name)
+            if name in RUNS and session.scalar(_waiting_job(machine)) is None:
+                raise WrongState("dry-run.no-job")
             session.execute(
                 sa.delete(Operation).where(
                     Operation.machine == machine,
@@ -269,6 +276,11 @@ class StationStore:
             view.row.watched = now
             session.info["changed"] = True
         return row
+
+    def waiting_job(self, machine: str) -> Job | None:
+        """Return the job of a machine that waits for its operator; None if there is none."""
+        with self._db.reading() as session:
+            return session.scalar(_waiting_job(machine))
 
     def was_operated(self, machine: str) -> bool:
         """Return whether a person has asked for an operation in the last ``OPERATED`` seconds."""
@@ -338,6 +350,44 @@ def _station(session: Session, machine: str) -> Station:
 def _job_on(machine: str) -> sa.Select[str]:
     """Return a query for the job that is on the table of a machine, or claimed for it."""
     return sa.select(Job.id).where(Job.machine == machine, sa.or_(Job.state.in_(ON_TABLE), CLAIMED))
+
+
+def _waiting_job(machine: str) -> sa.Select[Job]:
+    """Return a query for the job that a gateway has claimed and that waits for its operator."""
+    return sa.select(Job).where(
+        Job.machine == machine,
+        Job.state == State.QUEUED,
+        Job.confirmation == Confirmation.AWAITED,
+        Job.requested_action != "cancel",
+    )
+
+
+def dry_run_on(session: Session, machine: str, now: float) -> bool:
+    """Return whether a machine runs above the board, or will do so at once.
+
+    Parameters
+    ----------
+    session
+        Session with the transaction of the caller.
+    machine
+        Name of the machine.
+    now
+        Present time, see ``Database.timer``.
+    """
+    row = session.get(Station, machine)
+    if row is not None and 0.0 <= now - row.reported <= SILENCE and _is_busy(row.activity):
+        return True
+    waiting = sa.select(Operation.request).where(
+        Operation.machine == machine,
+        Operation.state == "waiting",
+        Operation.asked > now - SILENCE,
+        Operation.asked <= now,
+    )
+    return any(request.get("operation") in RUNS for request in session.scalars(waiting))
+
+
+def _is_busy(activity: Mapping[str, Any] | None) -> bool:
+    return activity is not None and activity["state"] in ("running", "held")
 
 
 def _expire(row: Operation) -> None:

@@ -44,6 +44,8 @@ export type Machine = Schemas["MachineOut"];
 /** State of a machine for the person at it. */
 export type Station = StationPaths["get"]["responses"]["200"]["content"]["application/json"];
 export type Operation = Schemas["OperationOut"];
+/** What a machine does above the board for a person, while a job waits. */
+export type Activity = Schemas["ActivityOut"];
 /** What a person at a machine asks of it between two jobs. */
 export type OperationRequest = Schemas["OperationIn"];
 export type Override = Schemas["Override"];

@@ -104,7 +104,7 @@ export function StationPage({ machine: name }: Props) {
               machine.
             </p>
           ) : (
-            <StationJob job={job} checks={checks} ticked={ticked} reached={reached} onTick={tick} />
+            <StationJob {...shown} job={job} checks={checks} ticked={ticked} onTick={tick} />
           )}
         </div>
       </div>

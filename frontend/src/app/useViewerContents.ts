@@ -16,6 +16,7 @@ import {
   useDrawing,
   useEdges,
   useJob,
+  useKnownStation,
   useMachines,
   useTimeline,
   useVerdict,
@@ -23,6 +24,7 @@ import {
 } from "../state/queries";
 import { layerKey, layerOf } from "../state/rows";
 import { sheetBox } from "../state/sheet";
+import { runAboveBoard } from "../state/station";
 import { useUiStore } from "../state/store";
 import { verdictMapOf } from "../state/verdictMap";
 import type { Viewer } from "../viewer/viewer";
@@ -196,21 +198,24 @@ function useShownHead(viewer: MaybeViewer): void {
   const { data: job } = useJob();
   const { data: timeline } = useTimeline();
   const previewTime = useUiStore((ui) => ui.previewTime);
+  const run = runAboveBoard(useKnownStation(job?.machine ?? ""));
+  const dryRun = run !== null && run.kind === "dry_run" && run.job === job?.id ? run : null;
   const lastReport = useRef(0);
   useEffect(() => {
     if (viewer === null || timeline === undefined || job === undefined) return;
-    if (isOnTable(job)) {
+    const shown = isOnTable(job) ? job : dryRun;
+    if (shown !== null) {
       const now = performance.now();
       // Assume that the next report takes as long as the last one.
       const interval = Math.min(1500, Math.max(80, now - lastReport.current));
       lastReport.current = now;
-      viewer.runHead(timeOf(timeline, job.line, job.position), interval * 1.1);
+      viewer.runHead(timeOf(timeline, shown.line, shown.position, shown === job), interval * 1.1);
     } else if (previewTime !== null) viewer.moveHead(previewTime);
     else if (job.state === "done") viewer.moveHead(totalSeconds(timeline));
     else if (job.stopped_at !== null)
       viewer.moveHead(timeOf(timeline, job.stopped_at.line, job.stopped_at.position));
     else viewer.moveHead(null);
-  }, [viewer, timeline, job, previewTime]);
+  }, [viewer, timeline, job, dryRun, previewTime]);
 }
 
 function useCommands(

@@ -97,6 +97,8 @@ export function timeOf(
   line: Timeline,
   programLine: number,
   position: readonly [number, number, number, number] | null,
+  /** False if the head follows the path above the board. */
+  atHeight = true,
 ): number {
   const { pose, bulge, line: lines } = line.toolpath;
   let first = 0;
@@ -122,7 +124,7 @@ export function timeOf(
     const rise =
       (pose[a + 2] as number) + ((pose[a + 6] as number) - (pose[a + 2] as number)) * fraction;
     // The height tells a cutting pass from the return above the board.
-    const miss = distance + Math.abs(rise - position[2]);
+    const miss = distance + (atHeight ? Math.abs(rise - position[2]) : 0);
     if (miss < least - 1e-6) {
       least = miss;
       const start = line.clock[row] as number;

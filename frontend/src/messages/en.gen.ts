@@ -831,6 +831,46 @@ export const TEXTS = {
     "text": "The file {name} is larger than {limit} MB.",
     "hint": "Send a smaller file, for example without pictures."
   },
+  "dry-run.in-progress": {
+    "text": "The machine runs above the board for job {job}. The job was not started.",
+    "hint": "Wait until the run has ended, or stop it. Then start the job."
+  },
+  "dry-run.no-job": {
+    "text": "No job waits for its start at this machine, so there is nothing to run above the board.",
+    "hint": "Release a job for this machine, and ask before it is started."
+  },
+  "dry-run.no-lift": {
+    "text": "Line {line} of the dry program is not a lift straight up to Z {height:g}. Nothing was sent.",
+    "hint": "Report this to the maker of knifetip, with the program of the job."
+  },
+  "dry-run.no-work": {
+    "text": "The program of the job does no work in the board, so it has no frame.",
+    "hint": "Open the job and check its program."
+  },
+  "dry-run.not-running": {
+    "text": "The machine runs no program above the board, so there is nothing to hold or to resume.",
+    "hint": ""
+  },
+  "dry-run.other-path": {
+    "text": "Line {line} of the dry program leaves the path of the program. Nothing was sent.",
+    "hint": "Report this to the maker of knifetip, with the program of the job."
+  },
+  "dry-run.switches": {
+    "text": "Line {line} of the dry program switches something on. Nothing was sent.",
+    "hint": "Report this to the maker of knifetip, with the program of the job."
+  },
+  "dry-run.too-low": {
+    "text": "Line {line} of the dry program moves Z to {z:g}, below {height:g}. Nothing was sent.",
+    "hint": "Report this to the maker of knifetip, with the program of the job."
+  },
+  "dry-run.unknown-line": {
+    "text": "Line {line} of the program cannot be run above the board: {text!r}. Nothing was sent.",
+    "hint": "Have the job compiled again. A program that was edited by hand cannot be run dry."
+  },
+  "dry-run.uses-machine": {
+    "text": "The machine runs a program above the board.",
+    "hint": "Wait until the run has ended, or stop it first."
+  },
   "dxf.at-line": {
     "text": "at line {line} of the file",
     "hint": ""
@@ -1218,6 +1258,10 @@ export const TEXTS = {
   "gateway.outdated-machine": {
     "text": "The gateway {gateway} uses version {version} of the machine {machine}, whose newest version is {newest}.",
     "hint": "Load the definition of the machine again, or restart the gateway."
+  },
+  "gateway.started-in-dry-run": {
+    "text": "The job was started while the machine ran above the board. Nothing of the job was sent to the machine.",
+    "hint": "Queue the job again, and start it when the machine is at rest."
   },
   "gateway.switched-off": {
     "text": "The gateway (the program that sends jobs to the machine) was stopped.",
@@ -2830,6 +2874,10 @@ export const TEXTS = {
   "operation.unknown-output": {
     "text": "The machine has no output {output}.",
     "hint": "Use one of its outputs: {outputs}."
+  },
+  "operation.unreported": {
+    "text": "The controller of {machine} takes whole programs and reports nothing, so it cannot carry out the operation {request}.",
+    "hint": "Use the controls of the machine itself. To see the path without work, raise or remove the tool, or draw the program with a pen."
   },
   "operation.unsupported": {
     "text": "{name} cannot carry out the operation {request}.",

@@ -11,7 +11,7 @@ import { type ReactNode, useEffect, useState } from "react";
 import type { Job, JobCommand, Station } from "../api/client";
 import { awaitsEnd, confirmationBefore, needsOperator } from "../state/jobs";
 import { type Checked, commandJob, operate, startJob } from "../state/operations";
-import { type Stop, stopOf } from "../state/station";
+import { runAboveBoard, type Stop, stopOf } from "../state/station";
 import { AskOnce } from "./AskOnce";
 import css from "./station.module.css";
 
@@ -38,8 +38,14 @@ const has = (job: Job | undefined, word: JobCommand): boolean =>
   job?.actions.includes(word) === true;
 
 /** What `Start` waits for. */
-function reasonAgainstStart(job: Job | undefined, checked: Checked | null): string | null {
+function reasonAgainstStart(
+  job: Job | undefined,
+  station: Station | undefined,
+  checked: Checked | null,
+): string | null {
   if (job === undefined) return "There is no job for this machine.";
+  if (runAboveBoard(station) !== null)
+    return "The machine runs above the board. Wait until it has ended, or stop it.";
   if (!needsOperator(job) || !has(job, "confirm")) return "No job waits for its start.";
   return checked !== null ? null : "Check and tick everything that is listed first.";
 }
@@ -62,6 +68,8 @@ export function StationControls({ machine, station, job, reached, checked }: Pro
     if (!asks) setAsking(null);
   }, [asks]);
 
+  const run = runAboveBoard(station);
+  const holds = (state: "running" | "held") => run?.state === state;
   const send = (label: string, word: JobCommand) => {
     if (job !== undefined) void commandJob(job.id, label, word);
   };
@@ -76,7 +84,7 @@ export function StationControls({ machine, station, job, reached, checked }: Pro
       testId: "station-start",
       tone: "green",
       icon: <IconPlayerPlayFilled aria-hidden />,
-      reason: reasonAgainstStart(job, checked),
+      reason: reasonAgainstStart(job, station, checked),
       act: () => {
         if (job !== undefined && checked !== null) void startJob(job.id, checked);
       },
@@ -86,12 +94,15 @@ export function StationControls({ machine, station, job, reached, checked }: Pro
       testId: "station-hold",
       tone: "amber",
       icon: <IconPlayerPauseFilled aria-hidden />,
-      reason: !has(job, "hold")
-        ? "No job runs."
-        : station?.state === "unreported"
-          ? "This machine cannot be held from here. Use its own controls."
-          : null,
-      act: () => send("Hold", "hold"),
+      reason: holds("running")
+        ? null
+        : !has(job, "hold")
+          ? "No job runs."
+          : station?.state === "unreported"
+            ? "This machine cannot be held from here. Use its own controls."
+            : null,
+      act: () =>
+        run === null ? send("Hold", "hold") : void operate(machine, "Hold", { operation: "hold" }),
     },
     {
       name: job !== undefined && awaitsEnd(job) ? "Has finished" : "Resume",
@@ -99,8 +110,12 @@ export function StationControls({ machine, station, job, reached, checked }: Pro
       tone: "blue",
       icon: <IconPlayerTrackNextFilled aria-hidden />,
       // A job that waits for a sheet goes on with Start, after the checks.
-      reason: has(job, "resume") && !has(job, "confirm") ? null : "No job is held.",
-      act: () => send("Resume", "resume"),
+      reason:
+        holds("held") || (has(job, "resume") && !has(job, "confirm")) ? null : "No job is held.",
+      act: () =>
+        run === null
+          ? send("Resume", "resume")
+          : void operate(machine, "Resume", { operation: "resume" }),
     },
     {
       name: "Stop",

@@ -2,7 +2,7 @@
 
 import { IconCheck } from "@tabler/icons-react";
 import { useState } from "react";
-import type { Job, JobCommand } from "../api/client";
+import type { Job, JobCommand, Machine, Station } from "../api/client";
 import { renderHint, renderText } from "../messages/render";
 import type { Check } from "../state/checks";
 import { formatDuration, pluralize } from "../state/format";
@@ -11,12 +11,15 @@ import { commandJob } from "../state/operations";
 import { useBoards } from "../state/queries";
 import { canContinue } from "../state/rest";
 import { AskOnce } from "./AskOnce";
+import { DryRunPanel } from "./DryRunPanel";
 import { RestPanel } from "./RestPanel";
 import { StateBadge } from "./StateBadge";
 import css from "./station.module.css";
 
 interface Props {
   readonly job: Job;
+  readonly machine: Machine;
+  readonly station: Station | undefined;
   /** null: not known yet. */
   readonly checks: readonly Check[] | null;
   readonly ticked: ReadonlySet<string>;
@@ -24,7 +27,8 @@ interface Props {
   onTick(key: string): void;
 }
 
-export function StationJob({ job, checks, ticked, reached, onTick }: Props) {
+export function StationJob(props: Props) {
+  const { job, machine, station, checks, ticked, reached, onTick } = props;
   const { data: boards } = useBoards();
   const board = boards?.find(({ name }) => name === job.board);
   return (
@@ -42,6 +46,9 @@ export function StationJob({ job, checks, ticked, reached, onTick }: Props) {
       <Reason job={job} />
       {needsOperator(job) && checks !== null && (
         <Checks checks={checks} ticked={ticked} onTick={onTick} />
+      )}
+      {job.waiting_for === "confirmation" && job.state === "queued" && (
+        <DryRunPanel job={job} machine={machine} station={station} reached={reached} />
       )}
       {(job.state === "interrupted" || job.state === "cancelled") && (
         <AfterInterruption job={job} reached={reached} />

@@ -16,7 +16,7 @@ interface Props {
 }
 
 interface Way {
-  readonly operation: Exclude<OperationName, "jog" | "switch" | "stop_jog">;
+  readonly operation: Extract<OperationName, "home" | "park" | "zero" | "unlock">;
   readonly title: string;
   readonly note: string;
   readonly request: OperationRequest;

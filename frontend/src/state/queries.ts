@@ -205,6 +205,9 @@ export const useTools = (machine: string) => useQuery(queries.tools(machine));
 export const useMachines = () => useQuery(queries.machines());
 /** State of a machine for the person at it. */
 export const useStation = (machine: string) => useQuery(queries.station(machine));
+/** State of a machine if the page follows it; the machine then reports more often. */
+export const useKnownStation = (machine: string): Station | undefined =>
+  useQuery({ ...queries.station(machine), enabled: false }).data;
 export const useServiceStatus = () => useQuery(queries.status());
 export const useFormats = () => useQuery(queries.formats());
 export const useBoards = () => useQuery(queries.boards());

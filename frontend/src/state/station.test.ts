@@ -22,6 +22,7 @@ const station = (part: Partial<Station>): Station => ({
   position: [10, 10, 20, 0],
   outputs: [],
   operations: ["unlock", "home", "jog", "stop_jog", "zero", "park", "switch"],
+  activity: null,
   job: "",
   seen_seconds_ago: 0.1,
   ...part,
@@ -52,6 +53,46 @@ describe("title", () => {
     expect(titleOf(station({ gateway: "", state: "" }), undefined).title).toBe(
       "Machine not connected",
     );
+  });
+});
+
+describe("a run above the board", () => {
+  const above = (state: "running" | "held" | "done") =>
+    station({
+      state: "run",
+      operations: ["dry_run", "hold", "resume", "stop_jog", "jog"],
+      activity: {
+        kind: "dry_run",
+        job: "j",
+        state,
+        line: 3,
+        progress: 0.5,
+        seconds_left: 4,
+        position: null,
+        station: null,
+        message: null,
+      },
+    });
+  const waits = job({ state: "queued", waiting_for: "confirmation", actions: ["cancel"] });
+
+  test("is the title of the page while it lasts", () => {
+    expect(titleOf(above("running"), waits).title).toBe("Dry run");
+    expect(titleOf(above("held"), waits).title).toBe("Dry run paused");
+    expect(titleOf(above("done"), waits).title).toBe("Waiting for operator");
+  });
+  test("is stopped without ending the job", () => {
+    expect(stopOf(above("running"), waits)).toEqual({ act: "stop_jog", asks: false });
+    expect(stopOf(above("done"), waits)?.act).toBe("cancel");
+  });
+  test("is held and resumed, and hinders everything else", () => {
+    const reason = (word: "hold" | "resume" | "jog", state: "running" | "held") =>
+      reasonAgainst(word, above(state), MACHINE, waits);
+    expect([reason("hold", "running"), reason("resume", "running")]).toEqual([
+      null,
+      "Nothing is held.",
+    ]);
+    expect([reason("hold", "held"), reason("resume", "held")]).toEqual(["Nothing runs.", null]);
+    expect(reason("jog", "running")).toContain("above the board");
   });
 });
 

@@ -1,6 +1,6 @@
 /** The person at a machine: what is on its table, what may be asked of it, and why not. */
 
-import type { Job, Machine, Operation, OperationRequest, Station } from "../api/client";
+import type { Activity, Job, Machine, Operation, OperationRequest, Station } from "../api/client";
 import { renderText } from "../messages/render";
 import { isFinal, isOnTable, needsOperator, stateStyleOf } from "./jobs";
 
@@ -32,12 +32,31 @@ const STATES: Readonly<Record<Station["state"], StationTitle>> = {
 /** A job that is or was on the table decides what the page shows; a final one only informs. */
 const occupies = (job: Job | undefined): job is Job => job !== undefined && !isFinal(job);
 
+/** Names of the runs above the board, as a title and as a label of their outcome. */
+export const RUN_TITLES: Readonly<Record<Activity["kind"], string>> = {
+  dry_run: "Dry run",
+  frame: "Frame",
+};
+
+/** The run above the board that the machine executes now; null if there is none. */
+export function runAboveBoard(station: Station | undefined): Activity | null {
+  const activity = station?.activity ?? null;
+  return activity?.state === "running" || activity?.state === "held" ? activity : null;
+}
+
 /** The one title that a person reads from two metres away. */
 export function titleOf(station: Station | undefined, job: Job | undefined): StationTitle {
   if (station === undefined) return { title: "Connecting", tone: "grey" };
   if (station.gateway === "") return { title: "Machine not connected", tone: "grey" };
   if (station.alarm !== null) return { title: "Alarm", tone: "red" };
   if (!station.connected) return { title: "Controller not connected", tone: "red" };
+  const run = runAboveBoard(station);
+  if (run !== null) {
+    const title = RUN_TITLES[run.kind];
+    return run.state === "held"
+      ? { title: `${title} paused`, tone: "amber" }
+      : { title, tone: "blue" };
+  }
   if (occupies(job) && (isOnTable(job) || needsOperator(job) || job.state === "interrupted")) {
     return stateStyleOf(job);
   }
@@ -64,6 +83,8 @@ export interface Stop {
 }
 
 export function stopOf(station: Station | undefined, job: Job | undefined): Stop | null {
+  // A run above the board is stopped; the job keeps waiting.
+  if (runAboveBoard(station) !== null) return { act: "stop_jog", asks: false };
   if (job?.actions.includes("cancel") && (isOnTable(job) || needsOperator(job)))
     return { act: "cancel", asks: !moves(station, job) };
   if (station?.state === "jog" && station.operations.includes("stop_jog"))
@@ -103,6 +124,11 @@ export function reasonAgainst(
   }
   if (!station.operations.includes(operation))
     return "The controller of this machine cannot do this.";
+  const run = runAboveBoard(station);
+  if (operation === "hold") return run?.state === "running" ? null : "Nothing runs.";
+  if (operation === "resume") return run?.state === "held" ? null : "Nothing is held.";
+  if (run !== null && operation !== "stop_jog")
+    return "The machine runs above the board. Wait until it has ended, or stop it.";
   if (operation === "unlock") return station.alarm === null ? "There is no alarm." : null;
   if (operation === "home") return null;
   if (station.alarm !== null) return "An alarm locks the machine. Home it, or unlock it, first.";

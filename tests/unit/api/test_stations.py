@@ -57,6 +57,7 @@ def test_the_station_shows_the_report_of_the_gateway(client: httpx.Client) -> No
         "position": [1.0, 2.0, 20.0, 0.0],
         "outputs": [1],
         "operations": ["unlock", "home", "jog", "stop_jog"],
+        "activity": None,
         "job": "",
     }
     assert report(client)["watched"]
@@ -108,6 +109,8 @@ def test_a_late_operation_expires(client: httpx.Client) -> None:
         {"operation": "switch", "output": -1, "on": True},
         {"operation": "switch", "output": 1},
         {"operation": "unlock", "force": True},
+        {"operation": "dry_run", "share": 0.01},
+        {"operation": "dry_run", "share": 1.5},
     ],
 )
 def test_a_wrong_operation_is_refused_with_a_hint(
@@ -152,3 +155,32 @@ def test_each_change_of_a_station_is_an_event(client: httpx.Client) -> None:
         assert event.number is None
         assert event.data["machine"] == MACHINE
         assert event.data["position"] == [5.0, 0.0, 20.0, 0.0]
+
+
+def test_a_run_above_the_board_is_shown_and_needs_a_job_that_waits(client: httpx.Client) -> None:
+    failed = {
+        "kind": "dry_run",
+        "job": "job-1",
+        "state": "failed",
+        "line": 12,
+        "progress": 0.5,
+        "seconds_left": None,
+        "position": [1.0, 2.0, 20.0, 90.0],
+        "station": 2,
+        "message": {"code": "dry-run.no-work", "arguments": {}},
+    }
+    report(client, operations=["dry_run", "frame", "hold"], activity=failed)
+    shown = client.get(f"/api/machines/{MACHINE}/station").json()["activity"]
+    assert shown.pop("message")["text"].startswith("The program of the job does no work")
+    del failed["message"]
+    assert shown == failed
+    for name in ("dry_run", "frame"):
+        answer = ask(client, operation=name)
+        assert answer.status_code == 409
+        assert answer.json()["code"] == "dry-run.no-job"
+    report(client, state="unreported", operations=[])
+    answer = ask(client, operation="dry_run").json()
+    assert answer["code"] == "operation.unreported"
+    assert "controls of the machine" in answer["hint"]
+    report(client)
+    assert client.get(f"/api/machines/{MACHINE}/station").json()["activity"] is None

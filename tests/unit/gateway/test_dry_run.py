@@ -83,8 +83,8 @@ async def test_a_dry_run_stays_above_the_board_and_the_job_keeps_waiting(
         assert done["position"][:2] == pytest.approx([500.0, 100.0])
         assert done["station"] == 2
         assert_above_board(table)
-        samples = table.trace.samples() if table.trace else []
-        assert max(row[1] for row in samples) == pytest.approx(560.0)
+        assert table.trace is not None
+        assert table.trace.samples()[:, 1].max() == pytest.approx(560.0)
         # Nothing has happened to the job.
         assert office.finished == []
         assert all(beat["waiting"] and beat["line"] == 0 for beat in office.beats)

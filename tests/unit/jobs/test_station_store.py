@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from knifetip.errors import NoSuchJob, WrongState
 from knifetip.jobs.station_store import OperationResult, StationReport
 from knifetip.jobs.store import Store
-from knifetip.messages import Message
-from tests.support.job_states import running
+from knifetip.messages import Message, hint
+from tests.support.job_states import WAITING, running, waiting
 from tests.support.stored import Clock
 
 MACHINE = "table"
@@ -137,3 +139,59 @@ def test_a_machine_is_watched_for_a_while_after_a_look(reported: Store, clock: C
     assert reported.stations.is_watched(MACHINE)
     clock.now += 2.0
     assert not reported.stations.is_watched(MACHINE)
+
+
+DRY = {"operation": "dry_run", "share": 0.5}
+ABLE = replace(IDLE, operations=("dry_run", "frame", "hold", "resume", "stop_jog"))
+
+
+def test_a_run_above_the_board_needs_a_job_that_waits(store: Store) -> None:
+    store.stations.report(MACHINE, ABLE)
+    with pytest.raises(WrongState) as refused:
+        store.stations.ask(MACHINE, DRY)
+    assert refused.value.message.code == "dry-run.no-job"
+    job = waiting(store)
+    assert store.stations.waiting_job(MACHINE) is not None
+    store.stations.ask(MACHINE, DRY)
+    assert [one.request for one in store.stations.hand_out(MACHINE)] == [DRY]
+    store.operators.cancel(job.id)
+    assert store.stations.waiting_job(MACHINE) is None
+
+
+@pytest.mark.parametrize("state", ["asked", "running", "held"])
+def test_a_job_is_not_started_while_its_machine_runs_above_the_board(
+    store: Store, clock: Clock, state: str
+) -> None:
+    store.stations.report(MACHINE, ABLE)
+    job = waiting(store)
+    if state == "asked":
+        store.stations.ask(MACHINE, DRY)
+    else:
+        activity = {"kind": "dry_run", "job": job.id, "state": state}
+        store.stations.report(MACHINE, replace(ABLE, activity=activity))
+    with pytest.raises(WrongState) as refused:
+        store.operators.confirm(job.id)
+    assert refused.value.message.code == "dry-run.in-progress"
+    assert store.jobs.get(job.id).confirmation == "awaited"
+    clock.now += 7.0  # the gateway is silent, so the run has stopped
+    store.gateways.heartbeat(job.id, job.epoch, WAITING)
+    assert store.operators.confirm(job.id).confirmation == "given"
+
+
+@pytest.mark.parametrize("state", ["done", "stopped", "failed"])
+def test_a_run_above_the_board_that_has_ended_does_not_hinder_the_start(
+    store: Store, state: str
+) -> None:
+    job = waiting(store)
+    activity = {"kind": "frame", "job": job.id, "state": state}
+    store.stations.report(MACHINE, replace(ABLE, activity=activity))
+    assert store.stations.get(MACHINE).row.activity == activity
+    assert store.operators.confirm(job.id).confirmation == "given"
+
+
+def test_a_controller_that_reports_nothing_refuses_with_a_hint(store: Store) -> None:
+    store.stations.report(MACHINE, StationReport("gw", True, "unreported"))
+    with pytest.raises(WrongState) as refused:
+        store.stations.ask(MACHINE, DRY)
+    assert refused.value.message.code == "operation.unreported"
+    assert hint(refused.value.message)

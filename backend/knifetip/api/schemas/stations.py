@@ -9,11 +9,25 @@ from pydantic import BaseModel, Field, model_validator
 from knifetip.api.schemas.common import Count, Name, Strict
 from knifetip.api.schemas.messages import MessageIn, MessageOut
 from knifetip.fields import LISTED, field_error
+from knifetip.gateway.dry_program import LEAST_SHARE
 from knifetip.gateway.operations import EXPIRY
 
 Pose = tuple[float, float, float, float]
 OperationWord = Annotated[
-    Literal["unlock", "home", "jog", "stop_jog", "zero", "park", "switch"], LISTED
+    Literal[
+        "unlock",
+        "home",
+        "jog",
+        "stop_jog",
+        "zero",
+        "park",
+        "switch",
+        "dry_run",
+        "frame",
+        "hold",
+        "resume",
+    ],
+    LISTED,
 ]
 StateWord = Literal[
     "idle", "run", "hold", "jog", "home", "check", "door", "alarm", "busy", "unreported", ""
@@ -29,6 +43,43 @@ _STATE = (
 )
 #: Arguments that an operation needs, by its name.
 _NEEDED = {"jog": ("axis", "distance", "feed"), "zero": ("axes",), "switch": ("output", "on")}
+
+
+class _Activity(BaseModel):
+    """What a machine does above the board for a person, while a job waits for its operator."""
+
+    kind: Literal["dry_run", "frame"] = Field(
+        description="dry_run: the program of the job. frame: round the box of sheet or work"
+    )
+    job: Name = Field(description="Id of the job that waits")
+    state: Literal["running", "held", "done", "stopped", "failed"] = Field(
+        description="done: it has ended. stopped: a person has stopped it, the job has left the "
+        "machine, or the server was silent. failed: the machine has failed"
+    )
+    line: Count = Field(description="Executed lines; those of a dry run are those of the program")
+    progress: float = Field(ge=0.0, le=1.0, description="Executed share of the lines")
+    seconds_left: float | None = Field(
+        description="Estimated time until the end (s); null if unknown"
+    )
+    position: Pose | None = Field(
+        description="Position on the sheet: X, Y of the head axis, Z of the tip (mm), C (degrees); "
+        "null if it is not known",
+    )
+    station: int | None = Field(
+        description="Number of the station whose path is shown; null for none"
+    )
+
+
+class ActivityIn(_Activity):
+    """A run above the board, as the gateway reports it."""
+
+    message: MessageIn | None = Field(default=None, description="Why it has failed; else null")
+
+
+class ActivityOut(_Activity):
+    """A run above the board while a job waits for its operator."""
+
+    message: MessageOut | None = Field(description="Why it has failed; else null")
 
 
 class StationOut(BaseModel):
@@ -52,6 +103,9 @@ class StationOut(BaseModel):
         description="Operations that the controller can do, as in `POST "
         "/api/machines/{name}/operations`"
     )
+    activity: ActivityOut | None = Field(
+        description="The last run above the board while a job waits; null if there was none"
+    )
     job: str = Field(
         description="Id of the job on the machine, or of the job that waits for a confirmation; "
         "empty if there is none"
@@ -68,7 +122,11 @@ class OperationIn(Strict):
         description="unlock: clear an alarm without homing. home: find the zero of all axes by "
         "their switches. jog: move one axis by a distance. stop_jog: stop the jog that is "
         "running. zero: set the work coordinates of axes to zero at the present position. park: "
-        "lift the tool and move it to the corner of the table. switch: switch an output on or off"
+        "lift the tool and move it to the corner of the table. switch: switch an output on or off. "
+        "dry_run: run the program of the job that waits for its operator above the board, with "
+        "all outputs and the spindle off; the job keeps waiting. frame: move round the box of the "
+        "sheet, or of the work if the sheet has no size, above the board. hold, resume: hold and "
+        "resume such a run; stop_jog stops it"
     )
     axis: Literal["X", "Y", "Z", "C"] | None = Field(
         default=None, description="Axis of a jog; required for `jog`"
@@ -95,6 +153,13 @@ class OperationIn(Strict):
     )
     on: bool | None = Field(
         default=None, description="Whether to switch the output on; required for `switch`"
+    )
+    share: float | None = Field(
+        default=None,
+        ge=LEAST_SHARE,
+        le=1.0,
+        description="Share of the feeds, for `dry_run`, and of the velocities, for `frame`; null: "
+        "1 for `dry_run`, and 0.1 for `frame`",
     )
 
     @model_validator(mode="after")
@@ -148,6 +213,9 @@ class StationIn(Strict):
     operations: Annotated[list[Name], Field(max_length=32)] = Field(
         default=[], description="Operations that the controller can do"
     )
+    activity: ActivityIn | None = Field(
+        default=None, description="The last run above the board; null if there was none"
+    )
     results: Annotated[list[ResultIn], Field(max_length=100)] = Field(
         default=[], description="Results of operations since the last report"
     )
@@ -174,6 +242,10 @@ class AskedOut(BaseModel):
     axes: str | None = Field(default=None, description="Letters of the axes to set to zero")
     output: int | None = Field(default=None, description="Number of the output to switch")
     on: bool | None = Field(default=None, description="Whether to switch the output on")
+    share: float | None = Field(default=None, description="Share of the feeds, for dry runs")
+    box: Pose | None = Field(
+        default=None, description="Box of a frame: x0, y0, x1, y1 (mm); null: that of the work"
+    )
 
 
 class StationAnswer(BaseModel):

@@ -17,7 +17,8 @@ MESSAGES: Final[Entries] = {
         "Release a job for this machine, and ask before it is started.",
     ),
     "dry-run.no-lift": entry(
-        "Line {line} of the dry program is not a lift straight up to Z {height:g}. Nothing was sent.",
+        "Line {line} of the dry program is not a lift straight up to Z {height:g}. Nothing was "
+        "sent.",
         "Report this to the maker of knifetip, with the program of the job.",
         line="count",
         height="number",

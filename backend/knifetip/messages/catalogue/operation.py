@@ -96,6 +96,14 @@ MESSAGES: Final[Entries] = {
         output="number",
         outputs="texts",
     ),
+    "operation.unreported": entry(
+        "The controller of {machine} takes whole programs and reports nothing, so it cannot carry "
+        "out the operation {request}.",
+        "Use the controls of the machine itself. To see the path without work, raise or remove the "
+        "tool, or draw the program with a pen.",
+        machine="text",
+        request="text",
+    ),
     "operation.unsupported": entry(
         "{name} cannot carry out the operation {request}.",
         "Carry it out at the machine.",
