@@ -1,9 +1,10 @@
 #!/bin/sh
-# Install what only tests need and pip cannot bring: Chromium, LinuxCNC and PostgreSQL, if we may.
+# Install what only tests need and pip cannot bring: Chromium, LinuxCNC, gcc and PostgreSQL, if we may.
 set -u
 missing=""
 command -v chromium >/dev/null 2>&1 || missing="$missing chromium"
 command -v rs274 >/dev/null 2>&1 || missing="$missing linuxcnc-uspace"
+command -v gcc >/dev/null 2>&1 || missing="$missing gcc libc6-dev"
 command -v initdb >/dev/null 2>&1 || ls /usr/lib/postgresql/*/bin/initdb >/dev/null 2>&1 ||
     missing="$missing postgresql"
 [ -n "$missing" ] || exit 0

@@ -4,26 +4,25 @@
 
 The same polygons are milled from outside with each type.  LinuxCNC runs without a display, and its
 ``sampler`` records both joints in every servo period (1 ms of machine time), so the figures do not
-depend on the load of the computer.  Requires linuxcnc-uspace and the files that
-``controllers/linuxcnc_machine.py`` names; takes about five minutes.
+depend on the load of the computer.  Requires linuxcnc-uspace; takes about five minutes.
 """
 
 from __future__ import annotations
 
+import asyncio
 import subprocess
-import tempfile
-import time
 from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
-from shutil import copyfile
 
 import numpy as np
 
 from knifetip.compensation.corner import corner_durations, corner_lengths
+from knifetip.gateway.linuxcnc.driver import Linuxcnc, dial
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
 from knifetip.geometry.path import Paths
+from knifetip.library import load
 from knifetip.offset.offset_paths import offset_paths
 from knifetip.offset.transition import Corner
 from tests.controllers import linuxcnc_machine
@@ -40,13 +39,6 @@ TOUCH = 0.02
 #: The centre is at rest if it moves less than this in a servo period (mm).
 REST_STEP = 1e-6
 
-SAMPLER = """
-loadrt sampler depth=8000 cfg=ff
-addf sampler.0 servo-thread
-net Xpos => sampler.0.pin.0
-net Ypos => sampler.0.pin.1
-loadusr halsampler -t samples.txt
-"""
 HEADER = """\
 # LinuxCNC {version}, headless, servo period 1 ms, G64 P0.005 Q0.005, polygons of {side:g} mm sides
 # axes 1500 mm/s and 8000 mm/s2, k = {k:g}; times in ms of LinuxCNC's own servo periods
@@ -130,38 +122,18 @@ def program(path: Paths, feed: float, laps: int) -> bytes:
 PLACE = np.array([100.0, 100.0])
 
 
-class Samples:
-    """The file of the sampler, read from the position where the last call stopped."""
-
-    def __init__(self, file: Path) -> None:
-        self.file = file
-        self.read = 0
-
-    def new(self) -> F64:
-        """Return the positions recorded since the last call, one per servo period, (n, 2) mm."""
-        with self.file.open("rb") as text:
-            text.seek(self.read)
-            data = text.read()
-        complete = data[: data.rfind(b"\n") + 1]
-        self.read += len(complete)
-        assert b"overrun" not in complete, "the sampler lost periods"
-        rows = np.array([line.split() for line in complete.splitlines()], float).reshape(-1, 3)
-        assert (np.diff(rows[:, 0]) == 1.0).all(), "the sampler lost periods"
-        return rows[:, 1:]
-
-
-def measure(
-    machine: linuxcnc_machine.Machine, samples: Samples, shape: Shape, radius: float,
+async def measure(
+    machine: linuxcnc_machine.Machine, controller: Linuxcnc, shape: Shape, radius: float,
     feed: float, corner: Corner,
 ) -> Row:  # fmt: skip
     """Run the program of one polygon with a corner type; return the measurements."""
     path = centre(shape, radius, corner)
     length = float(path.lengths[0])
     laps = max(1, round(RUN_SECONDS * feed / 60.0 / length))
-    samples.new()
-    machine.run(program(path, feed, laps))
-    time.sleep(0.1)  # wait until the sampler has written all samples
-    positions = samples.new()
+    mark = machine.mark()
+    await controller.run(program(path, feed, laps))
+    assert machine.stands()  # the sampler has written all samples
+    positions = machine.samples(mark)[:, :2]
     step = np.hypot(*np.diff(positions, axis=0).T)
     moving = np.flatnonzero(step > REST_STEP)
     # The last sequence of moves: a dwell separates it from the rapid to the start.
@@ -264,6 +236,17 @@ def check(rows: list[Row]) -> None:
         assert abs(row.path_length - SIDE * len(turn) - around) < 1e-6
 
 
+async def measure_all(machine: linuxcnc_machine.Machine) -> list[Row]:
+    """Measure all shapes, radii, feeds and corner types."""
+    controller = await dial(machine.address)
+    rows: list[Row] = []
+    for shape, radius, feed, corner in product(SHAPES, RADII, FEEDS, Corner):
+        rows.append(await measure(machine, controller, shape, radius, feed, corner))
+        print(rows[-1].line(), flush=True)
+    await controller.close()
+    return rows
+
+
 def main() -> None:
     """Measure all shapes, radii, feeds and corner types; write the table and its log."""
     reason = linuxcnc_machine.missing_requirement()
@@ -273,19 +256,9 @@ def main() -> None:
         ["dpkg-query", "-W", "-f=${Version}", "linuxcnc-uspace"],
         capture_output=True, text=True, check=False,
     ).stdout or "of unknown version"  # fmt: skip
-    rows: list[Row] = []
-    with tempfile.TemporaryDirectory() as folder:
-        parts = Path(folder)
-        for part in ("carton.ini", "carton.hal", "loopback_bind.c"):
-            copyfile(linuxcnc_machine.PARTS / part, parts / part)
-        with (parts / "carton.hal").open("a") as hal:
-            hal.write(SAMPLER)
-        linuxcnc_machine.PARTS = parts
-        with linuxcnc_machine.running("T4 P4 Z0 D6 ;router\n") as machine:
-            samples = Samples(machine.directory / "samples.txt")
-            for shape, radius, feed, corner in product(SHAPES, RADII, FEEDS, Corner):
-                rows.append(measure(machine, samples, shape, radius, feed, corner))
-                print(rows[-1].line(), flush=True)
+    with linuxcnc_machine.running(load.machine("router-table")) as machine:
+        machine.make_ready()
+        rows = asyncio.run(measure_all(machine))
     check(rows)
     head = HEADER.format(version=version, side=SIDE, k=K)
     log = head + "".join(f"{row.line()}\n" for row in rows)

@@ -1,12 +1,19 @@
-"""Run a complete LinuxCNC without hardware: real planner, simulated joints, commands over TCP.
+"""Run a complete LinuxCNC without hardware: real planner, simulated joints.
 
-It needs no real-time kernel.  It refuses to run as root, so root starts it as user ``nobody``.
-Only one can run at a time, because LinuxCNC's lock file has a fixed path.
+It is observed through its HAL pins and switched through ``halui`` only.  The remote shell of
+LinuxCNC 2.9 ends or mixes up replies when two clients use it at the same time, so the gateway under
+test is its only client.
+
+LinuxCNC needs no real-time kernel.  It refuses to run as root, so root starts it as user
+``nobody``.  A computer runs only one: a second one ends the first.  ``running`` therefore waits for
+other test runs.
 """
 
 from __future__ import annotations
 
+import fcntl
 import os
+import pwd
 import shutil
 import signal
 import socket
@@ -14,90 +21,115 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager, suppress
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-ROOT = Path(__file__).resolve().parents[2]
-PARTS = Path(os.environ.get("KNIFETIP_LINUXCNC", ROOT.parent / "shared" / "linuxcnc"))
-LOCK = Path(tempfile.gettempdir()) / "linuxcnc.lock"
+from knifetip.geometry.columns import F64
+from knifetip.model.machine import Machine as TableMachine
+from knifetip.post.rs274.tool_table import tool_table
+from tests.controllers import linuxcnc_configuration as configuration
+
+#: Created by LinuxCNC while it runs.
+LOCK = Path("/tmp/linuxcnc.lock")
+#: Locked by the test run that uses LinuxCNC.
+_TURN = Path(tempfile.gettempdir()) / "knifetip-test-linuxcnc"
+_SHELL = "linuxcncrsh"
+_JOINTS = len(configuration.JOINTS)
 
 
 def missing_requirement() -> str:
     """Return why LinuxCNC cannot be started here, "" if it can."""
-    if not PARTS.is_dir():
-        return f"the headless machine's files are not at {PARTS} (set KNIFETIP_LINUXCNC)"
-    required = ["linuxcnc", "gcc", *(["runuser"] if os.geteuid() == 0 else [])]
+    required = ("linuxcnc", "halcmd", "halsampler", "gcc")
     missing = [name for name in required if shutil.which(name) is None]
     if missing:
         return f"{' and '.join(missing)} not installed (apt-get install linuxcnc-uspace gcc)"
-    if LOCK.exists():
-        return f"another LinuxCNC runs on this machine: {LOCK} exists"
     return ""
 
 
 class Machine:
-    """A TCP connection to a running LinuxCNC; opening it switches LinuxCNC on and homes its
-    axes.
+    """A running LinuxCNC, observed through its HAL pins.
+
+    Parameters
+    ----------
+    process
+        The script that runs LinuxCNC.
+    port
+        Port of the remote shell.
+    directory
+        Folder with the configuration, the log and the samples.
     """
 
-    def __init__(self, port: int, directory: Path) -> None:
+    def __init__(self, process: subprocess.Popen[bytes], port: int, directory: Path) -> None:
+        self.process = process
+        self.port = port
         self.directory = directory
-        self.socket = socket.create_connection(("127.0.0.1", port), 5.0)
-        self.lines = self.socket.makefile("r", newline="\n")
-        self.send("hello EMC x 1.0")
-        while not self.read().startswith("HELLO ACK"):
-            pass
-        for command in ("set echo off", "set enable EMCTOO", "set estop off", "set machine on"):
-            self.send(command)
-        self.send("set mode manual")
-        for joint in range(4):
-            if self.get("joint_homed").split()[joint] != "YES":
-                self.send(f"set home {joint}")
-        self.wait_until(lambda: self.get("joint_homed").split()[:4] == ["YES"] * 4, 20.0)
-
-    def send(self, command: str) -> None:
-        self.socket.sendall(f"{command}\r\n".encode())
-
-    def read(self) -> str:
-        line = self.lines.readline()
-        assert line, "LinuxCNC closed the connection"
-        assert not line.strip().endswith("NAK"), line
-        return line.strip()
-
-    def get(self, variable: str) -> str:
-        """Return the value of a variable that LinuxCNC's remote shell (linuxcncrsh) can report."""
-        self.send(f"get {variable}")
-        while not (line := self.read()).startswith(variable.upper()):
-            pass
-        return line.removeprefix(variable.upper()).strip()
-
-    def wait_until(self, condition: Callable[[], bool], seconds: float) -> None:
-        end = time.monotonic() + seconds
-        while not condition():
-            assert time.monotonic() < end, "LinuxCNC did not get there in time"
-            time.sleep(0.05)
-
-    def position(self) -> np.ndarray:
-        """Return X, Y, Z and C of the joints, (4,)."""
-        return np.array(self.get("joint_pos").split()[:4], float)
+        self.killed = False  #: a test has ended it
 
     @property
     def address(self) -> str:
         """HOST:PORT of the remote shell."""
-        host, port = self.socket.getpeername()
-        return f"{host}:{port}"
+        return f"127.0.0.1:{self.port}"
 
-    def pins(self, prefix: str) -> dict[str, str]:
-        """Return the values of the HAL pins whose names begin with a text, by name."""
-        command = ["halcmd", "-s", "show", "pin", prefix]
-        if os.geteuid() == 0:
-            command = ["runuser", "-u", "nobody", "--", *command]
-        lines = subprocess.check_output(command, text=True, timeout=10).splitlines()
-        # Owner, type, direction, value, name, and the signal if there is one.
-        rows = [line.split() for line in lines if line.strip()]
-        return {row[4]: row[3] for row in rows}
+    @property
+    def log(self) -> str:
+        """What LinuxCNC and its parts have written."""
+        return (self.directory / "log.txt").read_text(errors="replace")
+
+    @property
+    def runs(self) -> bool:
+        """Whether LinuxCNC runs and its remote shell listens."""
+        return self.process.poll() is None and _listens(self.port)
+
+    # -- operation --------------------------------------------------------------------------------
+
+    def make_ready(self) -> None:
+        """Discard a program, release the emergency stop, switch on and home, like a person."""
+        self.release_emergency_stop()
+        if not self._is("halui.program.is-idle"):
+            self._request("halui.abort", lambda: self._is("halui.program.is-idle"))
+        if not self._is("halui.machine.is-on"):
+            self._request("halui.estop.reset", lambda: not self._is("halui.estop.is-activated"))
+            self._request("halui.machine.on", lambda: self._is("halui.machine.is-on"))
+        if not self._homed():
+            self._request("halui.mode.manual", lambda: self._is("halui.mode.is-manual"))
+            self._request("halui.home-all", self._homed)
+
+    def press_emergency_stop(self) -> None:
+        """Press the emergency stop button of the machine."""
+        self._halcmd("setp", "emergency-stop.in1", "0")
+
+    def release_emergency_stop(self) -> None:
+        """Release the emergency stop button; LinuxCNC remains in emergency stop."""
+        self._halcmd("setp", "emergency-stop.in1", "1")
+
+    def kill_shell(self) -> None:
+        """End the remote shell, as a fault in it does; LinuxCNC then ends, too."""
+        self.killed = True
+        for process in _processes(self.process.pid, _SHELL):
+            os.kill(process, signal.SIGSEGV)
+
+    def _request(self, pin: str, done: Callable[[], bool]) -> None:
+        self._halcmd("setp", pin, "1")
+        wait_until(done)
+        self._halcmd("setp", pin, "0")
+
+    def _is(self, pin: str) -> bool:
+        return self.pins(pin)[pin] == "TRUE"
+
+    def _homed(self) -> bool:
+        pins = self.pins("halui.joint")
+        return all(pins[f"halui.joint.{joint}.is-homed"] == "TRUE" for joint in range(_JOINTS))
+
+    # -- observation ------------------------------------------------------------------------------
+
+    def position(self) -> F64:
+        """Return X, Y, Z and C of the joints, (4,)."""
+        pins = self.pins("joint")
+        return np.array([float(pins[f"joint.{n}.pos-fb"]) for n in range(_JOINTS)])
 
     def lowered(self) -> list[int]:
         """Return the digital outputs that are on."""
@@ -106,108 +138,217 @@ class Machine:
 
     def spins(self) -> bool:
         """Return whether the spindle is on."""
-        return self.pins("spindle.0.on")["spindle.0.on"] == "TRUE"
+        return self._is("spindle.0.on")
 
-    def run(self, program: bytes, seconds: float = 60.0) -> np.ndarray:
-        """Run a program to its end; return the sampled positions of the joints, (n, 4)."""
-        path = self.directory / "program.ngc"
-        path.write_bytes(program)
-        path.chmod(0o644)
-        for command in ("set mode auto", f"set open {path}", "set run"):
-            self.send(command)
-        start, started, positions = time.monotonic(), False, [self.position()]
-        # Immediately after the start the status may still be idle.
-        while time.monotonic() < start + seconds:
-            running = "IDLE" not in self.get("program_status")
-            positions.append(self.position())
-            assert (error := self.get("error")) == "OK", error
-            started = started or running
-            if not running and (started or time.monotonic() > start + 3.0):
-                return np.array(positions)
-            time.sleep(0.005)
-        raise AssertionError(f"the program did not end within {seconds} s")
+    def pins(self, prefix: str) -> dict[str, str]:
+        """Return the values of the HAL pins whose names begin with a text, by name."""
+        # Owner, type, direction, value, name, and the signal if there is one.
+        rows = [line.split() for line in self._halcmd("-s", "show", "pin", prefix).splitlines()]
+        return {row[4]: row[3] for row in rows if row}
+
+    def stands(self, milliseconds: int = 300) -> bool:
+        """Watch the joints for a time; return whether none of them moves."""
+        mark = self.mark()
+        wait_until(lambda: len(self.samples(mark)) >= milliseconds)
+        return bool((np.ptp(self.samples(mark)[:, :_JOINTS], axis=0) == 0.0).all())
+
+    def mark(self) -> int:
+        """Return the present end of the samples, for ``samples``."""
+        return (self.directory / "samples.txt").stat().st_size
+
+    def samples(self, since: int = 0) -> F64:
+        """Return the samples of all servo periods since a mark.
+
+        Returns
+        -------
+        numpy.ndarray
+            Joints X, Y, Z, C (mm, degrees), then 0 or 1 for each digital output and the spindle,
+            shape (samples, columns).
+        """
+        # A mark may lie within a line.
+        with (self.directory / "samples.txt").open("rb") as file:
+            file.seek(since)
+            lines = file.read().split(b"\n")[1:-1]
+        assert b"overrun" not in lines, "halsampler has lost samples"
+        return np.array([line.split() for line in lines], dtype=np.float64)
+
+    def _halcmd(self, *words: str) -> str:
+        output: bytes = subprocess.check_output(["halcmd", *words], **_as_user(), timeout=10.0)
+        return output.decode()
+
+
+def wait_until(
+    condition: Callable[[], bool], seconds: float = 20.0, what: str = "the machine is not ready"
+) -> None:
+    """Wait until a condition is true; fail with ``what`` if it is not in time."""
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, f"{what} after {seconds} s"
+        time.sleep(0.02)
+
+
+# -- starting and stopping ------------------------------------------------------------------------
 
 
 @contextmanager
-def running(tool_table: str) -> Iterator[Machine]:
-    """Start LinuxCNC with the text of a tool table, home it and yield it; stop it at the end."""
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        port = free.getsockname()[1]
+def reserved() -> Iterator[None]:
+    """Wait until no other test run uses LinuxCNC on this computer, and reserve it."""
+    descriptor = os.open(_TURN, os.O_RDWR | os.O_CREAT, 0o666)
+    try:
+        wait_until(lambda: _locked(descriptor), 240.0, "another test run uses LinuxCNC")
+        # That of the last test run may need a moment to end.
+        others = partial(_processes, None, "milltask")
+        wait_until(lambda: not others(), 10.0, "another LinuxCNC runs on this computer")
+        LOCK.unlink(missing_ok=True)
+        yield
+    finally:
+        os.close(descriptor)
+
+
+def _locked(descriptor: int) -> bool:
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return False
+    return True
+
+
+@contextmanager
+def running(table: TableMachine) -> Iterator[Machine]:
+    """Run a LinuxCNC for a machine of the library; it is in emergency stop at first."""
+    with reserved(), started(table) as machine:
+        yield machine
+
+
+class Supply:
+    """Gives tests a running LinuxCNC; starts a new one if the last one has ended.
+
+    Parameters
+    ----------
+    table
+        Machine of the library.
+    """
+
+    def __init__(self, table: TableMachine) -> None:
+        self._table = table
+        self._stack = ExitStack()
+        self._machine: Machine | None = None
+
+    def __enter__(self) -> Supply:
+        self._stack.enter_context(reserved())
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._stack.close()
+
+    @contextmanager
+    def machine(self) -> Iterator[Machine]:
+        """Yield a LinuxCNC that is on, homed and idle; fail if it ends by itself meanwhile."""
+        if self._machine is None or not self._machine.runs:
+            self._machine = self._stack.enter_context(started(self._table))
+        self._machine.make_ready()
+        try:
+            yield self._machine
+        finally:
+            print(self._machine.log)  # pytest shows it if the test fails
+        assert self._machine.runs or self._machine.killed, "LinuxCNC has ended"
+
+
+@contextmanager
+def started(table: TableMachine) -> Iterator[Machine]:
+    """Run a LinuxCNC as ``running`` does, on a computer that is reserved already."""
     with tempfile.TemporaryDirectory(prefix="linuxcnc-") as folder:
         directory = Path(folder)
-        for part in ("carton.hal", "carton.ini", "loopback_bind.c"):
-            shutil.copyfile(PARTS / part, directory / part)
-        ini = (directory / "carton.ini").read_text()
-        assert "--port 5007" in ini
-        ini = ini.replace("--port 5007", f"--port {port}").replace("/path/to/programs", folder)
-        (directory / "carton.ini").write_text(ini)
-        (directory / "tool.tbl").write_text(tool_table)
-        (directory / "sim.var").write_text("")
-        shim = directory / "loopback_bind.so"
-        compiler = ["gcc", "-shared", "-fPIC", "-o", str(shim), str(directory / "loopback_bind.c")]
-        subprocess.run([*compiler, "-ldl"], check=True, timeout=60)
-        command = [
-            "env",
-            f"HOME={folder}",
-            f"LD_PRELOAD={shim}",
-            "linuxcnc",
-            f"{directory}/carton.ini",
-        ]
-        if os.geteuid() == 0:
-            for path in (directory, *directory.iterdir()):
-                shutil.chown(path, "nobody")
-            command = ["runuser", "-u", "nobody", "--", *command]
-        with (directory / "log.txt").open("wb") as log:
-            process = subprocess.Popen(
-                command,
-                cwd=directory,
-                stdin=subprocess.DEVNULL,
-                stdout=log,
-                stderr=log,
-                start_new_session=True,
-            )
-        machine = None
+        machine = _start(table, directory)
+        sampler = None
         try:
-            machine = _connect(process, port, directory)
+            wait_until(lambda: machine.runs or machine.process.poll() is not None, 30.0)
+            assert machine.runs, machine.log
+            with (directory / "samples.txt").open("wb") as samples:
+                sampler = subprocess.Popen(["halsampler"], **_as_user(), stdout=samples)
             yield machine
         finally:
-            _stop(process, machine, port)
+            if sampler is not None:
+                sampler.terminate()
+                sampler.wait(10.0)
+            _stop(machine)
 
 
-def _connect(process: subprocess.Popen[bytes], port: int, directory: Path) -> Machine:
-    for _ in range(200):
-        assert process.poll() is None, (directory / "log.txt").read_text()
-        try:
-            return Machine(port, directory)
-        except ConnectionRefusedError:
-            time.sleep(0.1)
-    raise AssertionError(f"LinuxCNC does not listen: {(directory / 'log.txt').read_text()}")
+def _start(table: TableMachine, directory: Path) -> Machine:
+    port = _free_port()
+    (directory / "machine.ini").write_text(configuration.ini(table, port, str(directory)))
+    (directory / "machine.hal").write_text(configuration.hal(table))
+    (directory / "tool.tbl").write_text(tool_table(table))
+    (directory / "parameters.var").touch()
+    shim = directory / "loopback_bind.so"
+    source = Path(__file__).with_name("loopback_bind.c")
+    compiler = ["gcc", "-shared", "-fPIC", "-o", str(shim), str(source), "-ldl"]
+    subprocess.run(compiler, check=True, timeout=60)
+    user = _as_user()
+    if user:
+        for path in (directory, *directory.iterdir()):
+            shutil.chown(path, user["user"], user["group"])
+    # Without a display and a terminal LinuxCNC asks nothing.
+    environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+    environment |= {"HOME": str(directory), "LD_PRELOAD": str(shim)}
+    with (directory / "log.txt").open("wb") as log:
+        process = subprocess.Popen(
+            # Option -r: it writes to its terminal, also if that is a file.
+            ["linuxcnc", "-r", str(directory / "machine.ini")],
+            **user,
+            cwd=directory,
+            env=environment,
+            stdin=subprocess.DEVNULL,
+            stdout=log,
+            stderr=log,
+            start_new_session=True,
+        )
+    return Machine(process, port, directory)
 
 
-def _stop(process: subprocess.Popen[bytes], machine: Machine | None, port: int) -> None:
-    """Shut LinuxCNC down by a TCP command, because its script ignores SIGTERM; kill it if it hangs.
-
-    ``machine`` is None if the connection to ``port`` was never opened.
-    """
-    try:
-        if machine is None:
-            with socket.create_connection(("127.0.0.1", port), 2.0) as last:
-                last.sendall(b"hello EMC x 1.0\r\nset enable EMCTOO\r\nshutdown\r\n")
-                time.sleep(1.0)
-        else:
-            # A gateway may have taken the permission to send commands.
-            machine.send("set enable EMCTOO")
-            machine.send("shutdown")
-    except OSError:
-        pass
+def _stop(machine: Machine) -> None:
+    """Shut LinuxCNC down by ending its display; kill it if that does not end it."""
+    process = machine.process
+    for shell in _processes(process.pid, _SHELL):
+        with suppress(ProcessLookupError):
+            os.kill(shell, signal.SIGTERM)
     try:
         process.wait(30.0)
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGKILL)
         process.wait(10.0)
         LOCK.unlink(missing_ok=True)
-    finally:
-        if machine is not None:
-            machine.lines.close()
-            machine.socket.close()
+
+
+def _as_user() -> dict[str, Any]:
+    """Return options of ``subprocess`` for the user who runs LinuxCNC."""
+    if os.geteuid() != 0:
+        return {}
+    nobody = pwd.getpwnam("nobody")
+    return {"user": nobody.pw_uid, "group": nobody.pw_gid, "extra_groups": []}
+
+
+def _free_port() -> int:
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port: int = free.getsockname()[1]
+    return port
+
+
+def _listens(port: int) -> bool:
+    """Return whether a process listens at a port of this computer, without connecting to it."""
+    rows = [line.split() for line in Path("/proc/net/tcp").read_text().splitlines()[1:]]
+    return any(row[3] == "0A" and row[1].endswith(f":{port:04X}") for row in rows)
+
+
+def _processes(session: int | None, name: str) -> list[int]:
+    """Return the processes with a name in a session; None for all sessions."""
+    found = []
+    for stat in Path("/proc").glob("[0-9]*/stat"):
+        with suppress(FileNotFoundError, ProcessLookupError):
+            identity, _, rest = stat.read_text().partition(" (")
+            command, _, fields = rest.rpartition(") ")
+            state, _, _, its_session = fields.split()[:4]
+            if command == name and state != "Z" and session in (None, int(its_session)):
+                found.append(int(identity))
+    return found

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from knifetip.post.rs274.tool_table import tool_table
+from knifetip.gateway.controller import SafeState
+from knifetip.gateway.linuxcnc.driver import dial
 from tests.controllers.hand_written import BLANK, TABLE, ToolpathBuilder, add_creases, add_cuts
 from tests.controllers.linuxcnc_machine import missing_requirement, running
 from tests.controllers.linuxcnc_rs274 import distances_beside_and_past
@@ -19,9 +20,15 @@ pytestmark = [
 ]
 
 
-def test_joints_are_programmed_plus_datum_and_the_knife_stays_on_its_line() -> None:
-    with running(tool_table(TABLE)) as machine:
-        seen = machine.run(add_creases(add_cuts(ToolpathBuilder())).program())
+async def test_joints_are_programmed_plus_datum_and_the_knife_stays_on_its_line() -> None:
+    with running(TABLE) as machine:
+        machine.make_ready()
+        controller = await dial(machine.address, SafeState.of(TABLE))
+        mark = machine.mark()
+        await controller.run(add_creases(add_cuts(ToolpathBuilder())).program())
+        await controller.close()
+        assert machine.stands()
+        seen = machine.samples(mark)[:, :4]
     # The wheel ends at (160, 73.9, 20) with heading 90; its datum is X +60, Z -1.5.
     np.testing.assert_allclose(seen[-1], [220.0, 73.9, 18.5, 90.0], atol=1e-4)
     # Only the knife, whose datum is zero, goes below the top of the mat.

@@ -35,6 +35,7 @@ class Shell:
         }
         self.commands: list[str] = []
         self.deaf = False
+        self.stops_after = ""  # an emergency stop follows the next request for this variable
         self.server: asyncio.Server | None = None
 
     async def serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
@@ -48,7 +49,10 @@ class Shell:
         if kind == "hello":
             return "HELLO ACK EMCNETSVR 1.1" if rest.startswith("EMC ") else "HELLO NAK"
         if kind == "get":
-            return f"{rest.upper()} {self.values[rest]}"
+            reply = f"{rest.upper()} {self.values[rest]}"
+            if rest == self.stops_after:
+                self.values |= {"estop": "ON", "machine": "OFF"}
+            return reply
         self.commands.append(rest)
         name = rest.split()[0]
         if name == "echo":
@@ -109,6 +113,18 @@ async def test_a_machine_that_is_not_ready_is_left_as_it_is(
     # It is neither switched on nor homed nor moved.
     allowed = {"echo", "verbose", "enable", "set_wait"}
     assert {command.split()[0] for command in shell.commands} <= allowed
+
+
+@pytest.mark.parametrize("variable", ["program_status", "machine", "estop", "joint_homed"])
+async def test_an_emergency_stop_between_two_requests_is_not_taken_for_a_switch(
+    variable: str,
+) -> None:
+    shell = Shell()
+    async with dialled(shell) as controller:
+        shell.stops_after = variable
+        with pytest.raises(ControllerAlarm) as stopped:
+            [await controller.status() for _ in range(2)]
+        assert stopped.value.message.code == "linuxcnc.estop"
 
 
 async def test_homing_is_refused_while_the_machine_is_off() -> None:

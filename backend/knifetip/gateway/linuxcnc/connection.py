@@ -221,9 +221,11 @@ class LinuxcncConnection:
     async def _read_alarm(self) -> Message | None:
         """Return why LinuxCNC cannot move the machine; None if it can."""
         get = self.shell.get
+        power = await get("machine")
+        # Requested last: an emergency stop between the two requests is not a mere "off".
         if await get("estop") != "OFF":
             return Message("linuxcnc.estop", name=self.name)
-        if await get("machine") != "ON":
+        if power != "ON":
             return Message("linuxcnc.machine-off", name=self.name)
         homed = (await get("joint_homed")).split()[: self._joints]
         missing = [str(joint) for joint, word in enumerate(homed) if word != "YES"]
