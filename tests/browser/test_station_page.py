@@ -336,6 +336,54 @@ def test_a_waiting_job_is_run_above_the_board_by_touch(
     expect(state).to_have_text("At rest")
 
 
+@pytest.fixture
+def worn_station(api: httpx.Client) -> Iterator[int]:
+    """Wear the tool of one station to the end of its life, and return the number of the station."""
+    tools = f"/api/machines/{MACHINE}/tools"
+    wait_until(lambda: station(api)["state"] == "idle", "the machine is not at rest")
+    job = send_job(api, copies=1)
+
+    def used() -> dict[int, float]:
+        return {tool["station"]: tool["used"] for tool in api.get(tools).json() if tool["used"]}
+
+    api.post(f"/api/jobs/{job}/confirm").raise_for_status()
+    wait_until(lambda: bool(used()), "no tool has worked")
+    api.post(f"/api/jobs/{job}/cancel").raise_for_status()
+    wait_until(lambda: api.get(f"/api/jobs/{job}").json()["state"] == "cancelled", "not stopped")
+    worn = min(used())
+    api.put(f"{tools}/{worn}/life", json={"life": used()[worn] / 2.0}).raise_for_status()
+    yield worn
+    api.put(f"{tools}/{worn}/life", json={"life": 0.0}).raise_for_status()
+
+
+def test_a_tool_at_the_end_of_its_life_is_changed_or_used_on_for_a_reason(
+    tablet: tuple[Page, str], api: httpx.Client, worn_station: int, screenshots: Path
+) -> None:
+    page, name = tablet
+    start, worn = page.get_by_test_id("station-start"), page.get_by_test_id("worn-tools")
+    changed = page.get_by_test_id(f"worn-changed-{worn_station}")
+    job = send_job(api, copies=1)
+    expect(worn).to_contain_text(f"new tool into station {worn_station}")
+    for check in page.get_by_test_id("check").all():
+        check.tap()
+    expect(start).to_be_disabled()
+    assert_reachable(page)
+    page.screenshot(path=screenshots / f"{name}-11-worn.png")
+    page.get_by_test_id("worn-reason").fill("last sheet")
+    expect(start).to_be_enabled()
+    page.get_by_test_id("worn-reason").fill("")
+    expect(start).to_be_disabled()
+    changed.check(force=True)
+    expect(page.get_by_test_id("worn-reason")).to_be_hidden()
+    page.screenshot(path=screenshots / f"{name}-12-changed.png")
+    start.tap()
+    wait_until(lambda: api.get(f"/api/jobs/{job}").json()["state"] == "running", "not started")
+    tools = api.get(f"/api/machines/{MACHINE}/tools").json()
+    assert [tool["warning"] for tool in tools if tool["station"] == worn_station] == [""]
+    api.post(f"/api/jobs/{job}/cancel").raise_for_status()
+    wait_until(lambda: api.get(f"/api/jobs/{job}").json()["state"] == "cancelled", "not stopped")
+
+
 def hold_arrow(page: Page, arrow: str, seconds: float) -> None:
     """Hold an arrow down with a finger."""
     target = page.get_by_test_id(arrow)

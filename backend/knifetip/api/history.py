@@ -31,7 +31,8 @@ def list_history(
 ) -> list[JobOut]:
     """List ended jobs, the last ended first; the header ``Link`` contains the URL of the next page.
 
-    Ended jobs are done, refused, interrupted, scrapped or cancelled.
+    Ended jobs are done, refused, interrupted, scrapped, cancelled, or continued by a job for the
+    rest of the sheet.
     """
     conditions = HistoryFilter(
         wanted.state, wanted.machine, wanted.board, wanted.drawing, wanted.since, wanted.until

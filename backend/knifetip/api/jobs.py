@@ -38,6 +38,7 @@ from knifetip.jobs.readings import StoredDrawing
 from knifetip.jobs.request_key import RequestKey
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Drawing, Job
+from knifetip.jobs.tool_check import ToolCheck
 from knifetip.library.definition import Shelf
 from knifetip.messages import Message, hint, render
 from knifetip.model.acceptance import Exceptions, Shortfall
@@ -335,14 +336,18 @@ def confirm_job(service: ServiceDep, id: JobId, confirmation: ConfirmIn | None =
 
     A job can make several copies, each on a new sheet.  Between two copies, the request confirms
     that the next sheet is on the table.  If a gateway claims the job again, a new confirmation is
-    necessary.  The status is 409 if the job does not wait for a confirmation, or if the request
-    names another board than the job, or not all stations that the program uses.
+    necessary.  The status is 409 if the job does not wait for a confirmation, if the request names
+    another board than the job or not all stations that the program uses, or if a tool is at the end
+    of its life and the request states neither that it was changed nor why it is used on.
     """
     confirmed = confirmation or ConfirmIn()
     return job_out(
         service.store,
         service.store.operators.confirm(
-            id, confirmed.board or "", confirmed.by, confirmed.stations
+            id,
+            confirmed.board or "",
+            confirmed.by,
+            ToolCheck(confirmed.stations, confirmed.changed, confirmed.worn_reason.strip()),
         ),
     )
 

@@ -11,8 +11,7 @@ from knifetip.api.schemas.history import ToolChangeIn, ToolEventOut, ToolLifeIn,
 from knifetip.api.service import Service, ServiceDep
 from knifetip.errors import NoSuchJob
 from knifetip.jobs.job import Actor, ActorKind
-from knifetip.jobs.tool_store import ToolUse
-from knifetip.messages import Message
+from knifetip.jobs.tool_store import ToolUse, warning_message
 from knifetip.model.machine import Machine
 
 router = APIRouter(prefix="/machines/{name}/tools", tags=["tools"])
@@ -108,17 +107,3 @@ def tools_out(uses: Sequence[ToolUse]) -> list[ToolUseOut]:
         )
         for use in uses
     ]
-
-
-def warning_message(use: ToolUse) -> Message | None:
-    """Return the warning about the life of a tool, None if there is none."""
-    if not use.warning:
-        return None
-    return Message(
-        "tool-life.over" if use.warning == "over" else "tool-life.near",
-        name=use.name,
-        station=use.station,
-        used=use.used / 1000.0,
-        life=use.life / 1000.0,
-        percent=100.0 * use.share,
-    )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import fields
 from typing import Any
 
@@ -33,6 +33,7 @@ from knifetip.jobs.operator_actions import (
 )
 from knifetip.jobs.station_store import dry_run_on
 from knifetip.jobs.tables import Job
+from knifetip.jobs.tool_check import NOTHING_STATED, ToolCheck, ToolGate
 from knifetip.jobs.transitions import Transitions, advice
 from knifetip.messages import Message
 
@@ -52,9 +53,10 @@ _WITHOUT_PROGRAM: Mapping[str, Any] = {
 class OperatorStore:
     """Actions of operators on stored jobs; each method stores one action with its event."""
 
-    def __init__(self, database: Database, transitions: Transitions) -> None:
+    def __init__(self, database: Database, transitions: Transitions, tools: ToolGate) -> None:
         self._db = database
         self._transitions = transitions
+        self._tools = tools
 
     def accept(
         self,
@@ -230,7 +232,7 @@ class OperatorStore:
             return self._transitions.lock(session, id)
 
     def confirm(
-        self, id: str, board: str = "", by: str = "", stations: Collection[int] | None = None
+        self, id: str, board: str = "", by: str = "", tools: ToolCheck = NOTHING_STATED
     ) -> Job:
         """Store the operator's confirmation that the machine may begin, and return the job.
 
@@ -247,23 +249,22 @@ class OperatorStore:
             Name of the board on the table; "" if the operator does not name it.
         by
             Name of the operator, for the log of events.
-        stations
-            Numbers of the stations whose tools the operator has checked; None if the operator does
-            not name them.
+        tools
+            What the operator states about the tools.
 
         Raises
         ------
+        NoSuchJob
+            There is no such job, or its machine has no station whose tool was changed.
         WrongState
-            The job does not wait for a confirmation, needs another board, uses a station that is
-            not in ``stations``, its machine or board has changed since its compile, or its machine
-            runs above the board.
+            The job does not wait for a confirmation, needs another board, uses a station that was
+            not checked or a tool at the end of its life, its machine or board has changed since its
+            compile, or its machine runs above the board.
         """
         with self._db.writing() as session:
             row = self._transitions.lock(session, id)
             if board and board != row.board:
                 raise WrongState("job.other-board", job=id, board=row.board, given=short(board))
-            if stations is not None:
-                _check_stations(row, stations)
             confirmed = row.confirmation == Confirmation.GIVEN and row.requested_action != "cancel"
             starts = row.state in (State.QUEUED, State.RUNNING) or row.requested_action == "resume"
             if confirmed and starts:
@@ -272,17 +273,18 @@ class OperatorStore:
             self._check_waiting(row)
             if dry_run_on(session, row.machine, self._db.timer()):
                 raise WrongState("dry-run.in-progress", job=row.id)
+            actor = Actor(ActorKind.OPERATOR, by)
+            events = self._tools.check(session, row, tools, actor)
             sheet = row.confirmation == Confirmation.SHEET
             action = "" if row.state == State.QUEUED else "resume"
             self._change(
                 session, id, confirmation=Confirmation.GIVEN.value, requested_action=action
             )
-            event = Message(
-                "job.confirmed-sheet" if sheet else "job.confirmed-table", board=row.board
+            events.append(
+                Message("job.confirmed-sheet" if sheet else "job.confirmed-table", board=row.board)
             )
-            self._transitions.write_event(
-                session, "job", id, row.state, Actor(ActorKind.OPERATOR, by), event
-            )
+            for event in events:
+                self._transitions.write_event(session, "job", id, row.state, actor, event)
             return self._transitions.lock(session, id)
 
     def _check_waiting(self, row: Job) -> None:
@@ -387,6 +389,7 @@ class OperatorStore:
             changes = {"requested_action": action.value}
             if action is OperatorAction.RESUME and row.confirmation == Confirmation.SHEET:
                 _check_current(session, row)
+                self._tools.check(session, row, NOTHING_STATED, OPERATOR)
                 changes["confirmation"] = Confirmation.GIVEN.value
             self._change(session, id, **changes)
             event = Message("job.action-requested", action=action)
@@ -424,14 +427,6 @@ def _check_current(session: Session, row: Job) -> None:
     changes = changes_since_compile(session, [row])
     if changes:
         raise WrongState("job.outdated", job=row.id, changes=changes[row.id])
-
-
-def _check_stations(row: Job, stations: Collection[int]) -> None:
-    """Raise ``WrongState`` if a job uses a station that is not in ``stations``."""
-    unchecked = [tool for tool in row.tools if tool["station"] not in stations]
-    if unchecked:
-        names = [f"{tool['station']} ({tool['name']})" for tool in unchecked]
-        raise WrongState("job.tools-not-checked", job=row.id, stations=names)
 
 
 def _refused_request_error(row: Job, action: OperatorAction) -> WrongState:

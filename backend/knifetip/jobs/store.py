@@ -26,6 +26,7 @@ from knifetip.jobs.profile_store import ProfileStore
 from knifetip.jobs.queue_store import QueueStore
 from knifetip.jobs.station_store import StationStore
 from knifetip.jobs.statistics_store import StatisticsStore
+from knifetip.jobs.tool_check import ToolGate
 from knifetip.jobs.tool_store import ToolStore
 from knifetip.jobs.transitions import Transitions
 
@@ -48,7 +49,10 @@ class Store:
         self.jobs = JobStore(self.database, transitions)
         self.events = EventStore(self.database)
         self.compiles = CompileStore(self.database, transitions)
-        self.operators = OperatorStore(self.database, transitions)
+        self.tools = ToolStore(self.database)
+        self.library = LibraryStore(self.database)
+        gate = ToolGate(self.tools, self.library)
+        self.operators = OperatorStore(self.database, transitions, gate)
         self.machines = MachineQueues(self.database)
         self.gateways = GatewayStore(self.database, transitions, self.machines)
         self.queues = QueueStore(self.database, transitions, self.gateways)
@@ -57,8 +61,6 @@ class Store:
         self.stations = StationStore(self.database)
         self.history = HistoryStore(self.database)
         self.statistics = StatisticsStore(self.database)
-        self.tools = ToolStore(self.database)
-        self.library = LibraryStore(self.database)
 
     @property
     def changes(self) -> Changes:

@@ -263,6 +263,8 @@ class ToolEvent(Base):
     who: Mapped[str] = mapped_column(sa.String(200))
     #: mm; of a changed tool the length that it had worked, otherwise the new life, 0 for no limit
     length: Mapped[float] = mapped_column(sa.Double)
+    #: mm; of a changed tool the part of ``length`` in the run that was not finished then
+    unfinished: Mapped[float] = mapped_column(sa.Double, default=0.0)
 
 
 class Station(Base):

@@ -1,8 +1,7 @@
 """Repository of the use of tools: the length that each has worked, its life, and its changes.
 
 The use of a tool is the length of all runs of its machine that ended after the tool was changed,
-and of the run that is not finished.  A run during which the tool was changed counts for the new
-tool.
+and of the run that is not finished, without what the old tool had worked in that run.
 """
 
 from __future__ import annotations
@@ -18,6 +17,7 @@ from knifetip.jobs.database import Database
 from knifetip.jobs.job import LEASED, Actor
 from knifetip.jobs.tables import Job, MachineRun, RunLength, ToolEvent
 from knifetip.jobs.worked_lengths import lengths_of_copies
+from knifetip.messages import Message
 from knifetip.model.machine import Machine, Station
 from knifetip.model.tool import kind_of
 
@@ -61,9 +61,10 @@ class ToolStore:
     def uses(self, machine: Machine) -> list[ToolUse]:
         """Return the use of the tool of each station of a machine, ordered by number."""
         with self._db.reading() as session:
-            return self._uses(session, machine)
+            return self.uses_in(session, machine)
 
-    def _uses(self, session: Session, machine: Machine) -> list[ToolUse]:
+    def uses_in(self, session: Session, machine: Machine) -> list[ToolUse]:
+        """Return the use of the tool of each station, within the transaction of ``session``."""
         present = _present_lengths(session, machine.name)
         return [
             _use(session, machine.name, station, present.get(station.number, 0.0))
@@ -83,9 +84,20 @@ class ToolStore:
             The person.
         """
         with self._db.writing() as session:
-            (use,) = (use for use in self._uses(session, machine) if use.station == station)
-            self._append(session, machine.name, station, "changed", actor, use.used)
+            self.record_change_in(session, machine, station, actor)
         return self.uses(machine)
+
+    def record_change_in(
+        self, session: Session, machine: Machine, station: int, actor: Actor
+    ) -> ToolUse:
+        """Store a new tool within the transaction of ``session``; return the use of the old one.
+
+        The parameters are those of ``record_change``.
+        """
+        (use,) = (use for use in self.uses_in(session, machine) if use.station == station)
+        present = _present_lengths(session, machine.name).get(station, 0.0)
+        self._append(session, machine.name, station, "changed", actor, use.used, present)
+        return use
 
     def set_life(self, machine: Machine, station: int, life: float, actor: Actor) -> list[ToolUse]:
         """Store the life of the tool of a station; return the uses of all tools.
@@ -106,7 +118,14 @@ class ToolStore:
         return self.uses(machine)
 
     def _append(
-        self, session: Session, machine: str, station: int, kind: str, actor: Actor, length: float
+        self,
+        session: Session,
+        machine: str,
+        station: int,
+        kind: str,
+        actor: Actor,
+        length: float,
+        unfinished: float = 0.0,
     ) -> None:
         session.add(
             ToolEvent(
@@ -116,14 +135,30 @@ class ToolStore:
                 at=self._db.clock(),
                 who=str(actor)[:200],
                 length=length,
+                unfinished=unfinished,
             )
         )
+        session.flush()
 
     def events(self, machine: str, limit: int = 200) -> list[ToolEvent]:
         """Return the last changes of the tools of a machine and of their lives, newest first."""
         query = sa.select(ToolEvent).where(ToolEvent.machine == machine)
         with self._db.reading() as session:
             return list(session.scalars(query.order_by(ToolEvent.id.desc()).limit(limit)))
+
+
+def warning_message(use: ToolUse) -> Message | None:
+    """Return the warning about the life of a tool, None if there is none."""
+    if not use.warning:
+        return None
+    return Message(
+        "tool-life.over" if use.warning == "over" else "tool-life.near",
+        name=use.name,
+        station=use.station,
+        used=use.used / 1000.0,
+        life=use.life / 1000.0,
+        percent=100.0 * use.share,
+    )
 
 
 def _use(session: Session, machine: str, station: Station, present: float) -> ToolUse:
@@ -151,11 +186,12 @@ def _use(session: Session, machine: str, station: Station, present: float) -> To
             RunLength.station == station.number,
         )
     )
+    before = 0.0 if changed is None else changed.unfinished
     return ToolUse(
         station=station.number,
         name=station.name,
         kind=kind_of(station.tool).name,
-        used=float(session.scalar(length) or 0.0) + present,
+        used=max(float(session.scalar(length) or 0.0) + present - before, 0.0),
         life=station.life * 1000.0 if life is None else life.length,
         changed=0.0 if changed is None else changed.at,
         changed_by="" if changed is None else changed.who,

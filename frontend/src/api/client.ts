@@ -22,6 +22,8 @@ export type Corners = Schemas["Corners"];
 export type Definition = Schemas["DefinitionOut"];
 /** What the operator checks at the machine before a job or its next copy starts. */
 export type Confirmation = Schemas["ConfirmationOut"];
+/** What the operator has checked, as it is sent with the confirmation. */
+export type CheckedTable = Omit<Schemas["ConfirmIn"], "by">;
 export type Drawing = Schemas["DrawingOut"];
 export type DrawingSummary = Schemas["DrawingSummary"];
 export type Format = Schemas["FormatOut"];
@@ -154,7 +156,9 @@ export interface HistoryFilter {
   /** Earliest end (seconds since 1970). */
   readonly since?: number | undefined;
 }
-export type EndedState = "done" | "refused" | "interrupted" | "scrapped" | "cancelled";
+export type EndedState = NonNullable<
+  NonNullable<paths["/api/history"]["get"]["parameters"]["query"]>["state"]
+>[number];
 
 /** Part of the list of ended jobs; its cursor is a text. */
 export interface HistoryPart {
@@ -336,17 +340,20 @@ export const service = {
   command: (id: string, command: JobCommand): Promise<Job> =>
     command === "confirm"
       ? dataOf(
-          api.POST("/api/jobs/{id}/confirm", { params: byId(id), body: { by: operatorName() } }),
+          api.POST("/api/jobs/{id}/confirm", {
+            params: byId(id),
+            body: { changed: [], worn_reason: "", by: operatorName() },
+          }),
         )
       : dataOf(api.POST(`/api/jobs/{id}/${command}`, { params: byId(id) })),
   confirmation: (id: string, signal?: AbortSignal): Promise<Confirmation> =>
     dataOf(api.GET("/api/jobs/{id}/confirmation", { params: byId(id), ...uncached(signal) })),
   /** Confirm what the operator has checked: it is sent once, and never late. */
-  confirmNow: (id: string, board: string, stations: number[] | null): Promise<Job> =>
+  confirmNow: (id: string, checked: CheckedTable): Promise<Job> =>
     dataOf(
       api.POST("/api/jobs/{id}/confirm", {
         params: byId(id),
-        body: { board, stations, by: operatorName() },
+        body: { by: operatorName(), ...checked },
         ...nowOrNever(),
       }),
     ),

@@ -52,7 +52,7 @@ export function StationPage({ machine: name }: Props) {
   const [tab, setTab] = useState<Tab>("job");
   const machine = machines?.find((one) => one.name === name);
   const job = open?.machine === name ? open : undefined;
-  const { checks, ticked, tick } = useChecks();
+  const { checks, ticked, tick, wornTools } = useChecks();
   const waits = job !== undefined && (needsOperator(job) || isOnTable(job));
   // A job that asks for the person, or moves, comes to the front.
   useEffect(() => {
@@ -104,7 +104,14 @@ export function StationPage({ machine: name }: Props) {
               machine.
             </p>
           ) : (
-            <StationJob {...shown} job={job} checks={checks} ticked={ticked} onTick={tick} />
+            <StationJob
+              {...shown}
+              job={job}
+              checks={checks}
+              ticked={ticked}
+              wornTools={wornTools}
+              onTick={tick}
+            />
           )}
         </div>
       </div>
@@ -117,8 +124,14 @@ export function StationPage({ machine: name }: Props) {
         job={job}
         reached={reached}
         checked={
-          checks?.every(({ key }) => ticked.has(key)) && job !== undefined
-            ? { board: job.board, stations: checkedStations(checks) }
+          checks?.every(({ key }) => ticked.has(key)) &&
+          job !== undefined &&
+          wornTools.decision !== null
+            ? {
+                board: job.board,
+                stations: checkedStations(checks),
+                tools: wornTools.decision,
+              }
             : null
         }
       />

@@ -2471,6 +2471,10 @@ export const TEXTS = {
     "text": "The job was started without the confirmation of the operator.",
     "hint": ""
   },
+  "job.tool-changed": {
+    "text": "The operator put a new tool into station {station} ({name}); the old one had worked {used:.0f} m.",
+    "hint": ""
+  },
   "job.tools-not-checked": {
     "text": "Job {job} also uses stations whose tools the confirmation does not name: {stations}.",
     "hint": "Check the tools in these stations, then confirm the job again."
@@ -2486,6 +2490,14 @@ export const TEXTS = {
   "job.worker-silent": {
     "text": "The process {worker}, which compiles the job, stopped responding in the stage {stage}.",
     "hint": "Report the error with the log of the server if it happens again."
+  },
+  "job.worn-tools": {
+    "text": "Job {job} uses tools at the end of their lives: {tools: }",
+    "hint": "Put new tools into these stations and confirm the job with the numbers of the stations that were changed, or state why the tools are used on."
+  },
+  "job.worn-tools-used": {
+    "text": "The operator uses tools at the end of their lives: {tools: } Reason: {reason}",
+    "hint": ""
   },
   "job.wrong-state": {
     "text": "Job {job} is {state}, so its state cannot become {goal}.",
@@ -3777,7 +3789,7 @@ export const TEXTS = {
   },
   "tool-life.over": {
     "text": "The tool {name} in station {station} has worked {used:.0f} m, {percent:.0f} % of its life of {life:.0f} m.",
-    "hint": "Change the tool and record the change, or check the tool and confirm that it is still good."
+    "hint": "Change the tool and record the change, or check the tool and state why it is used on when you confirm the job."
   },
   "tool.bad-radius": {
     "text": "The tool radius for a corner of a contour is negative or not a number.",

@@ -2,14 +2,18 @@
 
 import { Button } from "@mantine/core";
 import { IconPlayerPlayFilled } from "@tabler/icons-react";
+import { useQuery } from "@tanstack/react-query";
 import type { Job } from "../api/client";
 import { renderHint, renderText } from "../messages/render";
-import { command } from "../state/actions";
-import { useBoards } from "../state/queries";
+import { confirmJob } from "../state/actions";
+import { checksKey } from "../state/checks";
+import { queries, useBoards } from "../state/queries";
 import { sheetText } from "../state/sheet";
 import { useUiStore } from "../state/store";
+import { useWornTools } from "../state/wornTools";
 import jobCss from "./job.module.css";
 import css from "./panels.module.css";
+import { WornTools } from "./WornTools";
 
 const CHECKS: Readonly<Record<string, string>> = {
   "waiting.for-start":
@@ -35,6 +39,10 @@ function textOf({ message, waiting_for }: Job): string {
 export function ConfirmationCard({ job }: { job: Job }) {
   const { data: boards } = useBoards();
   const busy = useUiStore((ui) => ui.busy);
+  const copy = checksKey(job);
+  const { data: asked } = useQuery(queries.confirmation(job.id, copy));
+  const wornTools = useWornTools(asked, copy);
+  const { decision } = wornTools;
   const hint = job.message === null ? "" : renderHint(job.message);
   const board = boards?.find(({ name }) => name === job.board);
   return (
@@ -66,6 +74,7 @@ export function ConfirmationCard({ job }: { job: Job }) {
           </>
         )}
       </dl>
+      <WornTools tools={wornTools} />
       {hint !== "" && <div className={css.hint}>{hint}</div>}
       <Button
         fullWidth
@@ -74,8 +83,8 @@ export function ConfirmationCard({ job }: { job: Job }) {
         color="green"
         mt={10}
         leftSection={<IconPlayerPlayFilled size={20} aria-hidden />}
-        disabled={busy}
-        onClick={() => void command(job.id, "confirm")}
+        disabled={busy || decision === null}
+        onClick={() => decision !== null && void confirmJob(job.id, decision)}
         data-testid="confirm"
       >
         {buttonOf(job)}

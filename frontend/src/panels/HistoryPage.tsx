@@ -26,6 +26,7 @@ const STATES: readonly { value: EndedState; label: string }[] = [
   { value: "cancelled", label: "Cancelled" },
   { value: "scrapped", label: "Board scrapped" },
   { value: "interrupted", label: "Interrupted" },
+  { value: "continued", label: "Continued by another job" },
   { value: "refused", label: "Refused" },
 ];
 

@@ -10,11 +10,13 @@ import { type Confirmation, confirmationBefore, isOnTable, needsOperator } from 
 import { commandJob } from "../state/operations";
 import { useBoards } from "../state/queries";
 import { canContinue } from "../state/rest";
+import type { WornToolsState } from "../state/wornTools";
 import { AskOnce } from "./AskOnce";
 import { DryRunPanel } from "./DryRunPanel";
 import { RestPanel } from "./RestPanel";
 import { StateBadge } from "./StateBadge";
 import css from "./station.module.css";
+import { WornTools } from "./WornTools";
 
 interface Props {
   readonly job: Job;
@@ -23,12 +25,13 @@ interface Props {
   /** null: not known yet. */
   readonly checks: readonly Check[] | null;
   readonly ticked: ReadonlySet<string>;
+  readonly wornTools: WornToolsState;
   readonly reached: boolean;
   onTick(key: string): void;
 }
 
 export function StationJob(props: Props) {
-  const { job, machine, station, checks, ticked, reached, onTick } = props;
+  const { job, machine, station, checks, ticked, wornTools, reached, onTick } = props;
   const { data: boards } = useBoards();
   const board = boards?.find(({ name }) => name === job.board);
   return (
@@ -45,7 +48,10 @@ export function StationJob(props: Props) {
       {isOnTable(job) && <Run job={job} />}
       <Reason job={job} />
       {needsOperator(job) && checks !== null && (
-        <Checks checks={checks} ticked={ticked} onTick={onTick} />
+        <>
+          <WornTools tools={wornTools} />
+          <Checks checks={checks} ticked={ticked} onTick={onTick} />
+        </>
       )}
       {job.waiting_for === "confirmation" && job.state === "queued" && (
         <DryRunPanel job={job} machine={machine} station={station} reached={reached} />

@@ -36,6 +36,7 @@ import { useProfileDraft } from "./profileDraft";
 import { queries, queryClient, upsertJob } from "./queries";
 import { hasLeastLift } from "./sheet";
 import { useUiStore } from "./store";
+import type { ToolDecision } from "./wornTools";
 
 export function uploadFiles(files: readonly File[]): Promise<void> {
   return enqueue(async () => {
@@ -233,6 +234,20 @@ export function continueJob(job: string, choice: RestChoice): Promise<void> {
 
 export function command(job: string, word: JobCommand): Promise<void> {
   return enqueue(async () => upsertJob(await service.command(job, word)));
+}
+
+/** Confirm a job whose tools are all good, or for which a decision was made. */
+export function confirmJob(job: string, tools: ToolDecision): Promise<void> {
+  const checked = { board: null, stations: null };
+  return enqueue(async () =>
+    upsertJob(
+      await service.confirmNow(job, {
+        ...checked,
+        changed: tools.changed,
+        worn_reason: tools.reason,
+      }),
+    ),
+  );
 }
 
 /** Move a waiting job between two others, if the queue is still as displayed. */

@@ -7,6 +7,7 @@ import { formatSize } from "./format";
 import { needsOperator } from "./jobs";
 import { queries, useBoards, useDrawing, useJob } from "./queries";
 import { sheetText } from "./sheet";
+import { useWornTools } from "./wornTools";
 
 export interface Check {
   readonly key: string;
@@ -43,12 +44,12 @@ function placeText({ placement, sheet }: Confirmation, drawing: Drawing | undefi
   return parts.join("; ");
 }
 
-const metres = (length: number): string =>
+export const formatMetres = (length: number): string =>
   length.toLocaleString("en", { maximumFractionDigits: length < 10 ? 1 : 0 });
 
 function wearText({ used, life, warning }: Tool): string {
   if (used === null) return "";
-  const worn = `has worked ${metres(used)}${life === null ? "" : ` of ${metres(life)}`} m`;
+  const worn = `has worked ${formatMetres(used)}${life === null ? "" : ` of ${formatMetres(life)}`} m`;
   if (warning === "over") return `${worn}: its life is used up, change it`;
   return warning === "near" ? `${worn}: change it soon` : worn;
 }
@@ -95,7 +96,10 @@ export function checksOf(
 
 const NO_KEYS: ReadonlySet<string> = new Set();
 
-/** The checks of the open job, and which of them the person has ticked; null: not known yet. */
+/**
+ * The checks of the open job, which of them the person has ticked (null: not known yet), and the
+ * decision about worn tools.
+ */
 export function useChecks() {
   const { data: job } = useJob();
   const { data: drawing } = useDrawing();
@@ -114,7 +118,7 @@ export function useChecks() {
     if (!keys.delete(key)) keys.add(key);
     setTicks({ of, keys });
   };
-  return { checks, ticked, tick };
+  return { checks, ticked, tick, wornTools: useWornTools(asked, of) };
 }
 
 /** Stations whose tools are among the checks; null if none is. */

@@ -15,6 +15,7 @@ import {
 import { renderHint, renderText } from "../messages/render";
 import { queries, queryClient, upsertJob } from "./queries";
 import { type Outcome, outcomeOf } from "./station";
+import type { ToolDecision } from "./wornTools";
 
 interface Outcomes {
   /** The last action of the person; null before the first. */
@@ -99,11 +100,15 @@ export interface Checked {
   readonly board: string;
   /** Numbers of the stations whose tools were checked; null if none was. */
   readonly stations: number[] | null;
+  /** What was decided about tools at the end of their lives. */
+  readonly tools: ToolDecision;
 }
 
 /** Start a job or its next copy, and follow it until the machine runs. */
-export const startJob = (job: string, { board, stations }: Checked): Promise<void> =>
-  followCommand(job, "Start", "confirm", () => service.confirmNow(job, board, stations));
+export const startJob = (job: string, { board, stations, tools }: Checked): Promise<void> =>
+  followCommand(job, "Start", "confirm", () =>
+    service.confirmNow(job, { board, stations, changed: tools.changed, worn_reason: tools.reason }),
+  );
 
 /** Send a command of a job, and follow it until the machine has carried it out. */
 export const commandJob = (job: string, label: string, word: JobCommand): Promise<void> =>

@@ -149,6 +149,8 @@ export const queries = {
     queryOptions({
       queryKey: ["confirmation", id, copy],
       queryFn: ({ signal }) => service.confirmation(id, signal),
+      // A tool may reach the end of its life, or be changed, while the job waits.
+      refetchInterval: 4000,
     }),
   station: (name: string) =>
     queryOptions({

@@ -360,6 +360,12 @@ def test_openapi_is_3_1_and_every_route_declares_its_problems(
     assert referred <= set(described["components"]["schemas"])
 
 
+def test_no_two_models_have_the_same_name(client: httpx.Client) -> None:
+    described = client.get("/api/openapi.json").json()
+    # FastAPI puts the module before the names of models that have the same name.
+    assert [name for name in described["components"]["schemas"] if "__" in name] == []
+
+
 def test_openapi_describes_every_property_and_every_parameter(client: httpx.Client) -> None:
     described = client.get("/api/openapi.json").json()
     properties = {

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import httpx
 import pytest
 
+from knifetip.jobs.job import ENDED
 from tests.support.serving.server import order_job, square, upload_drawing, wait_for_state
 
 pytestmark = pytest.mark.xdist_group("server")
@@ -26,22 +28,33 @@ def cancelled(client: httpx.Client) -> list[str]:
     return jobs
 
 
-@pytest.fixture(scope="module")
-def done(client: httpx.Client) -> dict[str, Any]:
-    """Return a job with two copies that a gateway has finished."""
+def claimed(client: httpx.Client, copies: int) -> dict[str, Any]:
+    """Return the claim of a job that waits for its confirmation; all other jobs are cancelled."""
     for entry in client.get(f"/api/machines/{MACHINE}/queue").json()["entries"]:
         client.post(f"/api/jobs/{entry['job']['id']}/cancel")
     drawing = upload_drawing(client, square())["id"]
-    job = order_job(client, drawing, copies=2, release=True)
+    job = order_job(client, drawing, copies=copies, release=True)
     wait_for_state(client, job["id"], "queued")
-    claim = client.post(
+    claim: dict[str, Any] = client.post(
         "/api/gateway/claim", json={"gateway": "history", "machine": MACHINE}
     ).json()
     assert claim["job"] == job["id"]
-    client.post(f"/api/jobs/{job['id']}/confirm").raise_for_status()
-    end = {"job": job["id"], "epoch": claim["epoch"], "outcome": "done", "line": claim["lines"]}
+    return claim
+
+
+def finished(client: httpx.Client, copies: int) -> dict[str, Any]:
+    """Return a job that a gateway has finished."""
+    claim = claimed(client, copies)
+    client.post(f"/api/jobs/{claim['job']}/confirm").raise_for_status()
+    end = {"job": claim["job"], "epoch": claim["epoch"], "outcome": "done", "line": claim["lines"]}
     client.post("/api/gateway/finish", json=end).raise_for_status()
-    return wait_for_state(client, job["id"], "done")
+    return wait_for_state(client, claim["job"], "done")
+
+
+@pytest.fixture(scope="module")
+def done(client: httpx.Client) -> dict[str, Any]:
+    """Return a job with two copies that a gateway has finished."""
+    return finished(client, 2)
 
 
 def test_history_has_pages_and_filters(client: httpx.Client, cancelled: list[str]) -> None:
@@ -59,6 +72,13 @@ def test_history_has_pages_and_filters(client: httpx.Client, cancelled: list[str
     since = first.json()[0]["ended"]
     found = client.get("/api/history", params={**asked, "since": since}).json()
     assert [job["id"] for job in found] == cancelled[2:]
+
+
+@pytest.mark.parametrize("state", ENDED)
+def test_history_has_every_state_in_which_a_job_ends(client: httpx.Client, state: str) -> None:
+    found = client.get("/api/history", params={"state": state})
+    assert found.status_code == 200
+    assert {job["state"] for job in found.json()} <= {state}
 
 
 @pytest.mark.parametrize(
@@ -99,6 +119,42 @@ def test_a_tool_has_a_life_and_a_change(client: httpx.Client, done: dict[str, An
     events = client.get(f"{TOOLS}/events").json()
     assert [event["kind"] for event in events[:2]] == ["changed", "life"]
     assert events[0]["length"] == pytest.approx(used["used"])
+    client.put(f"{TOOLS}/{station}/life", json={"life": 0.0}).raise_for_status()
+
+
+@pytest.fixture
+def worn(client: httpx.Client) -> Iterator[dict[str, Any]]:
+    """Return a job that waits for its confirmation, with the one station whose tool is worn."""
+    (station,) = (tool["station"] for tool in finished(client, 1)["tools"])
+    claim = claimed(client, 1)
+    client.put(f"{TOOLS}/{station}/life", json={"life": 0.1}).raise_for_status()
+    yield {"id": claim["job"], "station": station}
+    client.put(f"{TOOLS}/{station}/life", json={"life": 0.0}).raise_for_status()
+    client.post(f"/api/jobs/{claim['job']}/cancel").raise_for_status()
+
+
+def test_a_worn_tool_needs_a_new_tool_or_a_reason(
+    client: httpx.Client, worn: dict[str, Any]
+) -> None:
+    route = f"/api/jobs/{worn['id']}/confirm"
+    for body in ({}, {"stations": [worn["station"]]}, {"worn_reason": "  "}):
+        refused = client.post(route, json=body)
+        assert (refused.status_code, refused.json()["code"]) == (409, "job.worn-tools")
+    assert client.get(f"/api/jobs/{worn['id']}").json()["waiting_for"] == "confirmation"
+    kept = client.post(route, json={"worn_reason": "one more sheet", "by": "Mia"})
+    assert kept.status_code == 200
+    events = client.get(f"/api/jobs/{worn['id']}/events").json()
+    assert "one more sheet" in events[-2]["why"]
+
+
+def test_a_new_tool_is_stated_with_the_confirmation(
+    client: httpx.Client, worn: dict[str, Any]
+) -> None:
+    body = {"changed": [worn["station"]], "by": "Mia"}
+    assert client.post(f"/api/jobs/{worn['id']}/confirm", json=body).status_code == 200
+    tools = {tool["station"]: tool for tool in client.get(TOOLS).json()}
+    assert tools[worn["station"]]["used"] == 0.0
+    assert tools[worn["station"]]["changed_by"] == "operator Mia"
 
 
 @pytest.mark.parametrize(("path", "status"), [("tools/99/changed", 404), ("tools/x/changed", 422)])

@@ -16,6 +16,7 @@ from knifetip.errors import (
 from knifetip.jobs.gateway_store import GatewayReport, StopPlace
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
+from knifetip.jobs.tool_check import ToolCheck
 from knifetip.jobs.transitions import LEASE
 from tests.support.job_states import (
     LINES,
@@ -432,8 +433,8 @@ def test_a_confirmation_names_the_stations_that_were_checked(store: Store) -> No
         ' {"station": 2, "name": "Wheel", "kind": "crease-wheel"}]',
     )
     with pytest.raises(WrongState) as refused:
-        store.operators.confirm(job.id, stations=[1])
+        store.operators.confirm(job.id, tools=ToolCheck([1]))
     assert refused.value.message.code == "job.tools-not-checked"
     assert "2 (Wheel)" in str(refused.value)
     assert store.jobs.get(job.id).confirmation == "awaited"
-    assert store.operators.confirm(job.id, stations=[1, 2]).confirmation == "given"
+    assert store.operators.confirm(job.id, tools=ToolCheck([1, 2])).confirmation == "given"

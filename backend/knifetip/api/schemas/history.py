@@ -34,7 +34,9 @@ class HistoryQuery(PeriodQuery):
     """Query parameters that select ended jobs; all conditions must be met."""
 
     state: list[
-        Annotated[Literal["done", "refused", "interrupted", "scrapped", "cancelled"], LISTED]
+        Annotated[
+            Literal["done", "refused", "interrupted", "scrapped", "continued", "cancelled"], LISTED
+        ]
     ] = Field(default=[], description="States of the jobs; may be repeated; all if it is missing")
     board: str = Field(
         default="", max_length=200, description="Name of the board; empty for all boards"

@@ -46,6 +46,17 @@ class ConfirmIn(Strict):
         description="Numbers of the stations whose tools the operator has checked; the request is "
         "refused if the program uses another one. Null for no check",
     )
+    changed: Annotated[list[int], Field(max_length=100)] = Field(
+        default=[],
+        description="Numbers of the stations into which the operator has put new tools; each "
+        "change is recorded, and the used length of the tool is 0 again",
+    )
+    worn_reason: str = Field(
+        default="",
+        max_length=200,
+        description="Why tools at the end of their lives are used on for this copy; recorded in "
+        "the events of the job. If it is empty, the request is refused while such a tool is used",
+    )
     by: str = Field(
         default="",
         max_length=100,

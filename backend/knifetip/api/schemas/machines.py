@@ -75,7 +75,7 @@ class ZoneOut(BaseModel):
     top: float = Field(description="Height of the top of the zone above the mat (mm)")
 
 
-class StationOut(BaseModel):
+class ToolStationOut(BaseModel):
     """A tool station on the head of a machine.
 
     While the station is in use, its datum (the offset of its tool) is added to the programmed
@@ -144,7 +144,7 @@ class MachineOut(BaseModel):
         description="Least distance of two carriages along Y (mm); null for one carriage"
     )
     zones: list[ZoneOut] = Field(description="Keep-out zones on the table; empty if there are none")
-    stations: list[StationOut] = Field(description="Tool stations on the head of the machine")
+    stations: list[ToolStationOut] = Field(description="Tool stations on the head of the machine")
     gateway: Literal["connected", "absent"] = Field(
         description="Whether a gateway for the machine is connected"
     )

@@ -288,6 +288,13 @@ MESSAGES: Final[Entries] = {
     "job.verified": entry(
         "The job was compiled, and its program was verified.",
     ),
+    "job.tool-changed": entry(
+        "The operator put a new tool into station {station} ({name}); the old one had worked "
+        "{used:.0f} m.",
+        station="count",
+        name="text",
+        used="number",
+    ),
     "job.tools-not-checked": entry(
         "Job {job} also uses stations whose tools the confirmation does not name: {stations}.",
         "Check the tools in these stations, then confirm the job again.",
@@ -299,6 +306,18 @@ MESSAGES: Final[Entries] = {
         "Report the error with the log of the server if it happens again.",
         worker="text",
         stage="text",
+    ),
+    "job.worn-tools": entry(
+        "Job {job} uses tools at the end of their lives: {tools: }",
+        "Put new tools into these stations and confirm the job with the numbers of the stations "
+        "that were changed, or state why the tools are used on.",
+        job="text",
+        tools="messages",
+    ),
+    "job.worn-tools-used": entry(
+        "The operator uses tools at the end of their lives: {tools: } Reason: {reason}",
+        tools="messages",
+        reason="text",
     ),
     "job.wrong-state": entry(
         "Job {job} is {state}, so its state cannot become {goal}.",
