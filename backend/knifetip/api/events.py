@@ -74,6 +74,7 @@ class Stream:
                             self._broadcast(message)
                 except Exception:
                     _log.exception("the stream of events failed")
+                    self._forget_sent()
                 # Progress and reports on machines set no change event, so they are polled while a
                 # job is active or a person looks at a machine.
                 moving = self._sent_progress or self._watched
@@ -88,6 +89,13 @@ class Stream:
                 queue.get_nowait()
             queue.put_nowait(None)
 
+    def _forget_sent(self) -> None:
+        """Send the present state of active jobs and stations again.
+
+        After an error it is unknown which changes were sent.
+        """
+        self._sent_progress, self._sent_stations = {}, {}
+
     def _broadcast(self, message: ServerSentEvent) -> None:
         for queue in list(self._listeners):
             try:
@@ -100,8 +108,6 @@ class Stream:
     def _new_messages(self) -> list[ServerSentEvent]:
         events = self._service.store.events.after(self._last)
         messages = self._messages(events)
-        if events:
-            self._last = events[-1].id
         search = self._service.store.jobs.search
         waiting = search((State.RECEIVED.value,), limit=_MAX_WAITING)
         # Other received jobs have no progress.
@@ -120,6 +126,8 @@ class Stream:
         messages += self._stations()
         if events or time.monotonic() - self._refreshed >= _REFRESH:
             messages += self._queued({event.subject for event in events})
+        if events:
+            self._last = events[-1].id
         return messages
 
     def _stations(self) -> list[ServerSentEvent]:
@@ -196,8 +204,9 @@ class Stream:
             missed: list[ServerSentEvent] = []
             if not self._listeners:
                 self._last, self._sent_progress = newest, {}
-                # The client has just fetched the jobs, so their present state is not sent.
+                # The client has just fetched jobs and stations: their present state is not sent.
                 await asyncio.to_thread(self._queued, ())
+                await asyncio.to_thread(self._stations)
             if after is not None and after < self._last:
                 missed = await asyncio.to_thread(self._missed, after, self._last)
             self._listeners.add(queue)

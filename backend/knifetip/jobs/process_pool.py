@@ -72,10 +72,18 @@ class ProcessPool:
         Greatest number of worker processes.
     memory
         Greatest address space of a worker process (bytes).
+    clock
+        Clock by which the time of a task is limited (s).
     """
 
-    def __init__(self, size: int = 2, memory: int = MEMORY) -> None:
+    def __init__(
+        self,
+        size: int = 2,
+        memory: int = MEMORY,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
         self._memory = memory
+        self._clock = clock
         self._spawn = multiprocessing.get_context("spawn")
         self._idle: list[_Worker] = []
         self._busy: list[_Worker] = []
@@ -126,7 +134,7 @@ class ProcessPool:
             reusable = False
             try:
                 worker.pipe.send((task, arguments))
-                kind, value = self._receive(worker, time.monotonic() + limit, limit, watch)
+                kind, value = self._receive(worker, self._clock() + limit, limit, watch)
                 reusable = True
             except (EOFError, OSError) as reason:
                 if self._closed:
@@ -160,7 +168,7 @@ class ProcessPool:
         worker
             Worker process that executes the task.
         deadline
-            Time at which to stop waiting (s, monotonic clock).
+            Time at which to stop waiting (s, clock of the pool).
         limit
             Time allowed for the task (s), for the error message.
         watch
@@ -183,7 +191,7 @@ class ProcessPool:
         """
         stage, fraction = Stage.READ, 0.0
         while True:
-            remaining = deadline - time.monotonic()
+            remaining = deadline - self._clock()
             if remaining <= 0:
                 raise DrawingTooLarge("worker.timeout", stage=stage, seconds=limit)
             if worker.pipe.poll(min(remaining, _WATCH_INTERVAL)):

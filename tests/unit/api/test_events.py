@@ -52,13 +52,13 @@ def event_queue(client: httpx.Client, last: int | None = None) -> Iterator[queue
 
     thread = threading.Thread(target=listen)
     thread.start()
-    assert opened.wait(5.0)
+    assert opened.wait(60.0)
     try:
         yield heard
     finally:
         over.set()
         upload_drawing(client, square())  # any event, so that the listener notices the end
-        thread.join(10.0)
+        thread.join(60.0)
 
 
 def wait_for_event(heard: queue.Queue[Heard], id: str, state: str = "") -> Heard:

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import queue
 import threading
 import time
+from contextlib import suppress
 from typing import Any
 
 import httpx
 import pytest
+from fastapi.sse import ServerSentEvent
 
-from tests.unit.api.test_events import event_queue
+from knifetip.api.events import Stream
+from tests.unit.api.test_events import Heard, event_queue
 
 pytestmark = pytest.mark.xdist_group("server")
 
@@ -144,14 +148,43 @@ def test_a_page_of_another_site_asks_for_nothing(client: httpx.Client) -> None:
     assert report(client)["operations"] == []
 
 
+def jog_event(client: httpx.Client, heard: queue.Queue[Heard]) -> Heard:
+    """Report a jog until its event arrives, as a gateway does, and return the event."""
+    deadline = time.monotonic() + 60.0
+    while time.monotonic() < deadline:
+        report(client, state="jog", position=[5.0, 0.0, 20.0, 0.0])
+        with suppress(queue.Empty):
+            while (event := heard.get(timeout=0.5)).kind != "station":
+                pass
+            if event.data["state"] == "jog":
+                return event
+    raise AssertionError("no event reports the jog")
+
+
+def test_an_error_in_the_stream_of_events_loses_no_change(
+    client: httpx.Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    report(client, state="idle", position=[0.0, 0.0, 20.0, 0.0])
+    failed = threading.Event()
+    stations = Stream._stations
+
+    def fail_once(stream: Stream) -> list[ServerSentEvent]:
+        messages = stations(stream)
+        if not failed.is_set() and any('"state":"jog"' in (one.raw_data or "") for one in messages):
+            failed.set()
+            raise OSError("database is locked")
+        return messages
+
+    with event_queue(client) as heard:
+        monkeypatch.setattr(Stream, "_stations", fail_once)
+        assert jog_event(client, heard).data["machine"] == MACHINE
+        assert failed.is_set()
+
+
 def test_each_change_of_a_station_is_an_event(client: httpx.Client) -> None:
     report(client, state="idle", position=[0.0, 0.0, 20.0, 0.0])
     with event_queue(client) as heard:
-        report(client, state="jog", position=[5.0, 0.0, 20.0, 0.0])
-        while True:
-            event = heard.get(timeout=10.0)
-            if event.kind == "station" and event.data["state"] == "jog":
-                break
+        event = jog_event(client, heard)
         assert event.number is None
         assert event.data["machine"] == MACHINE
         assert event.data["position"] == [5.0, 0.0, 20.0, 0.0]

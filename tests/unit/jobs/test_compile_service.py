@@ -142,11 +142,18 @@ def test_a_compile_that_breaks_down_refuses_the_job(
 
 
 def test_a_compile_that_takes_too_long_refuses_the_job(
-    store: Store, service: CompileService, job: Job, compiles_by: Callable[[object], None]
+    store: Store, job: Job, compiles_by: Callable[[object], None]
 ) -> None:
     compiles_by(crew_tasks.hang_in_verify)
-    service.limit = 4.0
-    service.compile(begin(store, service))
+
+    def clock() -> float:
+        return 4.0 if store.jobs.get(job.id).stage == "verify" else 0.0
+
+    service = CompileService(store, ProcessPool(1, clock=clock), "a worker", limit=4.0)
+    try:
+        service.compile(begin(store, service))
+    finally:
+        service.pool.close()
     assert (
         str(store.jobs.get(job.id).message)
         == "Processing the drawing took longer than 4 s in the stage verify."
