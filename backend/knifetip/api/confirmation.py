@@ -35,6 +35,7 @@ def get_confirmation(service: ServiceDep, id: JobId) -> ConfirmationOut:
             "copies": row.copies,
             "first_of_batch": service.store.gateways.begins_batch(row),
             "rest_of_sheet": row.rest is not None,
+            "unfinished_sheet": service.store.gateways.unfinished_sheet(row),
         }
     )
 

@@ -63,7 +63,7 @@ def _waiting(store: Store, row: Job, queue: Queue | None) -> Waiting:
     if row.confirmation == Confirmation.AWAITED:
         machine, board = library.titles(row)
         code = "waiting.for-start" if row.state == State.QUEUED else "waiting.unconfirmed-run"
-        required = {
+        required: dict[str, str | Message | None] = {
             "machine": machine,
             "board": board,
             "sheet": _sheet(row),
@@ -71,8 +71,9 @@ def _waiting(store: Store, row: Job, queue: Queue | None) -> Waiting:
         }
         if row.rest is not None and row.state == State.QUEUED:
             return Waiting("confirmation", Message("waiting.for-rest", job=row.resumes, **required))
-        message = Message(code, **required)
-        return Waiting("confirmation", message)
+        if row.state == State.QUEUED:
+            required["unfinished"] = _unfinished(store.gateways.unfinished_sheet(row))
+        return Waiting("confirmation", Message(code, **required))
     if row.confirmation == Confirmation.SHEET:
         message = Message(
             "waiting.for-sheet",
@@ -87,6 +88,11 @@ def _waiting(store: Store, row: Job, queue: Queue | None) -> Waiting:
     if row.state == State.QUEUED and queue is not None:
         return _queued(library, row, queue)
     return Waiting()
+
+
+def _unfinished(job: str) -> Message | None:
+    """Return a message about the unfinished sheet of a job; None for "" (there is none)."""
+    return Message("waiting.unfinished-sheet", job=job) if job else None
 
 
 def _sheet(row: Job) -> Message | None:

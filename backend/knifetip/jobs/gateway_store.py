@@ -29,6 +29,7 @@ from knifetip.jobs.job import (
     State,
     action_between,
 )
+from knifetip.jobs.left_sheet import unfinished_sheet
 from knifetip.jobs.machine_queues import CLAIMED, MachineQueues, lock_queue, next_queued
 from knifetip.jobs.machine_runs import end_run
 from knifetip.jobs.tables import Job
@@ -103,7 +104,8 @@ class GatewayStore:
             must confirm such a job on every machine.
         feeds
             Whether the machine feeds its sheets itself.  The operator must then confirm the first
-            sheet of each batch (see ``batches``), and a job with a worn tool.
+            sheet of each batch (see ``batches``), a job with a worn tool, and a job before which an
+            unfinished sheet may lie on the table.
         worn
             Returns the stations whose tools are at the end of their lives.
 
@@ -135,7 +137,12 @@ class GatewayStore:
                 # A begun sheet may have been moved, and a broken tool must have been replaced.
                 confirm = manual or row.resumes is not None
                 confirm = confirm or (
-                    feeds and (begins_batch(session, row) or uses_worn_tool(row, worn))
+                    feeds
+                    and (
+                        begins_batch(session, row)
+                        or uses_worn_tool(row, worn)
+                        or unfinished_sheet(session, row) != ""
+                    )
                 )
                 self._assign(session, row, gateway, confirm, feeds)
                 return self._transitions.lock(session, id)
@@ -146,6 +153,14 @@ class GatewayStore:
         """Return whether the next sheet of a job is the first one of a batch (see ``batches``)."""
         with self._db.reading() as session:
             return begins_batch(session, row)
+
+    def unfinished_sheet(self, row: Job) -> str:
+        """Return the job whose unfinished sheet may lie on the table before another job starts.
+
+        The result is "" if there is none (see ``left_sheet``).
+        """
+        with self._db.reading() as session:
+            return unfinished_sheet(session, row)
 
     def _assign(self, session: Session, row: Job, gateway: str, confirm: bool, feeds: bool) -> None:
         changes: dict[str, Any] = {

@@ -4600,7 +4600,7 @@ export const TEXTS = {
     "hint": "Put a new sheet of {board}{sheet} on the table, then confirm the new sheet. The machine then starts the next copy."
   },
   "waiting.for-start": {
-    "text": "The job waits until the operator of {machine} confirms that the table is clear. Required: board {board!r}{sheet}{tools}.",
+    "text": "The job waits until the operator of {machine} confirms that the table is clear.{unfinished} Required: board {board!r}{sheet}{tools}.",
     "hint": "Check the table, then confirm the job to start it."
   },
   "waiting.for-turn": {
@@ -4646,6 +4646,10 @@ export const TEXTS = {
   "waiting.unconfirmed-run": {
     "text": "{machine} was started, but the operator has not confirmed that the table is clear. Required: board {board!r}{sheet}{tools}.",
     "hint": "Check the table. Confirm the job to let it continue, or cancel it."
+  },
+  "waiting.unfinished-sheet": {
+    "text": " The unfinished sheet of job {job} may still lie on it.",
+    "hint": ""
   },
   "worker.died": {
     "text": "The process that computed the drawing ended unexpectedly (exit code {code}), probably because it used too much memory.",

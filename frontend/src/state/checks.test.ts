@@ -15,6 +15,7 @@ const ASKED = {
   copies: 2,
   first_of_batch: true,
   rest_of_sheet: false,
+  unfinished_sheet: "",
 } as Confirmation;
 const DRAWING = { bounds: [5, 5, 405, 305] } as unknown as Drawing;
 const BOARD = { name: "grey", title: "Greyboard" } as Board;
@@ -44,6 +45,12 @@ test("the rest of a sheet needs the begun sheet, not a new one", () => {
   const checks = checksOf({ ...ASKED, rest_of_sheet: true }, BOARD, DRAWING);
   expect(checks[0]?.detail).toContain("begun sheet");
   expect(checks[1]?.title).toContain("not moved");
+});
+
+test("an unfinished sheet of an earlier job must be removed", () => {
+  const checks = checksOf({ ...ASKED, unfinished_sheet: "abc" }, BOARD, DRAWING);
+  expect(checks.at(-2)?.title).toBe("Unfinished sheet is removed");
+  expect(checks.at(-2)?.detail).toContain("Job abc");
 });
 
 test("ticks of one copy are void for the next, and for another job", () => {

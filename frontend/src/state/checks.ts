@@ -84,6 +84,15 @@ export function checksOf(
       ? check("place", "The sheet was not moved", "The job continues what was begun on it")
       : check("place", "Sheet is in its place and held", placeText(asked, drawing)),
     ...tools.map(toolCheck),
+    ...(asked.unfinished_sheet === ""
+      ? []
+      : [
+          check(
+            "unfinished",
+            "Unfinished sheet is removed",
+            `Job ${asked.unfinished_sheet} was stopped, and its sheet may still lie on the table`,
+          ),
+        ]),
     check(
       "clear",
       "Table is clear",

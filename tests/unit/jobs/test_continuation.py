@@ -104,6 +104,47 @@ def test_a_sheet_is_continued_by_one_job(store: Store) -> None:
         rest(store, parent)
 
 
+def test_an_unfinished_sheet_is_known_after_its_rest_was_cancelled(store: Store) -> None:
+    parent = interrupted(store)
+    following = queued(store)
+    rest_job = compiled(store, rest(store, parent))
+    assert store.gateways.unfinished_sheet(rest_job) == ""  # it needs the sheet on the table
+    assert store.gateways.unfinished_sheet(following) == parent.id
+    store.operators.cancel(rest_job.id)
+    claim = store.gateways.claim("table", "gateway", manual=False, feeds=True)
+    assert claim is not None
+    assert (claim.id, claim.confirmation) == (following.id, Confirmation.AWAITED)
+    assert store.gateways.unfinished_sheet(claim) == parent.id
+    store.operators.confirm(claim.id)
+    assert store.gateways.heartbeat(claim.id, claim.epoch, WAITING) == "start"
+    store.gateways.finish(claim.id, claim.epoch, "done")
+    assert store.gateways.unfinished_sheet(queued(store)) == ""
+
+
+def test_a_batch_does_not_go_on_by_itself_over_an_unfinished_sheet(store: Store) -> None:
+    batch = running(store, copies=3)
+    store.gateways.finish(batch.id, batch.epoch, "interrupted", line=0, copies_done=1)
+    store.operators.requeue(batch.id)
+    other = queued(store, priority=1)
+    claim = store.gateways.claim("table", "gateway", manual=False)
+    assert claim is not None
+    assert claim.id == other.id
+    store.operators.cancel(other.id)
+    store.gateways.finish(other.id, claim.epoch, "cancelled", line=LINE)
+    again = store.gateways.claim("table", "gateway", manual=False, feeds=True)
+    assert again is not None
+    assert (again.id, again.confirmation) == (batch.id, Confirmation.AWAITED)
+
+
+@pytest.mark.parametrize("action", ["scrap", "requeue", "declare_finished"])
+def test_an_operator_who_says_what_becomes_of_a_job_clears_the_table(
+    store: Store, action: str
+) -> None:
+    parent = interrupted(store)
+    getattr(store.operators, action)(parent.id)
+    assert store.gateways.unfinished_sheet(queued(store)) == ""
+
+
 def test_a_copy_of_the_whole_may_be_made_at_any_time(store: Store) -> None:
     parent = interrupted(store)
     compiled(store, rest(store, parent))

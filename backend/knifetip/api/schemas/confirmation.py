@@ -52,3 +52,7 @@ class ConfirmationOut(BaseModel):
     rest_of_sheet: bool = Field(
         description="Whether the begun sheet of an earlier job must lie on the table, unmoved"
     )
+    unfinished_sheet: str = Field(
+        description="Id of an earlier job whose unfinished sheet may still lie on the table and "
+        "must be removed; empty if there is none"
+    )

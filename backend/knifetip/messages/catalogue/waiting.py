@@ -57,10 +57,11 @@ MESSAGES: Final[Entries] = {
         tools="message?",
     ),
     "waiting.for-start": entry(
-        "The job waits until the operator of {machine} confirms that the table is clear. "
-        "Required: board {board!r}{sheet}{tools}.",
+        "The job waits until the operator of {machine} confirms that the table is clear."
+        "{unfinished} Required: board {board!r}{sheet}{tools}.",
         "Check the table, then confirm the job to start it.",
         machine="text",
+        unfinished="message?",
         board="text",
         sheet="message?",
         tools="message?",
@@ -115,6 +116,10 @@ MESSAGES: Final[Entries] = {
     "waiting.tools": entry(
         ", tools: {tools:, }",
         tools="messages",
+    ),
+    "waiting.unfinished-sheet": entry(
+        " The unfinished sheet of job {job} may still lie on it.",
+        job="text",
     ),
     "waiting.unconfirmed-run": entry(
         "{machine} was started, but the operator has not confirmed that the table is clear. "
