@@ -17,6 +17,9 @@ export { type Problem, pageProblem, ServiceError } from "./errors";
 type Schemas = components["schemas"];
 type StationPaths = paths["/api/machines/{name}/station"];
 export type Board = Schemas["BoardOut"];
+export type Calibration = Schemas["CalibrationOut"];
+/** Points measured on a test cut. */
+export type CalibrationOrder = Schemas["CalibrationIn"];
 export type CornerAt = Schemas["CornerAt"];
 export type Corners = Schemas["Corners"];
 export type Definition = Schemas["DefinitionOut"];
@@ -417,6 +420,9 @@ export const service = {
     dataOf(api.GET("/api/formats", uncached(signal))),
   boards: (signal?: AbortSignal): Promise<Board[]> =>
     dataOf(api.GET("/api/boards", uncached(signal))),
+  /** Compute the deflection of a cutter from a measured test cut; nothing is stored. */
+  calibrate: (board: string, order: CalibrationOrder): Promise<Calibration> =>
+    dataOf(api.POST("/api/boards/{name}/deflection", { params: byName(board), body: order })),
   library: (signal?: AbortSignal): Promise<LibraryEntry[]> =>
     dataOf(api.GET("/api/library", uncached(signal))),
   librarySchema: (kind: Shelf, signal?: AbortSignal): Promise<Record<string, unknown>> =>

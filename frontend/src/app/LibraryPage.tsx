@@ -7,7 +7,7 @@ import { type LibraryEntry, type Shelf, service } from "../api/client";
 import { errorText } from "../messages/render";
 import { DefinitionEditor } from "../panels/DefinitionEditor";
 import css from "../panels/library.module.css";
-import { refreshLibrary, SHELF_TITLES } from "../state/definitions";
+import { refreshLibrary, SHELF_TITLES, SHELF_WORDS } from "../state/definitions";
 import { slugOf } from "../state/draft";
 import { queries } from "../state/queries";
 
@@ -33,11 +33,12 @@ export function LibraryPage() {
     }
   };
   return (
-    <div className={css.page} data-testid="library">
+    <div className={css.page} data-open={open !== null} data-testid="library">
       <nav className={css.list} aria-label="Machines, boards and tools">
-        <Button component="a" href="#/" variant="default" size="compact-sm">
+        <Button component="a" href="#/" variant="default" size="sm">
           Back to drawings
         </Button>
+        <h1>Machines, boards and tools</h1>
         {fault !== "" && (
           <p className={css.fault} role="alert">
             {fault}
@@ -58,13 +59,13 @@ export function LibraryPage() {
                   data-testid={`entry-${name}`}
                 >
                   <span>{title || name}</span>
-                  <span className={css.mark}>{shipped ? "knifetip" : `own · v${version}`}</span>
+                  <span className={css.mark}>{shipped ? "supplied" : `own · v${version}`}</span>
                 </button>
               ))}
             <FileButton accept=".toml" onChange={(file) => void importFile(shelf, file)}>
               {(props) => (
-                <Button {...props} size="compact-xs" variant="subtle">
-                  Import TOML file
+                <Button {...props} size="sm" variant="subtle">
+                  Import {SHELF_WORDS[shelf]} from a TOML file
                 </Button>
               )}
             </FileButton>
@@ -73,7 +74,10 @@ export function LibraryPage() {
       </nav>
       <main className={css.editor}>
         {open === null ? (
-          <p>Choose a machine, a board or a tool. Copy an entry of knifetip to make your own.</p>
+          <p className={css.hint}>
+            Choose a machine, a board or a tool. To make your own, copy a supplied entry, give the
+            copy a name, and change its values.
+          </p>
         ) : (
           <DefinitionEditor key={`${open.shelf} ${open.name}`} entry={open} onOpen={setOpen} />
         )}
