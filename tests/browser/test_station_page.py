@@ -264,6 +264,12 @@ def test_a_job_is_confirmed_held_resumed_stopped_and_the_machine_moved_by_touch(
     expect(page.get_by_test_id("jog-x1")).to_have_attribute("aria-disabled", "false")
     assert_reachable(page)
     page.screenshot(path=screenshots / f"{name}-6-machine.png")
+    page.get_by_test_id("spindle-1").tap()
+    assert_done(page, "Oscillating knife: oscillation on")
+    assert workshop.table.table.oscillating
+    expect(page.get_by_test_id("spindle-1")).to_have_attribute("aria-checked", "true")
+    page.get_by_test_id("spindle-1").tap()
+    assert_done(page, "Oscillating knife: oscillation off")
     before = workshop.table.table.position[0]
     page.get_by_test_id("jog-x1").tap()
     wait_until(lambda: abs(workshop.table.table.position[0] - before - 10.0) < 0.01, "no step")

@@ -56,6 +56,14 @@ _WORK = {
 }
 
 
+#: Directions of the spindle by the names of the canonical commands.
+_DIRECTIONS = {
+    "START_SPINDLE_CLOCKWISE": 1,
+    "START_SPINDLE_COUNTERCLOCKWISE": -1,
+    "STOP_SPINDLE_TURNING": 0,
+}
+
+
 @dataclass(frozen=True)
 class TipTool:
     """The dimensions of a tool, stated by the test (mm and degrees)."""
@@ -86,9 +94,15 @@ class Moves:
     station: NDArray[np.int64]  #: (n,) number of the selected tool
     offset: F64  #: (n, 3) active tool offset, X Y Z
     outputs: NDArray[np.int64]  #: (n,) one bit per digital output
-    oscillates: NDArray[np.bool_]  #: (n,)
+    spindle: F64  #: (n,) speed of the spindle, negative for counter-clockwise, 0 for off
     feed: F64  #: (n,) mm or degrees per minute, as printed by rs274
     joints: F64  #: (n, 6) X Y Z A B C after each move, with the active tool offset
+
+    @property
+    def oscillates(self) -> NDArray[np.bool_]:
+        """Whether the spindle is on, (n,)."""
+        on: NDArray[np.bool_] = self.spindle != 0.0
+        return on
 
     def __len__(self) -> int:
         return len(self.kind)
@@ -155,7 +169,8 @@ def read_program(program: bytes, tools: Mapping[int, TipTool] | None = None) -> 
 def _moves(canon: str, tools: Mapping[int, TipTool]) -> Moves:
     rows = []
     position = np.zeros(6)
-    selected, station, offset, outputs, oscillates, feed = 0, 0, np.zeros(6), 0, False, 0.0
+    selected, station, offset, outputs, feed = 0, 0, np.zeros(6), 0, 0.0
+    speed, direction = 0.0, 0
     for word, inside in re.findall(r"^\s*\d+ \S+\s+([A-Z_0-9]+)\((.*)\)$", canon, re.M):
         if word in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "ARC_FEED"):
             values = [float(value) for value in inside.split(",")]
@@ -178,7 +193,7 @@ def _moves(canon: str, tools: Mapping[int, TipTool]) -> Moves:
                     station,
                     offset[own[:3]],
                     outputs,
-                    oscillates,
+                    speed * direction,
                     feed,
                     end + offset,
                 )
@@ -201,8 +216,10 @@ def _moves(canon: str, tools: Mapping[int, TipTool]) -> Moves:
             outputs |= 1 << int(inside)
         elif word == "CLEAR_AUX_OUTPUT_BIT":
             outputs &= ~(1 << int(inside))
-        elif word in ("START_SPINDLE_CLOCKWISE", "STOP_SPINDLE_TURNING"):
-            oscillates = word.startswith("START")
+        elif word in _DIRECTIONS:
+            direction = _DIRECTIONS[word]
+        elif word == "SET_SPINDLE_SPEED":
+            speed = float(inside.split(",")[1])
         elif word == "SET_FEED_RATE":
             feed = float(inside)
     columns = list(zip(*rows, strict=True)) or [[]] * 11
@@ -216,7 +233,7 @@ def _moves(canon: str, tools: Mapping[int, TipTool]) -> Moves:
         station=np.array(columns[5], np.int64),
         offset=np.array(columns[6], float).reshape(n, 3),
         outputs=np.array(columns[7], np.int64),
-        oscillates=np.array(columns[8], bool),
+        spindle=np.array(columns[8], float),
         feed=np.array(columns[9], float),
         joints=np.array(columns[10], float).reshape(n, 6),
     )

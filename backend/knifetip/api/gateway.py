@@ -192,6 +192,7 @@ async def report_station(
                 station.outputs,
                 station.operations,
                 None if station.activity is None else _activity(station.activity),
+                station.spindle,
             ),
             [
                 OperationResult(

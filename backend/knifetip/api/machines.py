@@ -116,6 +116,7 @@ def station_out(view: StationView) -> StationOut:
             "position": row.position if alive else None,
             "outputs": row.outputs if alive else [],
             "operations": row.operations if alive else [],
+            "spindle": row.spindle if alive else None,
             "activity": _activity(row.activity) if alive and row.activity else None,
             "job": view.job,
             "seen_seconds_ago": view.age,

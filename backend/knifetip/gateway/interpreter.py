@@ -87,7 +87,8 @@ class Block:
     number: int = 0  #: value of the N word
     output: int = -1  #: digital output that it switches, -1 for none
     on: bool = False  #: whether the output is switched on
-    oscillation: bool | None = None  #: M3 and M5
+    oscillation: bool | None = None  #: M3, M4 and M5
+    reverse: bool = False  #: M4
     dwell: float | None = None  #: G4 (s)
     move: Move | None = None
     pause: bool = False  #: M0
@@ -220,6 +221,7 @@ class Interpreter:
             output=output,
             on=on,
             oscillation=groups["spindle"] != 5.0 if "spindle" in groups else None,
+            reverse=groups.get("spindle") == 4.0,
             dwell=dwell,
             move=move,
             pause=program == 0.0,

@@ -18,7 +18,7 @@ from knifetip.errors import ControllerError, OperationExpired
 from knifetip.gateway.controller import Controller, SafeState, State, Status
 from knifetip.gateway.motion import Limits
 from knifetip.messages import Message
-from knifetip.model.machine import Machine
+from knifetip.model.machine import Machine, Station
 
 #: Seconds after which an operation that was not carried out yet expires.
 EXPIRY = 3.0
@@ -38,6 +38,7 @@ class OperationName(StrEnum):
     ZERO = "zero"  #: set the work coordinates of axes to zero at the present position
     PARK = "park"  #: lift the tool, then move it to the corner of the table
     SWITCH = "switch"  #: switch a digital output on or off
+    SPINDLE = "spindle"  #: switch the spindle or the oscillation of a station on or off
     DRY_RUN = "dry_run"  #: run the program of the waiting job above the board
     FRAME = "frame"  #: move round the box of the sheet or of the work, above the board
     HOLD = "hold"  #: hold a dry run
@@ -63,6 +64,7 @@ class Operation:
     axes: str = ""  #: letters of the axes to set to zero
     output: int = -1  #: number of the output to switch
     on: bool = False
+    station: int = 0  #: number of the station whose spindle is switched
     share: float = 1.0  #: share of the feeds of a dry run
     box: tuple[float, float, float, float] | None = None  #: x0, y0, x1, y1 of a frame (mm)
 
@@ -102,6 +104,11 @@ class Operable(Protocol):
     @property
     def switched_on(self) -> frozenset[int]:
         """Numbers of the digital outputs that ``switch`` has switched on."""
+        ...
+
+    @property
+    def spinning(self) -> int:
+        """Number of the station whose spindle ``spin`` has switched on; 0 for none."""
         ...
 
     async def unlock(self) -> None:
@@ -177,6 +184,16 @@ class Operable(Protocol):
         """
         ...
 
+    async def spin(self, station: Station | None) -> None:
+        """Switch the spindle or the oscillation of a station on; None switches it off.
+
+        Parameters
+        ----------
+        station
+            The station, which has a spindle.
+        """
+        ...
+
 
 @runtime_checkable
 class OperableController(Controller, Operable, Protocol):
@@ -227,6 +244,9 @@ async def perform(
             await controller.park()
         case OperationName.SWITCH:
             await controller.switch(operation.output, operation.on)
+        case OperationName.SPINDLE:
+            station = _spindle_station(operation, machine)
+            await controller.spin(station if operation.on else None)
 
 
 async def require_possible(
@@ -285,9 +305,26 @@ def _check(operation: Operation, name: str, status: Status, machine: Machine) ->
                     output=operation.output,
                     outputs=[str(output) for output in machine.outputs],
                 )
+        case OperationName.SPINDLE:
+            if not lifted:
+                raise ControllerError("operation.not-lifted", height=lift)
         case OperationName.ZERO:
             if not operation.axes or not set(operation.axes) <= set(AXES):
                 raise ControllerError("operation.unknown-axis", axis=operation.axes, axes=AXES)
+
+
+def _spindle_station(operation: Operation, machine: Machine) -> Station:
+    """Return the station whose spindle an operation switches.
+
+    Raises
+    ------
+    ControllerError
+        The machine has no such station, its tool has no spindle, or it is a laser.
+    """
+    for station in machine.stations:
+        if station.number == operation.station and station.speed and not station.is_beam:
+            return station
+    raise ControllerError("operation.no-spindle", station=operation.station, machine=machine.title)
 
 
 def _check_jog(operation: Operation, status: Status, machine: Machine) -> None:

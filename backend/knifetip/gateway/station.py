@@ -10,7 +10,8 @@ answers a report with the operations that a person has asked for:
 - Operations are carried out one after another, except ``stop_jog``: it does not wait, and cancels
   the operations that do.
 - Without an answer of the server for ``operations.EXPIRY`` a running jog or dry run is stopped,
-  because the person could not stop it any more.
+  and a spindle that was switched on by hand is switched off, because the person could not do it
+  any more.
 - A dry run uses the machine until it ends (``dry_run``).  Its operation is done when it begins;
   meanwhile all operations are refused, except to hold, to resume and to stop it.
 """
@@ -132,7 +133,7 @@ class MachineStation:
             await asyncio.gather(*self._tasks, return_exceptions=True)
 
     async def _stop_unwatched(self) -> None:
-        """Stop a running jog or dry run if the server has not answered for ``EXPIRY`` seconds."""
+        """Stop what a person has begun if the server has not answered for ``EXPIRY`` seconds."""
         controller = self._link.controller
         if _now() - self._answered < EXPIRY or not isinstance(controller, OperableController):
             return
@@ -140,6 +141,10 @@ class MachineStation:
             with suppress(KnifetipError, OSError):
                 await self._link.dry_run.stop()
             return
+        if controller.spinning and not self._link.runs_job and not self._link.in_use.locked():
+            with suppress(KnifetipError, OSError):
+                async with self._link.in_use:
+                    await controller.spin(None)
         status = controller.last_status
         if status is not None and status.state is State.JOG and not self._link.runs_job:
             with suppress(KnifetipError, OSError):
@@ -164,6 +169,7 @@ class MachineStation:
             position=None if status is None or not status.located else status.position,
             outputs=tuple(sorted(outputs)),
             operations=tuple(sorted(controller.operations)),
+            spindle=controller.spinning or None,
             activity=None if self._link.dry_run is None else self._link.dry_run.activity,
         )
 

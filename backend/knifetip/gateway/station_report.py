@@ -26,6 +26,7 @@ class StationReport:
     position: Pose | None = None  #: in work coordinates
     outputs: tuple[int, ...] = ()  #: outputs that are on
     operations: tuple[str, ...] = ()  #: operations that the controller can do
+    spindle: int | None = None  #: station whose spindle was switched on by hand; None for none
     activity: Activity | None = None  #: the last program above the board; None if there was none
 
     def as_json(self) -> dict[str, object]:
@@ -37,6 +38,7 @@ class StationReport:
             "position": self.position,
             "outputs": self.outputs,
             "operations": self.operations,
+            "spindle": self.spindle,
             "activity": None if self.activity is None else self.activity.as_json(),
         }
 
@@ -101,6 +103,7 @@ def _request(fields: Mapping[str, Any]) -> OperationRequest:
             str(given.get("axes", "")),
             int(given.get("output", -1)),
             bool(given.get("on", False)),
+            int(given.get("station", 0)),
             _finite(given.get("share", 1.0)),
             _box(given.get("box")),
         ),

@@ -151,6 +151,7 @@ class Table:
         self.outputs: dict[int, bool] = {}
         self.switch_events: deque[SwitchEvent] = deque(maxlen=10_000)
         self.oscillating = False
+        self.reversed = False  #: the spindle turns counter-clockwise
         self.lost = 0  #: bytes that overflowed the buffer
         self.answer: Callable[[str], None] = discard_answer
         self.hang_up: Callable[[], None] = lambda: None
@@ -357,7 +358,7 @@ class Table:
                 self._waiting = (replace(block, dwell=0.0), order)
                 return False
             if block.oscillation is not None:
-                self.oscillating = block.oscillation
+                self.oscillating, self.reversed = block.oscillation, block.reverse
         elif block.move and self._planner.full:
             return False
         if block.output >= 0:

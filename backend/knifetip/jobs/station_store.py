@@ -49,6 +49,7 @@ class StationReport:
     outputs: Sequence[int] = ()  #: outputs that are on
     operations: Sequence[str] = ()  #: operations that the controller can do
     activity: Mapping[str, Any] | None = None  #: last run above the board
+    spindle: int | None = None  #: station whose spindle was switched on by hand
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,6 +118,7 @@ class StationStore:
             "position": None if report.position is None else list(report.position),
             "outputs": list(report.outputs),
             "operations": list(report.operations),
+            "spindle": report.spindle,
             "activity": None if report.activity is None else dict(report.activity),
         }
         with self._db.reading() as session:

@@ -285,6 +285,7 @@ class Station(Base):
     position: Mapped[list[float] | None] = mapped_column(sa.JSON(none_as_null=True))
     outputs: Mapped[list[int]] = mapped_column(sa.JSON, default=list)  #: outputs that are on
     operations: Mapped[list[str]] = mapped_column(sa.JSON, default=list)
+    spindle: Mapped[int | None]  #: station whose spindle was switched on by hand; None for none
     #: last run above the board, as the gateway reports it; None if there was none
     activity: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
 

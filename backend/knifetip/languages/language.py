@@ -42,6 +42,8 @@ class Language:
     settings_table: str = ""  #: path of the pydantic model of ``[controller]``, for editors
     linear_axes: str = "XYZ"  #: letters of the words that move linear axes (mm)
     rotary_axes: str = "C"  #: letters of the words that turn rotary axes (degrees)
+    #: digital outputs of a controller whose machine does not state them; 0 if that differs
+    default_outputs: int = 0
 
     def load_part(self, role: str) -> Any:
         """Import and return one component of the language.
@@ -81,12 +83,22 @@ class Language:
             language cannot drive the machine, for example because it has no word for an axis.
         """
         self._check_axes(machine)
+        self._check_outputs(machine)
         if self.settings:
             return self.load_part("settings")(fields, machine)
         if fields:
             fault = Message("language.no-settings", path="controller", language=self.title)
             raise InvalidFields([fault], ("controller",))
         return None
+
+    def _check_outputs(self, machine: Machine) -> None:
+        """Raise ``InvalidFields`` if a station or a tool needs an output that does not exist."""
+        count = machine.output_count or self.default_outputs
+        missing = [str(output) for output in machine.outputs if output >= count]
+        if count and missing:
+            code = "language.few-outputs" if machine.output_count else "language.default-outputs"
+            fault = Message(code, outputs=missing, count=count, language=self.title)
+            raise InvalidFields([fault], ("output_count",))
 
     def _check_axes(self, machine: Machine) -> None:
         """Raise ``InvalidFields`` if the language has no word for an axis of a carriage."""

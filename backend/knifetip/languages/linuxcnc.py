@@ -12,4 +12,5 @@ LANGUAGE = Language(
     driver="knifetip.gateway.linuxcnc.driver:dial",
     linear_axes="XYZUVW",
     rotary_axes="ABC",
+    default_outputs=4,
 )

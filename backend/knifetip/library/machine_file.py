@@ -24,7 +24,7 @@ from pydantic import (
 from knifetip.errors import LibraryError
 from knifetip.fields import LISTED, Table, field_error
 from knifetip.languages.registry import find_language, language_names
-from knifetip.model.machine import Axis, Carriage, Gantry, Machine, Station, Zone
+from knifetip.model.machine import Axis, Carriage, Gantry, Machine, Station, Zone, has_spindle
 from knifetip.model.tool import KINDS, Kind, Tool
 from knifetip.model.tool.base import NotNegative, Positive
 
@@ -253,7 +253,30 @@ class StationTable(Table):
         description="length that the tool may work in the board before it is changed (m); 0: no "
         "limit",
     )
+    spindle: Annotated[Literal["M3", "M4"], LISTED] = Field(
+        "M3",
+        description="word that switches the oscillation or the spindle of the tool on: M3 turns "
+        "clockwise, M4 counter-clockwise",
+    )
+    spindle_speed: NotNegative = Field(
+        0.0,
+        le=1e6,
+        description="S word with it, if the controller needs another than the speed of the tool; "
+        "0: the speed of a cutter, the power of a laser, and 1 for an oscillating knife",
+    )
     tool: _CheckedTool
+
+    @model_validator(mode="after")
+    def _check_spindle(self) -> StationTable:
+        station = self.record()
+        if self.spindle == "M3" and not self.spindle_speed:
+            return self
+        if not has_spindle(station.tool):
+            raise field_error("field.no-spindle", station=self.number)
+        # Under M4, grbl switches the beam off while the head is at rest, so nothing is pierced.
+        if station.is_beam:
+            raise field_error("field.spindle-of-beam", station=self.number)
+        return self
 
     def record(self) -> Station:
         """Return the station that the table describes."""
@@ -267,6 +290,8 @@ class StationTable(Table):
             carriage=self.carriage,
             envelope=self.envelope,
             life=self.life,
+            spindle=self.spindle,
+            spindle_speed=self.spindle_speed,
         )
 
 
@@ -317,6 +342,13 @@ class MachineFile(Table):
     settle: NotNegative = Field(description="waiting time after an output is switched (s)")
     feed: Annotated[Literal["manual", "automatic"], LISTED] = Field(
         "manual", description="whether an operator or a feeder loads the sheet"
+    )
+    output_count: int = Field(
+        0,
+        ge=0,
+        le=256,
+        description="number of digital outputs of the controller, for example num_dio of "
+        "LinuxCNC's motmod; 0: not stated (LinuxCNC: 4)",
     )
     axes: Axes
     gantry: GantryTable | None = Field(

@@ -59,6 +59,14 @@ class Zone:
     top: float  #: height of its top above the mat (mm)
 
 
+def has_spindle(tool: Tool) -> bool:
+    """Return whether a tool has an oscillation, a spindle or a beam that a program switches on.
+
+    This is also true for a tool whose speed is missing.
+    """
+    return tool.spindle > 0 or tool.spindle_missing is not None
+
+
 @dataclass(frozen=True, slots=True)
 class Station:
     """A mount on the head of the machine, with one tool.
@@ -79,11 +87,21 @@ class Station:
     #: radius about the station's axis of its holder at the height of the tip (mm); 0: the tool only
     envelope: float = 0.0
     life: float = 0.0  #: length that the tool may work in the board (m); 0 for no limit
+    #: word that switches the oscillation or the spindle of the tool on: ``M3`` or ``M4``
+    spindle: str = "M3"
+    spindle_speed: float = 0.0  #: S word with it; 0 for that of the tool
 
     @property
     def reach(self) -> float:
         """Radius about the station's axis within which tool and holder lie at any heading (mm)."""
         return max(self.envelope, self.tool.reach)
+
+    @property
+    def speed(self) -> int:
+        """S word of the program while the oscillation or the spindle is on; 0 if there is none."""
+        if not has_spindle(self.tool):
+            return 0
+        return round(self.spindle_speed) or self.tool.spindle
 
     @property
     def is_beam(self) -> bool:
@@ -130,6 +148,9 @@ class Machine:
     #: least distance of a tool from the board in turns with the least lift (mm); 0 for no such lift
     turn_clearance: float = 0.0
     version: int = 0  #: version of a user's machine; 0 for a machine of the library or of a file
+    #: number of digital outputs of the controller; 0 if it is not stated, and the default of the
+    #: language applies
+    output_count: int = 0
 
     @property
     def carriages(self) -> tuple[Carriage, ...]:

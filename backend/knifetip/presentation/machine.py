@@ -45,4 +45,6 @@ def station_json(station: Station) -> dict[str, Any]:
         "output": station.output,
         "envelope": station.envelope,
         "life": station.life,
+        "spindle": station.spindle if station.speed else "",
+        "spindle_speed": station.speed,
     }

@@ -15,7 +15,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.model.machine import Machine
+from knifetip.model.machine import Machine, Station
 from knifetip.model.tool import CreaseWheel, Cutter, Knife, Laser, Tool, VCutter
 from knifetip.verification.columns import I64
 
@@ -75,7 +75,7 @@ class ExpectedTool:
     swivel: float = MAX_TURN  #: greatest turn of C in place in the board (degrees)
     max_turn: float = 180.0  #: greatest turn of C that is ever needed (degrees)
     follows_path: bool = True  #: C follows the direction of the path
-    speed: float = 1.0  #: S word of M3
+    speed: float = 1.0  #: S word of M3, unless the station has its own
     needs_spindle: bool = False  #: the spindle is on while the tool cuts; if False, it is off
     stopped_code: str = ""  #: code of the message if M3 is not in force
     min_dwell: float = 0.0  #: dwell after switching, if longer than the machine's (s)
@@ -216,6 +216,26 @@ def extra_outputs(machine: Machine) -> tuple[int, ...]:
     return tuple(
         sorted({one for station in machine.stations for one in expected_tool(station.tool).outputs})
     )
+
+
+@dataclass(frozen=True, slots=True)
+class Spindle:
+    """The command that switches the oscillation, the spindle or the beam of a station on."""
+
+    code: int  #: number of the M word: 3 or 4
+    speed: float  #: S word
+    needed: bool  #: it is on while the tool cuts; if False, it is off
+
+
+def expected_spindle(station: Station) -> Spindle:
+    """Return the command that switches the spindle of a station on, as its machine states it.
+
+    A station without its own speed has that of its tool.
+    """
+    tool = expected_tool(station.tool)
+    own = station.spindle_speed
+    needed = tool.needs_spindle or (own > 0.0 and isinstance(station.tool, Cutter))
+    return Spindle(4 if station.spindle == "M4" else 3, own if own > 0.0 else tool.speed, needed)
 
 
 def carriage_columns(machine: Machine) -> I64:

@@ -983,6 +983,10 @@ export const TEXTS = {
     "text": "{path} must have previous, next or both",
     "hint": ""
   },
+  "field.no-spindle": {
+    "text": "{path}: `spindle` and `spindle_speed` are set, but the tool of station {station} has no oscillation and no spindle",
+    "hint": ""
+  },
   "field.no-such-carriage": {
     "text": "{path}: station {station} is on carriage {carriage}, but the machine has {count:# carriage|# carriages}",
     "hint": ""
@@ -1081,6 +1085,10 @@ export const TEXTS = {
   },
   "field.spacing": {
     "text": "{path} is {value:g} mm, but must be either 0 or at least {least:g} mm",
+    "hint": ""
+  },
+  "field.spindle-of-beam": {
+    "text": "{path}: `spindle` and `spindle_speed` are set, but station {station} has a laser, which is switched by M3 with its `power`",
     "hint": ""
   },
   "field.too-few": {
@@ -1502,6 +1510,10 @@ export const TEXTS = {
   "grbl.no-output": {
     "text": "the controller has no digital output {output} (it has {count:# output|# outputs})",
     "hint": ""
+  },
+  "grbl.no-reverse": {
+    "text": "this build of grbl turns the spindle in one direction only (option D), and has no M4",
+    "hint": "Install a build without the option, or set `spindle = \"M3\"` for the station."
   },
   "grbl.no-rotary-axis": {
     "text": "the controller has no axis that rotates the tool (its axes are {axes:, })",
@@ -2511,6 +2523,14 @@ export const TEXTS = {
     "text": "The Python entry point {name!r} of the group {group} must provide a controller language that is named {name!r}, but does not provide one.",
     "hint": "Correct or remove the Python package that declares the entry point."
   },
+  "language.default-outputs": {
+    "text": "the machine does not state the number of digital outputs of its controller, and {language} has {count} by default, numbered from 0. It has no output {outputs:, }",
+    "hint": "Use other outputs, or set `output_count` to the number that the controller is configured for."
+  },
+  "language.few-outputs": {
+    "text": "the controller has {count:# digital output|# digital outputs}, numbered from 0. It has no output {outputs:, }",
+    "hint": "Use other outputs, or correct `output_count`."
+  },
   "language.no-driver": {
     "text": "Programs in {language} cannot be sent to a machine, because the gateway has no driver for this language.",
     "hint": "{advice}"
@@ -2858,6 +2878,10 @@ export const TEXTS = {
   "operation.no-result": {
     "text": "The gateway received the operation, but has not reported its result.",
     "hint": "Look at the machine before you ask for anything else."
+  },
+  "operation.no-spindle": {
+    "text": "Station {station} of {machine} has no spindle or oscillation that is switched by hand.",
+    "hint": "Choose a station with a knife that oscillates or with a cutter."
   },
   "operation.not-at-rest": {
     "text": "{name} is not at rest: it reports the state {state}. Nothing was sent.",
@@ -3560,8 +3584,12 @@ export const TEXTS = {
     "hint": "Delete one of the two words."
   },
   "rs274.speed-without-m3": {
-    "text": "The program line has a spindle speed (S), but no M3.",
-    "hint": "Add M3 or delete the speed."
+    "text": "The program line has a spindle speed (S), but neither M3 nor M4.",
+    "hint": "Add M3 or M4, or delete the speed."
+  },
+  "rs274.spindle-of-other-station": {
+    "text": "The station moves while the spindle or oscillation of another station is on.",
+    "hint": "Switch it off (M5) before the station is changed."
   },
   "rs274.stray-p": {
     "text": "The P word belongs to no command of the program line, or to more than one command.",
@@ -3603,12 +3631,16 @@ export const TEXTS = {
     "text": "The word {word} in the program line is not supported.",
     "hint": "Remove the word."
   },
+  "rs274.wrong-direction": {
+    "text": "The program line switches the spindle on in the wrong direction for the station.",
+    "hint": "Use the word that the machine states for the station: M3 or M4."
+  },
   "rs274.wrong-dwell": {
     "text": "The dwell (G4) in the program line is shorter than the {settle:g} s that the machine needs after switching.",
     "hint": "Make the dwell {settle:g} s or longer."
   },
   "rs274.wrong-speed": {
-    "text": "The spindle speed (S) at M3 differs from the speed of the tool in the machine file.",
+    "text": "The spindle speed (S) at M3 or M4 differs from the speed of the station in the machine file.",
     "hint": "Correct the speed, or compile the job again."
   },
   "rule.block": {

@@ -3,7 +3,7 @@
 import { useState } from "react";
 import type { Job, Machine, OperationRequest, Station } from "../api/client";
 import { operate } from "../state/operations";
-import { type OperationName, outputsOf, reasonAgainst } from "../state/station";
+import { type OperationName, outputsOf, reasonAgainst, spindlesOf } from "../state/station";
 import { AskOnce } from "./AskOnce";
 import { JogPad } from "./JogPad";
 import css from "./station.module.css";
@@ -118,7 +118,8 @@ export function StationOperations(props: Props) {
 
 function Outputs({ machine, station, job, reached }: Props) {
   const outputs = outputsOf(machine);
-  if (outputs.length === 0) return null;
+  const spindles = spindlesOf(machine);
+  if (outputs.length + spindles.length === 0) return null;
   const reason = reasonAgainst("switch", station, machine, job);
   return (
     <fieldset className={css.outputs} data-testid="outputs">
@@ -151,6 +152,45 @@ function Outputs({ machine, station, job, reached }: Props) {
           </button>
         );
       })}
+      {spindles.map(({ number, name }) => {
+        const on = station?.spindle === number;
+        const label = `${name}: ${motorOf(machine, number)}`;
+        return (
+          <button
+            key={`spindle ${number}`}
+            type="button"
+            role="switch"
+            aria-checked={on}
+            className={css.output}
+            disabled={!reached || reason !== null}
+            title={reason ?? undefined}
+            onClick={() =>
+              void operate(machine.name, `${label} ${on ? "off" : "on"}`, {
+                operation: "spindle",
+                station: number,
+                on: !on,
+              })
+            }
+            data-testid={`spindle-${number}`}
+          >
+            <span>
+              {label}
+              <small>{spindleText(machine, number)}</small>
+            </span>
+            <b>{on ? "On" : "Off"}</b>
+          </button>
+        );
+      })}
     </fieldset>
   );
+}
+
+const motorOf = ({ stations }: Machine, number: number): string =>
+  stations.find((one) => one.number === number)?.tool.kind === "knife" ? "oscillation" : "spindle";
+
+function spindleText({ stations }: Machine, number: number): string {
+  const found = stations.find((one) => one.number === number);
+  if (found === undefined) return "";
+  const speed = found.spindle_speed > 1 ? ` at ${found.spindle_speed.toLocaleString("en")}` : "";
+  return `${found.spindle}${speed}${found.spindle === "M4" ? ", counter-clockwise" : ""}`;
 }

@@ -49,7 +49,7 @@ export const GROUPS: Readonly<Record<Shelf, Readonly<Record<string, readonly str
   machines: {
     "Machine and table": ["title", "width", "height", "dialect", "feed", "origin"],
     "Heights and waiting times": ["travel_z", "clearance", "turn_clearance", "into_mat", "settle"],
-    "Stations, tools and outputs": ["station"],
+    "Stations, tools and outputs": ["output_count", "station"],
     "Axes and travel": ["axes", "gantry"],
     "Keep-out zones": ["zone"],
     Controller: ["controller"],

@@ -22,6 +22,7 @@ const station = (part: Partial<Station>): Station => ({
   position: [10, 10, 20, 0],
   outputs: [],
   operations: ["unlock", "home", "jog", "stop_jog", "zero", "park", "switch"],
+  spindle: null,
   activity: null,
   job: "",
   seen_seconds_ago: 0.1,

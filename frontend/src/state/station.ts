@@ -134,7 +134,8 @@ export function reasonAgainst(
   if (station.alarm !== null) return "An alarm locks the machine. Home it, or unlock it, first.";
   if (operation === "stop_jog") return null;
   if (station.state !== "idle") return "The machine moves. Wait until it is at rest.";
-  const acrossBoard = operation === "switch" || (operation === "jog" && axis !== "Z");
+  const acrossBoard =
+    operation === "switch" || operation === "spindle" || (operation === "jog" && axis !== "Z");
   if (acrossBoard && !isLifted(station, machine))
     return `The tool is down. Raise Z to ${liftOf(machine)} mm first.`;
   return null;
@@ -175,6 +176,10 @@ export function outputsOf(machine: Machine): readonly { number: number; name: st
   const found = machine.stations.filter(({ output }) => output >= 0);
   return found.map(({ output, name }) => ({ number: output, name }));
 }
+
+/** Stations whose spindle or oscillation a person may switch; a laser is never lit by hand. */
+export const spindlesOf = (machine: Machine): readonly { number: number; name: string }[] =>
+  machine.stations.filter(({ spindle, tool }) => spindle !== "" && tool.kind !== "laser");
 
 /** An action of the person, and what has become of it. */
 export interface Outcome {

@@ -61,6 +61,7 @@ def test_the_station_shows_the_report_of_the_gateway(client: httpx.Client) -> No
         "position": [1.0, 2.0, 20.0, 0.0],
         "outputs": [1],
         "operations": ["unlock", "home", "jog", "stop_jog"],
+        "spindle": None,
         "activity": None,
         "job": "",
     }
@@ -112,6 +113,8 @@ def test_a_late_operation_expires(client: httpx.Client) -> None:
         {"operation": "zero", "axes": "Q"},
         {"operation": "switch", "output": -1, "on": True},
         {"operation": "switch", "output": 1},
+        {"operation": "spindle", "station": 1},
+        {"operation": "spindle", "station": 0, "on": True},
         {"operation": "unlock", "force": True},
         {"operation": "dry_run", "share": 0.01},
         {"operation": "dry_run", "share": 1.5},

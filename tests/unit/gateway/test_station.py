@@ -164,7 +164,7 @@ async def test_an_operation_that_waits_too_long_for_another_is_dropped(
     async with shop(monkeypatch, speed=0.2) as (office, table):
         await office.report(connected=True, state="idle")
         await office.result(office.ask(operation="jog", axis="Z", distance=-15.0, feed=30000.0))
-        await office.report(state="idle")
+        await office.report(state="idle", position=[0.0, 0.0, 5.0, 0.0])
         assert table.position[2] == pytest.approx(5.0)
         office.ask(operation="park")
         jog = office.ask(age=2.8, **JOG)

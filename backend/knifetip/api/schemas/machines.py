@@ -99,6 +99,11 @@ class ToolStationOut(BaseModel):
         description="Length that the tool may work in the board according to the file of the "
         "machine (m); 0 for no limit"
     )
+    spindle: Literal["M3", "M4", ""] = Field(
+        description="Word that switches the oscillation or the spindle of the tool on; empty if it "
+        "has none"
+    )
+    spindle_speed: int = Field(description="S word with it; 0 if there is none")
     tool: ToolOut = Field(description="Tool in the station")
 
 

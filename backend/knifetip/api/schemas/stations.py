@@ -22,6 +22,7 @@ OperationWord = Annotated[
         "zero",
         "park",
         "switch",
+        "spindle",
         "dry_run",
         "frame",
         "hold",
@@ -42,7 +43,12 @@ _STATE = (
     "person confirms the end of each program. Empty if the controller is not connected"
 )
 #: Arguments that an operation needs, by its name.
-_NEEDED = {"jog": ("axis", "distance", "feed"), "zero": ("axes",), "switch": ("output", "on")}
+_NEEDED = {
+    "jog": ("axis", "distance", "feed"),
+    "zero": ("axes",),
+    "switch": ("output", "on"),
+    "spindle": ("station", "on"),
+}
 
 
 class _Activity(BaseModel):
@@ -103,6 +109,10 @@ class StationOut(BaseModel):
         description="Operations that the controller can do, as in `POST "
         "/api/machines/{name}/operations`"
     )
+    spindle: int | None = Field(
+        description="Number of the station whose spindle or oscillation was switched on by hand; "
+        "null for none"
+    )
     activity: ActivityOut | None = Field(
         description="The last run above the board while a job waits; null if there was none"
     )
@@ -123,6 +133,7 @@ class OperationIn(Strict):
         "their switches. jog: move one axis by a distance. stop_jog: stop the jog that is "
         "running. zero: set the work coordinates of axes to zero at the present position. park: "
         "lift the tool and move it to the corner of the table. switch: switch an output on or off. "
+        "spindle: switch the spindle or the oscillation of a station on or off. "
         "dry_run: run the program of the job that waits for its operator above the board, with "
         "all outputs and the spindle off; the job keeps waiting. frame: move round the box of the "
         "sheet, or of the work if the sheet has no size, above the board. hold, resume: hold and "
@@ -152,7 +163,11 @@ class OperationIn(Strict):
         default=None, description="Number of the output to switch; required for `switch`"
     )
     on: bool | None = Field(
-        default=None, description="Whether to switch the output on; required for `switch`"
+        default=None,
+        description="Whether to switch it on; required for `switch` and `spindle`",
+    )
+    station: Annotated[int, Field(ge=1, le=255)] | None = Field(
+        default=None, description="Number of the station; required for `spindle`"
     )
     share: float | None = Field(
         default=None,
@@ -213,6 +228,10 @@ class StationIn(Strict):
     operations: Annotated[list[Name], Field(max_length=32)] = Field(
         default=[], description="Operations that the controller can do"
     )
+    spindle: int | None = Field(
+        default=None,
+        description="Number of the station whose spindle was switched on by hand; null for none",
+    )
     activity: ActivityIn | None = Field(
         default=None, description="The last run above the board; null if there was none"
     )
@@ -242,6 +261,7 @@ class AskedOut(BaseModel):
     axes: str | None = Field(default=None, description="Letters of the axes to set to zero")
     output: int | None = Field(default=None, description="Number of the output to switch")
     on: bool | None = Field(default=None, description="Whether to switch the output on")
+    station: int | None = Field(default=None, description="Number of the station")
     share: float | None = Field(default=None, description="Share of the feeds, for dry runs")
     box: Pose | None = Field(
         default=None, description="Box of a frame: x0, y0, x1, y1 (mm); null: that of the work"

@@ -15,6 +15,9 @@ from knifetip.gateway.interpreter import strip_comments, switches_output
 from knifetip.messages import Message
 
 _OPTIONS = re.compile(r"\[OPT:[^,\]]*,(\d+),(\d+)")
+#: Option D of grbl 1.1: the pin for the direction of the spindle switches the spindle on.
+_ONE_DIRECTION = re.compile(r"\[OPT:[A-Z0-9*+]*D")
+_REVERSE = re.compile(rb"M0*4(?![\d.])")
 _AXES = re.compile(r"\[AXS:\d+:([A-Z]+)")
 _OUTPUTS = re.compile(r"\[AUX IO:\d+,(\d+)")
 _GRBL_1_1 = re.compile(r"\[VER:1\.1")
@@ -43,6 +46,7 @@ class Capabilities:
     blocks: int | None = None  #: blocks of the planner; None if unknown
     buffer: int | None = None  #: size of the receive buffer (bytes); None if unknown
     grblhal: bool = False  #: the firmware is grblHAL
+    reverses: bool = True  #: the spindle turns in both directions (M4)
 
     @classmethod
     def read(cls, lines: Iterable[str], reported: int) -> Capabilities:
@@ -68,6 +72,7 @@ class Capabilities:
             blocks=int(options[1]) if options else None,
             buffer=int(options[2]) if options else None,
             grblhal=_GRBLHAL in text,
+            reverses=_ONE_DIRECTION.search(text) is None,
         )
 
     @property
@@ -93,8 +98,10 @@ class Capabilities:
     def obstacle(self, line: bytes) -> Message | None:
         """Return a message if the controller cannot execute a program line, else None.
 
-        Only axes and outputs are checked; the controller itself checks the rest.
+        Only axes, outputs and M4 are checked; the controller itself checks the rest.
         """
+        if not self.reverses and _REVERSE.search(strip_comments(line)):
+            return Message("grbl.no-reverse")
         if self.outputs is not None and switches_output(line):
             number = _OUTPUT_NUMBER.search(strip_comments(line))
             if number is not None and int(number[1]) >= self.outputs:

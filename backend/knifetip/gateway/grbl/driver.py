@@ -236,6 +236,7 @@ class Grbl(GrblOperations):
             A move exceeds the travel; nothing has moved, but the controller is locked.
         """
         connection = self._connection
+        self._forget_switches()  # every program begins by switching everything off
         await connection.command(b"$C")
         connection.checking = True
         connection.refusals.clear()
@@ -377,7 +378,7 @@ class Grbl(GrblOperations):
         try:
             status = await recovery.make_safe(connection, self._safe, self._silence)
             done = True
-            self._switched_on = frozenset()
+            self._forget_switches()
         except ControllerError as unsafe:
             connection.fault = None  # the present fault matters more than the first one
             raise connection.fail(unsafe) from None

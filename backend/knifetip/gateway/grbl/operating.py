@@ -18,6 +18,7 @@ from knifetip.gateway.grbl.capabilities import Capabilities
 from knifetip.gateway.grbl.connection import GrblConnection
 from knifetip.gateway.operations import OperationName
 from knifetip.messages import Message
+from knifetip.model.machine import Station
 
 #: Longest time of a homing cycle (s).
 HOMING_SECONDS = 180.0
@@ -34,6 +35,7 @@ class GrblOperations:
     _silence: float
     _capabilities: Capabilities
     _switched_on: frozenset[int] = frozenset()
+    _spinning: int = 0
     _homing: bool = False
     _stops: int = 0  # number of calls of ``stop_jog``
 
@@ -71,6 +73,11 @@ class GrblOperations:
         return self._connection.status
 
     @property
+    def spinning(self) -> int:
+        """Number of the station whose spindle ``spin`` has switched on; 0 for none."""
+        return self._spinning
+
+    @property
     def switched_on(self) -> frozenset[int]:
         """Numbers of the digital outputs that ``switch`` has switched on."""
         return self._switched_on
@@ -103,7 +110,7 @@ class GrblOperations:
                 await recovery.release(connection, self._safe)
         finally:
             connection.recovering = False
-        self._switched_on = frozenset()
+        self._forget_switches()
 
     async def home(self) -> None:
         """Home all axes, lift the tool and switch all outputs off."""
@@ -119,7 +126,7 @@ class GrblOperations:
             await recovery.secure(connection, self._safe, self._silence)
         finally:
             connection.recovering = self._homing = False
-        self._switched_on = frozenset()
+        self._forget_switches()
 
     async def jog(self, axis: str, distance: float, feed: float) -> None:
         """Begin to move one axis by a distance (mm or degrees) at a feed (per minute)."""
@@ -147,12 +154,22 @@ class GrblOperations:
         """Lift the tool, then begin to move X and Y to the park position of the machine."""
         connection, safe, stops = self._connection, self._safe, self._stops
         await recovery.secure(connection, safe, self._silence)
-        self._switched_on = frozenset()
+        self._forget_switches()
         if self._stops != stops:
             raise ControllerError("operation.stopped", name=connection.name)
         if safe is not None:
             x, y = safe.park
             await connection.command(b"$J=G90 G21 X%.4f Y%.4f F%.0f" % (x, y, PARK_FEED))
+
+    def _forget_switches(self) -> None:
+        """Record that all outputs and the spindle have been switched off."""
+        self._switched_on, self._spinning = frozenset(), 0
+
+    async def spin(self, station: Station | None) -> None:
+        """Switch the spindle of a station on, or switch it off."""
+        line = b"M5" if station is None else f"{station.spindle} S{station.speed}".encode()
+        await self._connection.command(line)
+        self._spinning = 0 if station is None else station.number
 
     async def switch(self, output: int, on: bool) -> None:
         """Switch a digital output on or off."""

@@ -147,6 +147,7 @@ class Linuxcnc(LinuxcncOperations):
             LinuxCNC refuses a line; nothing has moved.
         """
         connection = self._connection
+        self._forget_switches()  # every program begins by switching everything off
         text = b"".join(line + b"\n" for line in lines)
         await self._open_program(text)
         connection.program = RunningProgram(connection.executed, 0, checking=True)
@@ -269,7 +270,7 @@ class Linuxcnc(LinuxcncOperations):
         try:
             status = await recovery.make_safe(connection, self._safe)
             done = True
-            self._switched_on = frozenset()
+            self._forget_switches()
         except ControllerError as unsafe:
             connection.fault = None  # the present fault matters more than the first one
             raise connection.fail(unsafe) from None
@@ -282,7 +283,7 @@ class Linuxcnc(LinuxcncOperations):
 
     async def _secure(self) -> None:
         await recovery.secure(self._connection, self._safe)
-        self._switched_on = frozenset()
+        self._forget_switches()
 
 
 async def dial(

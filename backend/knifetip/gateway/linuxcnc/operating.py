@@ -18,6 +18,7 @@ from knifetip.gateway.linuxcnc import recovery
 from knifetip.gateway.linuxcnc.connection import LinuxcncConnection
 from knifetip.gateway.operations import AXES, OperationName
 from knifetip.messages import Message
+from knifetip.model.machine import Station
 
 #: Longest time until all joints are homed (s).
 HOMING_SECONDS = 180.0
@@ -33,6 +34,7 @@ class LinuxcncOperations:
     _connection: LinuxcncConnection
     _safe: SafeState | None
     _switched_on: frozenset[int] = frozenset()
+    _spinning: int = 0
 
     @property
     def operations(self) -> frozenset[str]:
@@ -53,6 +55,11 @@ class LinuxcncOperations:
     def last_status(self) -> Status | None:
         """Last status report, also after a failure; None if there is none since connecting."""
         return self._connection.status
+
+    @property
+    def spinning(self) -> int:
+        """Number of the station whose spindle ``spin`` has switched on; 0 for none."""
+        return self._spinning
 
     @property
     def switched_on(self) -> frozenset[int]:
@@ -76,7 +83,7 @@ class LinuxcncOperations:
                 await recovery.secure(connection, self._safe)
         finally:
             connection.recovering = False
-        self._switched_on = frozenset()
+        self._forget_switches()
 
     async def home(self) -> None:
         """Home all joints, lift the tool and switch all outputs off."""
@@ -94,7 +101,7 @@ class LinuxcncOperations:
             await recovery.secure(connection, self._safe)
         finally:
             connection.recovering = False
-        self._switched_on = frozenset()
+        self._forget_switches()
 
     def _require_power(self) -> None:
         """Raise ``ControllerAlarm`` if the machine is off or in emergency stop."""
@@ -136,10 +143,20 @@ class LinuxcncOperations:
     async def park(self) -> None:
         """Lift the tool, then begin to move X and Y to the park position of the machine."""
         await recovery.secure(self._connection, self._safe)
-        self._switched_on = frozenset()
+        self._forget_switches()
         if self._safe is not None:
             x, y = self._safe.park
             await self._begin(f"G1 X{x:.4f} Y{y:.4f} F{PARK_FEED:.0f}")
+
+    def _forget_switches(self) -> None:
+        """Record that all outputs and the spindle have been switched off."""
+        self._switched_on, self._spinning = frozenset(), 0
+
+    async def spin(self, station: Station | None) -> None:
+        """Switch the spindle of a station on, or switch it off."""
+        line = "M5" if station is None else f"{station.spindle} S{station.speed}"
+        await self._connection.execute([line])
+        self._spinning = 0 if station is None else station.number
 
     async def switch(self, output: int, on: bool) -> None:
         """Switch a digital output on or off."""

@@ -200,6 +200,10 @@ MESSAGES: Final[Entries] = {
         output="count",
         count="count",
     ),
+    "grbl.no-reverse": entry(
+        "this build of grbl turns the spindle in one direction only (option D), and has no M4",
+        'Install a build without the option, or set `spindle = "M3"` for the station.',
+    ),
     "grbl.no-rotary-axis": entry(
         "the controller has no axis that rotates the tool (its axes are {axes:, })",
         axes="texts",

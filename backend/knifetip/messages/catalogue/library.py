@@ -209,6 +209,18 @@ MESSAGES: Final[Entries] = {
         "{path} must have previous, next or both",
         path="text",
     ),
+    "field.no-spindle": entry(
+        "{path}: `spindle` and `spindle_speed` are set, but the tool of station {station} has no "
+        "oscillation and no spindle",
+        path="text",
+        station="count",
+    ),
+    "field.spindle-of-beam": entry(
+        "{path}: `spindle` and `spindle_speed` are set, but station {station} has a laser, which "
+        "is switched by M3 with its `power`",
+        path="text",
+        station="count",
+    ),
     "field.no-such-carriage": entry(
         "{path}: station {station} is on carriage {carriage}, but the machine has "
         "{count:# carriage|# carriages}",

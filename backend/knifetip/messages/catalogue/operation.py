@@ -74,6 +74,12 @@ MESSAGES: Final[Entries] = {
         "{name} is not locked by an alarm, so there is nothing to unlock.",
         name="text",
     ),
+    "operation.no-spindle": entry(
+        "Station {station} of {machine} has no spindle or oscillation that is switched by hand.",
+        "Choose a station with a knife that oscillates or with a cutter.",
+        station="number",
+        machine="text",
+    ),
     "operation.stopped": entry(
         "A person has stopped {name} before the operation was complete.",
         name="text",

@@ -228,6 +228,23 @@ MESSAGES: Final[Entries] = {
         language="text",
         advice="message?",
     ),
+    "language.default-outputs": entry(
+        "the machine does not state the number of digital outputs of its controller, and "
+        "{language} has {count} by default, numbered from 0. It has no output {outputs:, }",
+        "Use other outputs, or set `output_count` to the number that the controller is configured "
+        "for.",
+        outputs="texts",
+        count="count",
+        language="text",
+    ),
+    "language.few-outputs": entry(
+        "the controller has {count:# digital output|# digital outputs}, numbered from 0. It has no "
+        "output {outputs:, }",
+        "Use other outputs, or correct `output_count`.",
+        outputs="texts",
+        count="count",
+        language="text",
+    ),
     "language.no-linear-axis": entry(
         "carriage {carriage} has a linear axis {letter}, and {language} has no such axis. "
         "Its linear axes are {known:, }",

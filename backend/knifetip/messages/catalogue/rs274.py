@@ -159,9 +159,17 @@ MESSAGES: Final[Entries] = {
         "The program line has two words that set the same value.",
         "Delete one of the two words.",
     ),
+    "rs274.spindle-of-other-station": entry(
+        "The station moves while the spindle or oscillation of another station is on.",
+        "Switch it off (M5) before the station is changed.",
+    ),
+    "rs274.wrong-direction": entry(
+        "The program line switches the spindle on in the wrong direction for the station.",
+        "Use the word that the machine states for the station: M3 or M4.",
+    ),
     "rs274.speed-without-m3": entry(
-        "The program line has a spindle speed (S), but no M3.",
-        "Add M3 or delete the speed.",
+        "The program line has a spindle speed (S), but neither M3 nor M4.",
+        "Add M3 or M4, or delete the speed.",
     ),
     "rs274.stray-p": entry(
         "The P word belongs to no command of the program line, or to more than one command.",
@@ -216,7 +224,8 @@ MESSAGES: Final[Entries] = {
         settle="number",
     ),
     "rs274.wrong-speed": entry(
-        "The spindle speed (S) at M3 differs from the speed of the tool in the machine file.",
+        "The spindle speed (S) at M3 or M4 differs from the speed of the station in the "
+        "machine file.",
         "Correct the speed, or compile the job again.",
     ),
 }

@@ -191,7 +191,7 @@ def _station_change(
             yield f"M65 P{previous.output}"
         for output in previous.tool.outputs:
             yield f"M65 P{output}"
-        if previous.tool.spindle and not previous.is_beam:
+        if previous.speed and not previous.is_beam:
             yield "M5"
     if dialect.tool_table:
         yield f"T{station.number} M6 G43"
@@ -200,8 +200,8 @@ def _station_change(
         yield f"M64 P{output}"
     if station.output >= 0:
         yield f"M64 P{station.output}"
-    if (speed := station.tool.spindle) and not station.is_beam:
-        yield f"M3 S{speed}"
+    if station.speed and not station.is_beam:
+        yield f"{station.spindle} S{station.speed}"
     if (pause := station.tool.settle(machine.settle)) > 0:
         yield gcode.dwell_line(pause)
 
@@ -248,7 +248,7 @@ def _station_at(toolpath: Toolpath, machine: Machine, first: int) -> Station:
             machine=machine.name,
             known=numbers,
         ) from None
-    if reason := station.tool.spindle_missing:
+    if (reason := station.tool.spindle_missing) and not station.speed:
         raise ProgramError(
             "tool.cannot-work",
             station=number,

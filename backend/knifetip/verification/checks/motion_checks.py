@@ -27,7 +27,7 @@ from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.findings import MAX_FINDINGS, Findings
 from knifetip.verification.kinematics import TipPoses
 from knifetip.verification.reading.moves import Moves
-from knifetip.verification.tools import expected_tool, extra_outputs
+from knifetip.verification.tools import expected_spindle, expected_tool, extra_outputs
 
 #: Greatest excess over the travel of a joint; less than the last printed digit (mm, degrees).
 TRAVEL_TOLERANCE: Final = 1e-6
@@ -174,7 +174,7 @@ def check_outputs(moves: Moves, tip: TipPoses, machine: Machine, findings: Findi
             is_on = moves.extra[:, extra.index(output)]
             message_off = Message("verify.output-off", station=station.number, output=output)
             wrong.append((inside & ~is_on, message_off))
-        if tool.needs_spindle:
+        if expected_spindle(station).needed:
             wrong.append((inside & ~moves.oscillating, Message(tool.stopped_code)))
         else:
             running = Message("verify.oscillation-on", station=station.number)

@@ -26,7 +26,7 @@ from knifetip.model.board import Board
 from knifetip.model.machine import Machine
 from knifetip.verification.columns import F64, I32, I64, U8, Bool
 from knifetip.verification.reading.moves import Moves, Switches
-from knifetip.verification.tools import expected_tool
+from knifetip.verification.tools import expected_spindle, expected_tool
 
 #: Greatest size of a program: bytes and moves.
 MAX_BYTES: Final = 64 << 20
@@ -353,10 +353,11 @@ def _make_moves(
     working = track.down & ~track.upright
     for pen in plotter.pens:
         is_pen = track.pen == pen.number
-        tool = stations[index[pen.station]].tool
+        held = stations[index[pen.station]]
+        tool = held.tool
         station[is_pen] = index[pen.station]
         depth[is_pen] = _pen_height(pen, machine, board)
-        oscillating[is_pen] = expected_tool(tool).needs_spindle
+        oscillating[is_pen] = expected_spindle(held).needed
         plunge[is_pen], feed[is_pen] = tool.plunge, tool.feed
         if device.force is not None:
             is_wrong = is_pen & track.down & track.upright & (track.force != pen.force)

@@ -44,7 +44,7 @@ class Moves:
     inverse: Bool  #: (n,) ``feed`` is 1 / duration in minutes (G93)
     station: I32  #: (n,) index into ``machine.stations``, -1 for none
     lowered: Bool  #: (n, stations) the station's output is on
-    oscillating: Bool  #: (n,) the spindle is on (M3)
+    oscillating: Bool  #: (n,) the spindle is on (M3 or M4)
     extra: Bool  #: (n, e) outputs of ``tools.extra_outputs`` that are on
     stated: Bool  #: (n, stations + e + 1) the program has set stations, extra outputs, spindle
     blend: F64  #: (n,) mm, corner rounding: larger of P and Q of G64; inf without a limit

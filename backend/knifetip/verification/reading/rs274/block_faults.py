@@ -15,7 +15,7 @@ from knifetip.model.machine import Machine
 from knifetip.verification.columns import F64, Bool
 from knifetip.verification.reading.rs274.blocks import Group, ProgramBlocks, latest_block
 from knifetip.verification.reading.rs274.modal_state import ModalState
-from knifetip.verification.tools import expected_tool, extra_outputs, has_beam
+from knifetip.verification.tools import expected_spindle, expected_tool, extra_outputs, has_beam
 
 #: Numbers that differ by less may be printed as one number (mm, s).
 PRINT_ROUNDING: Final = 5e-5
@@ -118,13 +118,7 @@ def _check_values(blocks: ProgramBlocks, state: ModalState, machine: Machine, se
         switched[~np.isin(number["P"][switched], outputs)],
         Message("rs274.unknown-output", machine=machine.name),
     )
-    # A spindle has its own speed; an oscillating knife has S1.
-    turns = np.array([*(expected_tool(held.tool).speed for held in machine.stations), 1.0])
-    starts = has_code(Group.SPINDLE, 3)
-    blocks.fault(has("S") & ~starts, Message("rs274.speed-without-m3"))
-    starts_at = np.flatnonzero(starts)
-    speed = np.rint(turns[state.station[starts_at]])
-    fault(starts_at[state.speed[starts_at] != speed], Message("rs274.wrong-speed"))
+    _check_spindle(blocks, state, machine)
     known = [station.number for station in machine.stations]
     chosen = np.flatnonzero(has("T"))
     fault(
@@ -141,6 +135,29 @@ def _check_values(blocks: ProgramBlocks, state: ModalState, machine: Machine, se
         numbered[(value < 0.0) | (value != np.rint(value))],
         Message("rs274.bad-line-number"),
     )
+
+
+def _check_spindle(blocks: ProgramBlocks, state: ModalState, machine: Machine) -> None:
+    """Add faults for spindles that are switched on with a wrong direction or speed, and for moves
+    with the spindle of another station.
+    """
+    fault, has, has_code = blocks.fault, blocks.has, blocks.has_code
+    spindles = [expected_spindle(station) for station in machine.stations]
+    # A spindle has its own speed; an oscillating knife has S1.
+    codes = np.array([*(spindle.code for spindle in spindles), 3])[state.station]
+    speeds = np.rint([*(spindle.speed for spindle in spindles), 1.0])[state.station]
+    starts = has_code(Group.SPINDLE, 3) | has_code(Group.SPINDLE, 4)
+    fault(has("S") & ~starts, Message("rs274.speed-without-m3"))
+    # Without any S the speed is NaN, which differs from each number.
+    fault(starts & (state.speed != speeds), Message("rs274.wrong-speed"))
+    fault(starts & (blocks.group[Group.SPINDLE] != codes), Message("rs274.wrong-direction"))
+    # The spindle of the station before has another direction and speed.
+    started = latest_block(starts)
+    other = state.oscillating & (state.station >= 0) & (state.station != state.station[started])
+    moved = np.flatnonzero(other & has_code(Group.MOTION))
+    # One fault for each start of a spindle, not one for each move.
+    _, first = np.unique(started[moved], return_index=True)
+    blocks.fault_at(moved[first], Message("rs274.spindle-of-other-station"))
 
 
 def _check_rest(blocks: ProgramBlocks) -> None:

@@ -67,6 +67,7 @@ _M: Final = {
     2: Group.END,
     30: Group.END,
     3: Group.SPINDLE,
+    4: Group.SPINDLE,
     5: Group.SPINDLE,
     6: Group.CHANGE,
     64: Group.OUTPUT,

@@ -206,7 +206,7 @@ def _follow_modes(words: _Words, station: I64_1, uses_tool_table: bool) -> Any:
     spindle_at, output_at = -1, -1
     for block in range(count):
         if group[_SPINDLE, block] >= 0:
-            turns, switched_spindle = group[_SPINDLE, block] == 3, True
+            turns, switched_spindle = group[_SPINDLE, block] != 5, True
             spindle_at = block
         if not math.isnan(words.s[block]):
             last_speed = words.s[block]
