@@ -97,6 +97,20 @@ class MachineLink:
                 raise self._controller.fault
             return self._controller
 
+    async def renew(self) -> None:
+        """Connect again if the present connection has a fault that is no alarm.
+
+        Such a fault is a reset at the machine between two jobs, for example.
+
+        Raises
+        ------
+        ControllerError
+            The controller cannot be reached, or an alarm locks it now.
+        """
+        controller = self._controller
+        if controller is not None and controller.fault is not None and not _is_locked(controller):
+            await self.connected()
+
     async def status(self) -> Status:
         """Return the status of the connected controller, while no operation uses it.
 

@@ -26,7 +26,7 @@ from dataclasses import dataclass
 
 import httpx
 
-from knifetip.errors import ControllerError, KnifetipError, OperationExpired
+from knifetip.errors import ControllerAlarm, ControllerError, KnifetipError, OperationExpired
 from knifetip.gateway.controller import State, Status
 from knifetip.gateway.dry_programs import DryPrograms
 from knifetip.gateway.dry_run import DryRun
@@ -217,6 +217,9 @@ class MachineStation:
                 return
             else:
                 async with self._link.in_use:
+                    self._refuse_during_job()
+                    with suppress(ControllerAlarm):  # ``unlock`` and ``home`` clear it
+                        await self._link.renew()
                     await self._perform(operation, is_late)
         except OperationExpired as late:
             result = OperationResult(id, "expired", late.message)

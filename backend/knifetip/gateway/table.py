@@ -164,6 +164,7 @@ class Table:
         self._buffer = bytearray()
         self._state = "Idle"
         self._critical = False
+        self._error = 0  # of the last program line that was refused, until it is cleared
         self._check = False
         self._waiting: tuple[Block, int] | None = None  # read, not yet answered
         self._dwell = 0.0
@@ -235,6 +236,7 @@ class Table:
         moving = self._planner.moving
         locked = self._critical or self._state == "Alarm"
         self._critical = self._check = False
+        self._error = 0
         self._discard_motion()
         self._buffer.clear()
         self.oscillating = False
@@ -287,11 +289,17 @@ class Table:
 
     def _execute_line(self, line: bytes) -> None:
         text = strip_comments(line)
+        if text.startswith(b"$") or not line.strip():
+            self._error = 0
         if text.startswith(b"$"):
             self._execute_command(text)
             return
+        if self._error and self.firmware.grblhal:
+            # grblHAL repeats an error until a command or an empty line; a comment is not empty.
+            self.answer(f"error:{self._error}")
+            return
         if self._state in ("Alarm", "Jog"):
-            self.answer("error:9")
+            self._refuse(9)
             return
         order = 0
         if not self._check:
@@ -301,7 +309,7 @@ class Table:
                 self.hang_up()
                 return
             if order in self.faults.errors:
-                self.answer(f"error:{self.faults.errors[order]}")
+                self._refuse(self.faults.errors[order])
                 return
         if zeroed := _SET_ZERO.fullmatch(text.replace(b" ", b"")):
             if not self._check:
@@ -313,7 +321,7 @@ class Table:
             block = self._interpreter.read(line)
             self._require_output(block)
         except LineRefused as refused:
-            self.answer(f"error:{refused.code}")
+            self._refuse(refused.code)
             return
         if block.move and not self._is_within_travel(block.move):
             self._alarm(2)
@@ -321,6 +329,11 @@ class Table:
         if self._check:
             block = EMPTY_BLOCK
         self._waiting = (block, order)
+
+    def _refuse(self, code: int) -> None:
+        """Answer a program line with an error."""
+        self._error = code
+        self.answer(f"error:{code}")
 
     @property
     def _rotary(self) -> str:

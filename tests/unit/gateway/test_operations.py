@@ -198,6 +198,28 @@ async def test_home_clears_an_alarm_and_ends_at_the_machine_zero() -> None:
         assert table.position == (0.0, 0.0, 20.0, 0.0)
 
 
+async def test_nothing_is_lifted_beyond_the_switch_that_homing_has_found() -> None:
+    async with machine() as (table, controller):
+        await ask(controller, OperationName.JOG, axis="Z", distance=15.0, feed=3000.0)
+        await until_idle(controller)
+        # The work coordinates have their zero at the top of the travel, not on the mat.
+        await controller.zero("Z")
+        await controller.switch(1, on=True)
+        await controller.home()
+        assert (await controller.status()).position[2] < 0.0
+        assert not any(table.outputs.values())
+
+
+async def test_a_refused_output_does_not_refuse_what_follows() -> None:
+    # grblHAL repeats the error for every line until an empty one or a command.
+    async with machine() as (table, controller):
+        with pytest.raises(ControllerError, match="M64 P60"):
+            await controller.switch(60, on=True)
+        await controller.switch(1, on=True)
+        assert table.outputs[1]
+        await controller.zero("X")
+
+
 async def test_a_controller_in_alarm_is_returned_and_can_be_unlocked() -> None:
     async with await simulator.serve(MACHINE, speed=50.0) as server:
         server.table.trip_limit()

@@ -19,7 +19,7 @@ from knifetip.gateway.controller import SafeState
 from knifetip.gateway.grbl import driver
 from knifetip.gateway.hot_folder import HotFolder
 from knifetip.gateway.job_server import GatewaySettings
-from knifetip.gateway.table import Table
+from knifetip.gateway.table import BANNER, Table
 from tests.unit.gateway.test_claim import MACHINE, Office
 
 JOG: dict[str, Any] = {"operation": "jog", "axis": "X", "distance": 120.0, "feed": 30000.0}
@@ -34,6 +34,7 @@ class StationOffice(Office):
         self.results: dict[str, dict[str, Any]] = {}
         self.asked: list[dict[str, Any]] = []
         self.jobs = False
+        self.claim_seconds = 0.02  # time for which a claim without a job waits
         self.silent = False  # reports on the machine are not answered
         self._ids = itertools.count(1)
 
@@ -68,7 +69,7 @@ class StationOffice(Office):
             answer = {"operations": operations, "waited": 0.0, "watched": True}
             return httpx.Response(200, json=answer)
         if path == "/api/gateway/claim" and not self.jobs:
-            await asyncio.sleep(0.02)
+            await asyncio.sleep(self.claim_seconds)
             return httpx.Response(204)
         return await super().__call__(request)
 
@@ -146,6 +147,20 @@ async def test_a_jog_and_an_output_that_a_person_asks_for(monkeypatch: pytest.Mo
         assert (await office.result(switched))["state"] == "done"
         await office.report(outputs=[2])
         assert table.outputs[2]
+
+
+async def test_after_a_reset_at_the_machine_an_operation_connects_again(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    office = StationOffice()
+    office.claim_seconds = 60.0
+    async with shop(monkeypatch, office=office) as (_, table):
+        await office.report(connected=True, state="idle")
+        # As real grblHAL does when the reset button of the machine is pressed.
+        table.answer("")
+        table.answer(BANNER)
+        assert (await office.result(office.ask(**JOG)))["state"] == "done"
+        await office.report(state="idle", position=[120.0, 0.0, 20.0, 0.0])
 
 
 async def test_a_late_operation_is_dropped(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -110,9 +110,9 @@ async def test_a_dwell_holds_back_its_answer_and_what_follows() -> None:
 
 async def test_check_mode_reads_without_moving() -> None:
     bench = Bench()
-    answers = bench.send(b"$C\nG1 X100 F6000\nG1 Y\nM64 P1\nG4 P10\n$C\n", elapse=1.0)
-    assert answers[:6] == ["[MSG:Enabled]", "ok", "ok", "error:2", "ok", "ok"]
-    assert answers[6:9] == ["[MSG:Disabled]", "ok", ""]
+    answers = bench.send(b"$C\nG1 X100 F6000\nG1 Y\n\nM64 P1\nG4 P10\n$C\n", elapse=1.0)
+    assert answers[:7] == ["[MSG:Enabled]", "ok", "ok", "error:2", "ok", "ok", "ok"]
+    assert answers[7:10] == ["[MSG:Disabled]", "ok", ""]
     assert answers[-1].startswith("GrblHAL")
     assert bench.table.position[0] == 0.0
     assert bench.table.outputs == {}
@@ -182,7 +182,7 @@ async def test_homing_unlocks() -> None:
 async def test_faults_count_the_lines_of_the_program_outside_check_mode() -> None:
     bench = Bench(faults=Faults(drop_ok=frozenset({2}), errors={3: 24}))
     assert bench.send(b"$C\nG21\nG90\nG94\n$C\n").count("ok") == 5
-    assert bench.send(b"G21\nG90\nG94\nG17\n") == ["ok", "error:24", "ok"]
+    assert bench.send(b"G21\nG90\nG94\n\nG17\n") == ["ok", "error:24", "ok", "ok"]
 
 
 async def test_the_reset_fault_strikes_half_way_along_its_arc() -> None:

@@ -222,6 +222,9 @@ class GrblConnection:
         except TimeoutError:
             raise self.fail(self.silent()) from None
         if code:
+            if text and not text.startswith(b"$"):
+                # grblHAL refuses all further lines with the same error until an empty one.
+                await self.command(b"")
             raise ControllerRejected(
                 "controller.rejected-command",
                 name=self.name,

@@ -113,7 +113,11 @@ class GrblOperations:
         self._forget_switches()
 
     async def home(self) -> None:
-        """Home all axes, lift the tool and switch all outputs off."""
+        """Home all axes, which lifts Z to its switch, and switch all outputs off.
+
+        The tool is not lifted further: if the zero of Z was not set since, the height of the safe
+        state may be beyond the switch.
+        """
         connection, locked = self._connection, self.alarm is not None
         await connection.reach()
         # grbl answers no status request during homing; this must not count as silence.
@@ -123,7 +127,7 @@ class GrblOperations:
                 await connection.reset()
             await connection.command(b"$H", HOMING_SECONDS)
             await self._read_settings()
-            await recovery.secure(connection, self._safe, self._silence)
+            await recovery.release(connection, self._safe)
         finally:
             connection.recovering = self._homing = False
         self._forget_switches()
