@@ -11,6 +11,7 @@ import numpy as np
 from knifetip.errors import ProgramError
 from knifetip.geometry.columns import Bool
 from knifetip.messages import Message
+from knifetip.model.machine import Machine, Station
 from knifetip.model.toolpath import Motion, Toolpath
 
 #: Greatest coordinate of a pose (mm or degrees); no table is larger.
@@ -95,3 +96,38 @@ def check_toolpath(toolpath: Toolpath) -> None:
     refuse(toolpath.feed > MAX_FEED, "toolpath.feed-too-fast")
     refuse(rapid & (np.abs(toolpath.bulge) > 0), "toolpath.rapid-arc")
     refuse(np.abs(toolpath.bulge) > 1.0 + 1e-6, "toolpath.arc-too-long")
+
+
+def station_at(toolpath: Toolpath, machine: Machine, first: int) -> Station:
+    """Return the station whose moves begin at row ``first`` of a toolpath.
+
+    Raises
+    ------
+    ProgramError
+        The machine has no such station, its tool lacks a spindle speed, or the row is not a rapid.
+    """
+    number = int(toolpath.tool[first])
+    try:
+        station = machine.station(number)
+    except KeyError:
+        numbers = [str(station.number) for station in machine.stations]
+        raise ProgramError(
+            "toolpath.unknown-station",
+            place=describe_row(toolpath, first),
+            station=number,
+            machine=machine.name,
+            known=numbers,
+        ) from None
+    if (reason := station.tool.spindle_missing) and not station.speed:
+        raise ProgramError(
+            "tool.cannot-work",
+            station=number,
+            name=station.name,
+            machine=machine.name,
+            reason=reason,
+        )
+    if toolpath.motion[first] != Motion.RAPID:
+        raise ProgramError(
+            "toolpath.no-approach", place=describe_row(toolpath, first), station=number
+        )
+    return station

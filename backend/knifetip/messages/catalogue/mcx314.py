@@ -1,4 +1,4 @@
-"""mcx314: messages about toolpaths that the motion chip MCX314 cannot execute."""
+"""mcx314: messages about machines with the motion chip MCX314, their programs and their board."""
 
 from __future__ import annotations
 
@@ -7,40 +7,144 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
+    # -- machines ---------------------------------------------------------------------------------
+    "mcx314.no-wiring": entry(
+        "The file of {machine} does not state how its axes are connected to an MCX314.",
+        "Add the table [controller] to the machine file.",
+        machine="text",
+    ),
+    "mcx314.bad-rate": entry(
+        "{path} is {value}, but must be a multiple of {step} and at most {limit}",
+        "Choose another value; the multiple of the drive speed determines the steps.",
+        path="text",
+        value="count",
+        step="count",
+        limit="count",
+    ),
+    "mcx314.axis-too-fast": entry(
+        "{path} needs {rate:.0f} pulses per second, and the chip MCX314 makes at most {limit}",
+        "Choose a lower velocity, fewer pulses, or a greater multiple.",
+        path="text",
+        rate="number",
+        limit="count",
+    ),
+    "mcx314.axis-too-long": entry(
+        "{path} travels {pulses} pulses, and the chip MCX314 counts at most {limit} in one segment",
+        "Choose fewer pulses per millimetre or degree.",
+        path="text",
+        pulses="count",
+        limit="count",
+    ),
+    "mcx314.feed-too-slow": entry(
+        "{path} gives {rate:.0f} pulses per second along a diagonal, and programs need at least "
+        "{limit:.0f} for an exact feed",
+        "Choose a greater feed, or more pulses per millimetre.",
+        path="text",
+        rate="number",
+        limit="number",
+    ),
+    "mcx314.tool-not-supported": entry(
+        "{path} is a tool that must be switched within a cut, which a program for an MCX314 cannot",
+        "Use a knife, a crease wheel, a V-cutter or a router in this station.",
+        path="text",
+    ),
+    # -- toolpaths --------------------------------------------------------------------------------
     "mcx314.four-axes": entry(
-        "Row {row} of the toolpath moves four axes at once, and the chip MCX314 can move three.",
+        "{place} moves four axes at once, and the chip MCX314 can move three.",
         "Let the tool turn before or after its depth changes.",
-        row="count",
+        place="message",
     ),
     "mcx314.speed": entry(
-        "Row {row} of the toolpath needs {rate:.0f} pulses per second, and the chip MCX314 "
-        "makes {slowest} to {fastest}.",
+        "{place} needs {rate:.0f} pulses per second, and the chip MCX314 makes {slowest} to "
+        "{fastest}.",
         "Choose another feed for the tool, or another multiple of the drive speed.",
-        row="count",
+        place="message",
         rate="number",
         slowest="count",
         fastest="count",
     ),
     "mcx314.too-far": entry(
-        "Row {row} of the toolpath needs {pulses} pulses, and the chip MCX314 counts at most "
-        "{limit} in one segment.",
+        "{place} needs {pulses} pulses, and the chip MCX314 counts at most {limit} in one segment.",
         "Divide the edge, or use fewer pulses per millimetre.",
-        row="count",
+        place="message",
         pulses="count",
         limit="count",
     ),
     "mcx314.too-short": entry(
-        "Row {row} of the toolpath takes {milliseconds:.3g} ms, and writing the next segment to "
-        "the chip MCX314 takes up to {refill:.3g} ms.",
+        "{place} takes {milliseconds:.3g} ms, and writing the next segment to the chip MCX314 "
+        "takes up to {refill:.3g} ms.",
         "Choose a slower feed for the tool, or remove short edges from the drawing.",
-        row="count",
+        place="message",
         milliseconds="number",
         refill="number",
     ),
-    "mcx314.underrun": entry(
-        "The chip MCX314 came to rest before segment {segment} was written, in the middle of a "
-        "cut.",
-        "Choose a slower feed. Check the board and the position of the machine first.",
-        segment="count",
+    # -- programs ---------------------------------------------------------------------------------
+    "mcx314.bad-header": entry(
+        "The program does not begin with “MCX314 {version}”.",
+        "Check that it is a program for an MCX314, in this version of the format.",
+        version="count",
+    ),
+    "mcx314.no-pulses": entry(
+        "The first instruction must be PULSES with the pulses of X, Y, Z and C.",
+        "Create the program again.",
+    ),
+    "mcx314.other-pulses": entry(
+        "The program is made for other pulses per millimetre or degree than {machine} has.",
+        "Create the program for this machine.",
+        machine="text",
+    ),
+    "mcx314.bad-line": entry(
+        "The line {line!r} is not an instruction.", "Correct the line.", line="text"
+    ),
+    "mcx314.no-newline": entry(
+        "The last line does not end with a newline.", "The program may have been cut off."
+    ),
+    "mcx314.no-end": entry(
+        "The program does not end with END.", "The program may have been cut off."
+    ),
+    "mcx314.after-end": entry("The program continues after END.", "Remove the lines after END."),
+    "mcx314.bad-axes": entry(
+        "The line moves {count} axes, and the chip MCX314 moves one to three.",
+        "Divide the move.",
+        count="count",
+    ),
+    "mcx314.out-of-range": entry(
+        "A number is greater than {limit}, which the chip MCX314 cannot count.",
+        "Divide the move.",
+        limit="count",
+    ),
+    "mcx314.unknown-position": entry(
+        "The line moves an axis by pulses, but no line before it states where the axis is.",
+        "Move the axis with GO first.",
+    ),
+    "mcx314.bad-speed": entry(
+        "The drive speed must be {slowest} to {fastest} pulses per second.",
+        "Correct the drive speed.",
+        slowest="count",
+        fastest="count",
+    ),
+    "mcx314.bad-arc": entry(
+        "The end of the arc is not on its circle, or the arc is a point or a whole circle.",
+        "Correct the end or the centre.",
+    ),
+    "mcx314.no-circle": entry(
+        "The line is an arc, but X and Y have different pulses per millimetre.",
+        "Replace the arc by lines.",
+    ),
+    "mcx314.joins-nothing": entry(
+        "The line joins the one before it, which is not a line or an arc.", "Remove JOIN."
+    ),
+    "mcx314.joins-short": entry(
+        "The line joins a segment of {milliseconds:.3g} ms, and writing it to the chip takes up to "
+        "{refill:.3g} ms.",
+        "Remove JOIN, or join longer segments.",
+        milliseconds="number",
+        refill="number",
+    ),
+    "mcx314.unknown-output": entry(
+        "The machine has no output {output}.", "Correct the number.", output="count"
+    ),
+    "mcx314.long-dwell": entry(
+        "The dwell is longer than {limit} ms.", "Correct the dwell.", limit="count"
     ),
 }

@@ -24,8 +24,8 @@ from knifetip.errors import ProgramError
 from knifetip.geometry.columns import F64, I32
 from knifetip.model.machine import Machine, Station
 from knifetip.model.program import Program
-from knifetip.model.toolpath import Motion, Toolpath
-from knifetip.post.check import describe_row
+from knifetip.model.toolpath import Toolpath
+from knifetip.post.check import station_at
 from knifetip.post.rs274 import gcode
 from knifetip.post.rs274.beam import switch_beam
 from knifetip.post.rs274.controller import Dialect
@@ -83,7 +83,7 @@ def write_program(
     edges = [0, *changes.tolist(), len(toolpath)]
     previous: Station | None = None
     for first, last in pairwise(edges):
-        station = _station_at(toolpath, machine, first)
+        station = station_at(toolpath, machine, first)
         carriage = machine.carriage_of(station)
         append_lines(_station_change(previous, station, machine, dialect))
         text, source = gcode.format_lines(
@@ -226,38 +226,3 @@ def _datum(station: Station, dialect: Dialect) -> F64:
     """
     datum = (station.x, station.y, station.z, station.c)
     return np.zeros(4) if dialect.tool_table else np.array(datum)
-
-
-def _station_at(toolpath: Toolpath, machine: Machine, first: int) -> Station:
-    """Return the station whose moves begin at row ``first`` of a toolpath.
-
-    Raises
-    ------
-    ProgramError
-        The machine has no such station, its tool lacks a spindle speed, or the row is not a rapid.
-    """
-    number = int(toolpath.tool[first])
-    try:
-        station = machine.station(number)
-    except KeyError:
-        numbers = [str(station.number) for station in machine.stations]
-        raise ProgramError(
-            "toolpath.unknown-station",
-            place=describe_row(toolpath, first),
-            station=number,
-            machine=machine.name,
-            known=numbers,
-        ) from None
-    if (reason := station.tool.spindle_missing) and not station.speed:
-        raise ProgramError(
-            "tool.cannot-work",
-            station=number,
-            name=station.name,
-            machine=machine.name,
-            reason=reason,
-        )
-    if toolpath.motion[first] != Motion.RAPID:
-        raise ProgramError(
-            "toolpath.no-approach", place=describe_row(toolpath, first), station=number
-        )
-    return station

@@ -13,6 +13,13 @@ from typing import Final
 NOTES: Final = "notes of this project on controllers; secondary source"
 #: NOVA electronics, user's manual of the MCX314, quoted from memory.
 MEMORY: Final = "NOVA electronics, MCX314 user's manual, quoted from memory; secondary source"
+#: Codes of the newer chip MCX514 in public firmware; its command set continues that of the MCX314.
+SISTER: Final = "command codes of the MCX514 in public firmware; secondary source of a sister chip"
+#: What the simulated chip does where no source was at hand.
+ASSUMED: Final = "assumed for the simulation; no source was at hand"
+
+#: Version of the format of programs, in their first line.
+FORMAT: Final = 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,9 +52,11 @@ BITS_3: Final = _figure("command: bit pattern of 3 axes", 0x35, MEMORY)
 BITS_OPEN: Final = _figure("command: enable writing of bit patterns", 0x36, MEMORY)
 BITS_CLOSE: Final = _figure("command: disable writing of bit patterns", 0x37, MEMORY)
 BITS_PUSH: Final = _figure("command: push bit patterns onto the stack", 0x38, MEMORY)
-SET_SPEED: Final = _figure("command: drive speed V", 0x05, MEMORY)
-SET_FINISH: Final = _figure("command: finish point P", 0x06, MEMORY)
-SET_CENTRE: Final = _figure("command: centre C", 0x08, MEMORY)
+SET_ACCELERATION: Final = _figure("command: acceleration A", 0x02, SISTER)
+SET_START: Final = _figure("command: start speed SV", 0x04, SISTER)
+SET_SPEED: Final = _figure("command: drive speed V", 0x05, SISTER)
+SET_FINISH: Final = _figure("command: finish point P", 0x06, SISTER)
+SET_CENTRE: Final = _figure("command: centre C", 0x08, SISTER)
 SET_POSITION: Final = _figure("command: logical position LP", 0x09, MEMORY)
 GET_POSITION: Final = _figure("command: read the logical position", 0x10, MEMORY)
 CLEAR: Final = _figure("command: clear the finish status", 0x25, MEMORY)
@@ -69,3 +78,18 @@ CONSTANT_2: Final = _figure("bits of WR5: constant vector speed of 2 axes", 1 <<
 FASTEST: Final = _figure("largest drive speed V (times the multiple, pulses/s)", 8000, MEMORY)
 PATTERN: Final = _figure("pulses in a bit pattern", 16, MEMORY)
 DEPTH: Final = _figure("bit patterns on the stack", 3, MEMORY)
+GREATEST_MULTIPLE: Final = _figure("largest multiple of the speeds", 500, MEMORY)
+RAMP_UNIT: Final = _figure(
+    "unit of the acceleration A (times the multiple, pulses/s²)", 125, MEMORY
+)
+STEEPEST: Final = _figure("largest acceleration A", 8000, MEMORY)
+
+# Conditions of ramps.  The chip decelerates by itself only at the end of a line with a fixed number
+# of pulses.  On arcs, bit patterns and continuous interpolation the point at which it decelerates
+# must be written, and deceleration must be enabled in the last segment only.  The board therefore
+# uses none of it: it divides segments and lowers the drive speed (``gateway.mcx314.planner``).
+ENABLE_DECELERATION: Final = _figure("command: enable deceleration; not used", 0x3B, MEMORY)
+DISABLE_DECELERATION: Final = _figure("command: disable deceleration; not used", 0x3C, MEMORY)
+NEXT_SPEED: Final = _figure(
+    "1: a drive speed that is written with the next segment takes effect with it", 1, ASSUMED
+)

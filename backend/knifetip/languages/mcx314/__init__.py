@@ -1,0 +1,14 @@
+"""mcx314: the language record of tables of segments for boards with the motion chip MCX314."""
+
+from knifetip.languages.language import Language
+
+LANGUAGE = Language(
+    name="mcx314",
+    title="MCX314",
+    suffix=".mcx",
+    emitter="knifetip.post.mcx314.program:emit",
+    reader="knifetip.verification.reading.mcx314:READER",
+    timing="knifetip.sequencing.timing:no_halts",
+    driver="knifetip.gateway.mcx314.driver:dial",
+    settings="knifetip.languages.mcx314.settings:read_settings",
+)

@@ -1,0 +1,301 @@
+"""segments: convert the moves of one station to segments that an MCX314 can interpolate.
+
+Positions are rounded to pulses, not distances: the rest of a pulse is in the next segment, so that
+rounding errors do not add up.  The chip interpolates at most three axes, and arcs only of two; an
+arc along which C or Z moves is therefore cut into chords.
+
+A segment joins the one before it if the chip need not stop between them.  It is then written while
+that one is executed, which must therefore take at least as long as the writing.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from knifetip.errors import ProgramError
+from knifetip.geometry import arc
+from knifetip.geometry.columns import F64, I32, I64, Bool
+from knifetip.languages.mcx314 import figures
+from knifetip.languages.mcx314.wiring import Wiring
+from knifetip.model.machine import Machine
+from knifetip.model.toolpath import Motion, Toolpath
+from knifetip.post.check import describe_row
+from knifetip.post.chords import split_moves
+
+#: Fraction of the tolerance by which chords may deviate from their arc, and merged lines from the
+#: chords.
+CHORD_FRACTION: Final = 0.4
+#: Motions that may join; all others begin and end at rest.
+_JOINING: Final = (Motion.LEAD_IN, Motion.FEED, Motion.LEAD_OUT)
+#: A smaller bulge is straight, and a smaller change of Z or C is none.
+_NOTHING: Final = 1e-9
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Segments:
+    """n segments of one station, in pulses of the joints X, Y, Z and C."""
+
+    target: I64  #: (n, 4) position after each segment
+    way: I64  #: (n, 4) signed distances
+    centre: I64  #: (n, 2) centre of each arc relative to its start
+    side: I64  #: (n,) 1 for an arc counter-clockwise, -1 for clockwise, 0 for a line
+    rapid: Bool  #: (n,)
+    speed: I64  #: (n,) drive speed (pulses/s); 0 for rapids
+    joined: Bool  #: (n,) begins without a stop after the segment before
+    row: I32  #: (n,) row of the toolpath
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Pieces:
+    """n straight pieces and arcs between n + 1 points, before they are segments."""
+
+    pose: F64  #: (n + 1, 4) mm and degrees
+    point: I64  #: (n + 1, 4) pulses
+    bulge: F64  #: (n,)
+    joined: Bool  #: (n,)
+    row: I64  #: (n,) row of the toolpath
+
+    def select(self, kept: I64, joined: Bool) -> _Pieces:
+        """Return the pieces that end where given pieces end; those between them are left out."""
+        ends = np.concatenate([[0], kept + 1])
+        return _Pieces(
+            self.pose[ends], self.point[ends], self.bulge[kept], joined[kept], self.row[kept]
+        )
+
+
+def encode(
+    toolpath: Toolpath,
+    first: int,
+    last: int,
+    datum: F64,
+    machine: Machine,
+    wiring: Wiring,
+    tolerance: float,
+) -> Segments:
+    """Return the segments of rows ``first`` to ``last`` - 1 of a toolpath, which have one station.
+
+    Parameters
+    ----------
+    datum : (4,)
+        Offset of the station, which is added to the poses (mm and degrees).
+    tolerance : float, mm
+        Greatest deviation of the path from that of the toolpath.  The rounding of points to pulses
+        comes in addition.
+
+    Raises
+    ------
+    ProgramError
+        A move needs four axes at once, more pulses or another speed than the chip has, or is too
+        short to be followed without a stop.
+    """
+    pieces = _split(toolpath, first, last, datum, wiring, CHORD_FRACTION * tolerance)
+    pieces = _drop_empty(pieces, toolpath)
+    seconds = _durations(pieces, toolpath, machine, wiring)
+    kept = _merge(pieces, seconds, toolpath, wiring, CHORD_FRACTION * tolerance)
+    pieces = pieces.select(kept, _joined_after(pieces.joined, kept))
+    seconds = _durations(pieces, toolpath, machine, wiring)
+    return _segments(pieces, seconds, toolpath, wiring)
+
+
+def _split(
+    toolpath: Toolpath, first: int, last: int, datum: F64, wiring: Wiring, deviation: float
+) -> _Pieces:
+    """Return the pieces of rows of a toolpath, with chords for arcs along which C or Z move."""
+    pose = toolpath.pose[first : last + 1] + datum
+    bulge, motion = toolpath.bulge[first:last], toolpath.motion[first:last]
+    bulge = np.where(np.abs(bulge) > _NOTHING, bulge, 0.0)
+    turning = (np.abs(np.diff(pose[:, 2:], axis=0)) > _NOTHING).any(axis=1)
+    flattened = (bulge != 0.0) & (turning | (wiring.pulses[0] != wiring.pulses[1]))
+    bow = np.abs(bulge) * np.hypot(*np.diff(pose[:, :2], axis=0).T) / 2.0
+    count = np.where(flattened, np.ceil(np.sqrt(bow / deviation)), 1.0).astype(np.int64).clip(1)
+    joins = np.isin(motion, _JOINING)
+    follows = np.zeros(last - first, np.bool_)
+    follows[1:] = joins[1:] & joins[:-1] & (_turns(pose, bulge)[1:] <= wiring.corner)
+    pose, row = split_moves(pose, bulge, count)
+    inside = np.concatenate([[False], np.diff(row) == 0])
+    point = np.rint(pose * wiring.pulses).astype(np.int64)
+    straight = np.where(flattened, 0.0, bulge)[row]
+    return _Pieces(pose, point, straight, inside | follows[row], row + first)
+
+
+def _turns(pose: F64, bulge: F64) -> F64:
+    """Return the change of direction in XY at the start of each of n moves, (n,) degrees."""
+    leaving, arriving = arc.tangents(pose[:-1, :2], pose[1:, :2], bulge)
+    turns = np.zeros(len(bulge))
+    cross = arriving[:-1, 0] * leaving[1:, 1] - arriving[:-1, 1] * leaving[1:, 0]
+    turns[1:] = np.degrees(np.abs(np.arctan2(cross, (arriving[:-1] * leaving[1:]).sum(axis=1))))
+    return turns
+
+
+def _drop_empty(pieces: _Pieces, toolpath: Toolpath) -> _Pieces:
+    """Return the pieces that have pulses, and all rapids; the next piece makes up for the others."""
+    moves = (np.diff(pieces.point, axis=0) != 0).any(axis=1)
+    moves |= toolpath.motion[pieces.row] == Motion.RAPID
+    kept = np.flatnonzero(moves)
+    # The path of a dropped piece runs through the point before it.
+    points = np.concatenate([pieces.point[:1], pieces.point[kept + 1]])
+    poses = np.concatenate([pieces.pose[:1], pieces.pose[kept + 1]])
+    joined = _joined_after(pieces.joined, kept)
+    return _Pieces(poses, points, pieces.bulge[kept], joined[kept], pieces.row[kept])
+
+
+def _joined_after(joined: Bool, kept: I64) -> Bool:
+    """Return the mask of n pieces that join the last kept piece before them, (n,)."""
+    stops = np.cumsum(~joined)
+    result = joined.copy()
+    if len(kept):
+        result[kept[0]] = False
+        result[kept[1:]] = stops[kept[1:]] == stops[kept[:-1]]
+    return result
+
+
+def _durations(pieces: _Pieces, toolpath: Toolpath, machine: Machine, wiring: Wiring) -> F64:
+    """Return the duration of each piece at its feed, (n,) s; infinite for rapids.
+
+    It is computed from the pulses.  C may need more time than the feed permits.
+    """
+    way = np.diff(pieces.point, axis=0) / wiring.pulses
+    flat = np.hypot(way[:, 0], way[:, 1])
+    arcs = np.flatnonzero(pieces.bulge)
+    if len(arcs):
+        ends = pieces.pose[:, :2]
+        flat[arcs] = arc.length(ends[arcs], ends[arcs + 1], pieces.bulge[arcs])
+    motion, feed = toolpath.motion[pieces.row], toolpath.feed[pieces.row] / 60.0
+    turn = np.abs(way[:, 3])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        seconds = np.where(motion == Motion.SWIVEL, turn, np.hypot(flat, way[:, 2])) / feed
+    result: F64 = np.maximum(seconds, turn / machine.c.velocity)
+    result[motion == Motion.RAPID] = np.inf
+    return result
+
+
+def _merge(
+    pieces: _Pieces, seconds: F64, toolpath: Toolpath, wiring: Wiring, deviation: float
+) -> I64:
+    """Return the pieces at whose ends segments end: each lasts long enough to write the next.
+
+    A line that is too short is merged with the lines that join it, if the line that replaces them
+    deviates from their ends by at most ``deviation`` (mm, degrees).
+
+    Raises
+    ------
+    ProgramError
+        A piece is too short and cannot be merged.
+    """
+    count = len(seconds)
+    lasting = np.append(pieces.joined[1:], False) & (seconds < wiring.refill)
+    if not lasting.any():
+        return np.arange(count)
+    kept: list[int] = []
+    start, at = 0, 0
+    while at < count:
+        spent = float(seconds[at])
+        while spent < wiring.refill and at + 1 < count and pieces.joined[at + 1]:
+            straight = not (pieces.bulge[at] or pieces.bulge[at + 1])
+            same = toolpath.feed[pieces.row[at]] == toolpath.feed[pieces.row[at + 1]]
+            if not (straight and same and _deviation(pieces.pose[start : at + 3]) <= deviation):
+                raise _refusal(
+                    "mcx314.too-short",
+                    toolpath,
+                    int(pieces.row[at]),
+                    milliseconds=spent * 1e3,
+                    refill=wiring.refill * 1e3,
+                )
+            at += 1
+            spent += float(seconds[at])
+        kept.append(at)
+        at += 1
+        start = at
+    return np.array(kept)
+
+
+def _deviation(poses: F64) -> float:
+    """Return the greatest distance of poses from the line between the first and the last one."""
+    way = poses[-1] - poses[0]
+    square = float(way @ way)
+    column = poses[1:-1] - poses[0]
+    along = np.clip(column @ way / square, 0.0, 1.0) if square else np.zeros(len(column))
+    return float(np.linalg.norm(column - along[:, None] * way, axis=1).max())
+
+
+def _segments(pieces: _Pieces, seconds: F64, toolpath: Toolpath, wiring: Wiring) -> Segments:
+    """Return the segments of pieces; check that the chip can execute each of them."""
+    way = np.diff(pieces.point, axis=0)
+    rapid = toolpath.motion[pieces.row] == Motion.RAPID
+    side, centre = _arcs(pieces, way, wiring)
+    longest = np.abs(way).max(axis=1, initial=0)
+    length = longest.astype(np.float64)
+    arcs = np.flatnonzero(side)
+    if len(arcs):
+        ends = pieces.pose[:, :2]
+        span = arc.length(ends[arcs], ends[arcs + 1], pieces.bulge[arcs])
+        length[arcs] = span * wiring.pulses[0]
+        longest[arcs] = np.maximum(longest[arcs], np.abs(centre[arcs]).max(axis=1))
+    rate = length / seconds
+    speed = np.rint(rate).astype(np.int64)
+    fastest = figures.FASTEST * wiring.multiple
+    _refuse(longest > figures.LARGEST, "mcx314.too-far", pieces, toolpath, pulses=longest)
+    axes = (way != 0).sum(axis=1)
+    _refuse(~rapid & (axes > 3), "mcx314.four-axes", pieces, toolpath)
+    slow = ~rapid & (speed < wiring.multiple)
+    for wrong in np.flatnonzero(slow | (speed > fastest))[:1]:
+        raise _refusal(
+            "mcx314.speed",
+            toolpath,
+            int(pieces.row[wrong]),
+            rate=float(rate[wrong]),
+            slowest=wiring.multiple,
+            fastest=fastest,
+        )
+    return Segments(
+        pieces.point[1:],
+        way,
+        centre,
+        side,
+        rapid,
+        speed,
+        pieces.joined,
+        pieces.row.astype(np.int32),
+    )
+
+
+def _arcs(pieces: _Pieces, way: I64, wiring: Wiring) -> tuple[I64, I64]:
+    """Return the side of each arc, (n,), and its centre relative to its start, (n, 2) pulses.
+
+    An arc of a few pulses becomes a line: its rounded ends are not on one circle.
+    """
+    side = np.sign(pieces.bulge).astype(np.int64)
+    centre = np.zeros((len(side), 2), np.int64)
+    arcs = np.flatnonzero(side)
+    if len(arcs) == 0:
+        return side, centre
+    ends = pieces.pose[:, :2]
+    middle = arc.centre(ends[arcs], ends[arcs + 1], pieces.bulge[arcs]) * wiring.pulses[0]
+    centre[arcs] = np.rint(middle).astype(np.int64) - pieces.point[arcs, :2]
+    radius, other = np.hypot(*centre[arcs].T), np.hypot(*(way[arcs, :2] - centre[arcs]).T)
+    tiny = (radius < 1.0) | (np.abs(radius - other) > 1.0)
+    tiny |= np.abs(way[arcs, :2]).max(axis=1) <= 1
+    side[arcs[tiny]] = 0
+    centre[arcs[tiny]] = 0
+    return side, centre
+
+
+def _refuse(
+    wrong: Bool, code: str, pieces: _Pieces, toolpath: Toolpath, pulses: I64 | None = None
+) -> None:
+    """Raise ``ProgramError`` for the first piece in the mask ``wrong``, if there is one."""
+    for at in np.flatnonzero(wrong)[:1]:
+        figures_of = {}
+        if pulses is not None:
+            figures_of = {"pulses": int(pulses[at]), "limit": figures.LARGEST}
+        raise _refusal(code, toolpath, int(pieces.row[at]), **figures_of)
+
+
+def _refusal(code: str, toolpath: Toolpath, row: int, **measures: float) -> ProgramError:
+    """Return the error for a row of a toolpath that the chip cannot execute."""
+    edge = int(toolpath.source[row])
+    source = [str(edge)] if edge >= 0 else []
+    return ProgramError(code, place=describe_row(toolpath, row), source=source, **measures)
