@@ -13,6 +13,7 @@ from enum import StrEnum
 from typing import Protocol, runtime_checkable
 
 from knifetip.errors import ControllerError
+from knifetip.gateway.interpreter import LineInterpreter
 from knifetip.gateway.motion import Pose
 from knifetip.model.machine import Machine
 
@@ -242,6 +243,15 @@ class ProgramController(Controller, Protocol):
         ControllerError
             The controller has failed, or the machine has stopped before the end of the program.
         """
+        ...
+
+
+@runtime_checkable
+class InterpretingController(Protocol):
+    """Interface of a ``Controller`` whose programs are not G-code."""
+
+    def interpreter(self, start: Pose) -> LineInterpreter:
+        """Return an interpreter of program lines, from the pose ``start`` on."""
         ...
 
 

@@ -16,11 +16,15 @@ from __future__ import annotations
 import math
 import re
 from collections import deque
-from collections.abc import Mapping
 
 from knifetip.errors import ControllerError
 from knifetip.gateway.controller import State, Status
-from knifetip.gateway.interpreter import Interpreter, LineRefused, strip_comments
+from knifetip.gateway.interpreter import (
+    Interpreter,
+    LineInterpreter,
+    LineRefused,
+    strip_comments,
+)
 from knifetip.gateway.motion import Move, Pose
 from knifetip.gateway.program_follower import lines_of
 
@@ -45,14 +49,14 @@ class Corridor:
     Parameters
     ----------
     text
-        Text of the program (G-code).
+        Text of the program.
     start
         Status of the controller before the first program line is sent.
     capacity
         Number of blocks that the planner of the controller can hold; if None, ``PLANNER`` blocks
         are assumed.
-    tools
-        Offset of each tool, by its number (see ``Interpreter``).
+    interpreter
+        Interpreter of the program lines, at the position in ``start``; None for G-code.
     off
         Largest distance of a position from the path (mm).
     """
@@ -62,13 +66,13 @@ class Corridor:
         text: bytes,
         start: Status,
         capacity: int | None,
-        tools: Mapping[int, Pose] | None = None,
+        interpreter: LineInterpreter | None = None,
         *,
         off: float = OFF,
     ) -> None:
         self._greatest = off
         self._lines = lines_of(text)
-        self._interpreter = Interpreter(start.position, tools)
+        self._interpreter = interpreter or Interpreter(start.position)
         self._base = start.sent
         self._held = (capacity or PLANNER) + MARGIN
         self._moves: deque[tuple[int, Move]] = deque()

@@ -16,6 +16,7 @@ import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Protocol
 
 from knifetip.gateway.motion import Move, Pose
 from knifetip.model.machine import Machine
@@ -70,6 +71,19 @@ def tool_offsets(machine: Machine) -> dict[int, Pose]:
     return {
         station.number: (station.x, station.y, station.z, station.c) for station in machine.stations
     }
+
+
+class LineInterpreter(Protocol):
+    """Interface of an interpreter of program lines in one controller language."""
+
+    @property
+    def position(self) -> Pose:
+        """Position of the axes after the lines that were read."""
+        ...
+
+    def read(self, line: bytes) -> Block:
+        """Return the effect of a program line; raises ``LineRefused``."""
+        ...
 
 
 class LineRefused(Exception):

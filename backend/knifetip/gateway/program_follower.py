@@ -17,12 +17,18 @@ stored, so memory does not grow with the program.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from knifetip.gateway.controller import Status
-from knifetip.gateway.interpreter import EMPTY_BLOCK, Block, Interpreter, LineRefused
-from knifetip.gateway.motion import NOTHING, Limits, Pose
+from knifetip.gateway.interpreter import (
+    EMPTY_BLOCK,
+    Block,
+    Interpreter,
+    LineInterpreter,
+    LineRefused,
+)
+from knifetip.gateway.motion import NOTHING, Limits
 
 #: Largest distance of a reported position from its move (mm and degrees): steps, chords, rounding.
 NEAR = 0.05
@@ -49,23 +55,17 @@ class _Line:
     seconds: float
 
 
-def blocks_of(
-    text: bytes,
-    start: Pose = (0.0, 0.0, 0.0, 0.0),
-    tools: Mapping[int, Pose] | None = None,
-) -> Iterator[Block]:
+def blocks_of(text: bytes, interpreter: LineInterpreter | None = None) -> Iterator[Block]:
     """Yield the effect of each line of a program; an empty block for a line that is refused.
 
     Parameters
     ----------
     text
         The program.
-    start
-        Pose of the axes before the first line.
-    tools
-        Offset of each tool, by its number (see ``Interpreter``).
+    interpreter
+        Interpreter of its lines; None for G-code that begins at the origin.
     """
-    interpreter = Interpreter(start, tools)
+    interpreter = interpreter or Interpreter()
     for line in lines_of(text):
         try:
             yield interpreter.read(line)
@@ -87,20 +87,17 @@ class ProgramFollower:
         The program.
     limits
         Limits of the axes, from which the nominal durations of the lines are computed.
-    start
-        Pose at the start of the program.
-    tools
-        Offset of each tool, by its number (see ``Interpreter``).
+    interpreter
+        Interpreter of the program lines; None for G-code that begins at the origin.
     """
 
     def __init__(
         self,
         text: bytes,
         limits: Limits,
-        start: Pose = (0.0, 0.0, 0.0, 0.0),
-        tools: Mapping[int, Pose] | None = None,
+        interpreter: LineInterpreter | None = None,
     ) -> None:
-        self._blocks = blocks_of(text, start, tools)
+        self._blocks = blocks_of(text, interpreter)
         self._limits = limits
         self._window: deque[_Line] = (
             deque()

@@ -5,9 +5,20 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable
 from contextlib import suppress
+from typing import Protocol
 
 from knifetip.gateway.table import BANNER, Faults, Table, discard_answer
+from knifetip.languages.registry import find_language
 from knifetip.model.machine import Machine
+
+
+class SimulatedController(Protocol):
+    """Interface of a server of a simulated controller."""
+
+    @property
+    def address(self) -> str:
+        """Address of the server as ``host:port``, for ``transport.connect``."""
+        ...
 
 
 class Server:
@@ -126,9 +137,9 @@ def run(
     port: int = 2323,
     *,
     speed: float = 1.0,
-    on_ready: Callable[[Server], None] | None = None,
+    on_ready: Callable[[SimulatedController], None] | None = None,
 ) -> None:
-    """Serve a simulated table on a TCP port until interrupted.
+    """Serve the simulated controller of a machine's language on a TCP port until interrupted.
 
     Parameters
     ----------
@@ -145,7 +156,8 @@ def run(
     """
 
     async def serving() -> None:
-        async with await serve(machine, host, port, speed=speed) as server:
+        serve_language = find_language(machine.dialect).load_part("simulator")
+        async with await serve_language(machine, host, port, speed=speed) as server:
             if on_ready is not None:
                 on_ready(server)
             await asyncio.Event().wait()

@@ -21,13 +21,14 @@ from dataclasses import dataclass
 from knifetip.errors import ControllerAlarm, ControllerError
 from knifetip.gateway.controller import (
     Controller,
+    InterpretingController,
     LineController,
     ProgramController,
     State,
     Status,
 )
 from knifetip.gateway.corridor import Corridor
-from knifetip.gateway.interpreter import switches_output
+from knifetip.gateway.interpreter import Interpreter, LineInterpreter, switches_output
 from knifetip.gateway.motion import Limits, Pose
 from knifetip.gateway.program_follower import ProgramFollower, blocks_of, lines_of, seconds_of
 from knifetip.messages import Message
@@ -112,9 +113,17 @@ async def stream(
         raise ControllerError(
             "controller.not-ready", name=controller.name, state=status.state.value
         )
-    lines, total = await _measure(text, limits, status.position, tools)
-    follower = ProgramFollower(text, limits, status.position, tools)
-    corridor = Corridor(text, status, controller.capacity, tools, off=controller.accuracy)
+
+    def interpreter() -> LineInterpreter:
+        if isinstance(controller, InterpretingController):
+            return controller.interpreter(status.position)
+        return Interpreter(status.position, tools)
+
+    lines, total = await _measure(text, limits, interpreter())
+    follower = ProgramFollower(text, limits, interpreter())
+    corridor = Corridor(
+        text, status, controller.capacity, interpreter(), off=controller.accuracy
+    )
     clock = _Clock(total)
     base = status
     controller.observer = corridor
@@ -222,9 +231,7 @@ def _progress_message(executed: int, sent: int, lines: int) -> Message:
     return Message("run.in-buffer", executed=executed, lines=lines, rest=rest)
 
 
-async def _measure(
-    text: bytes, limits: Limits, start: Pose, tools: Mapping[int, Pose] | None
-) -> tuple[int, float]:
+async def _measure(text: bytes, limits: Limits, interpreter: LineInterpreter) -> tuple[int, float]:
     """Return the number of lines of a program and its nominal duration (s).
 
     Gives other tasks a turn after every ``TURN`` lines.
@@ -235,13 +242,11 @@ async def _measure(
         The program.
     limits
         Limits of the axes.
-    start
-        Pose at the start of the program.
-    tools
-        Offset of each tool, by its number.
+    interpreter
+        Interpreter of the program lines.
     """
     lines, total = 0, 0.0
-    for block in blocks_of(text, start, tools):
+    for block in blocks_of(text, interpreter):
         lines += 1
         total += seconds_of(block, limits)
         if lines % TURN == 0:

@@ -38,6 +38,8 @@ class Language:
     timing: str  #: path of a ``knifetip.sequencing.timing.Timing``
     driver: str = ""  #: path of a ``knifetip.gateway.controller.Driver``, or empty
     no_driver: Message | None = None  #: advice how to send a program without the gateway
+    #: path of the function that serves a simulated controller on a TCP port
+    simulator: str = "knifetip.gateway.simulator:serve"
     settings: str = ""  #: path of the function that reads ``[controller]``, or empty
     settings_table: str = ""  #: path of the pydantic model of ``[controller]``, for editors
     linear_axes: str = "XYZ"  #: letters of the words that move linear axes (mm)
@@ -49,7 +51,7 @@ class Language:
         """Import and return one component of the language.
 
         ``role`` is the field that names the component: ``emitter``, ``reader``, ``timing``,
-        ``driver``, ``settings`` or ``settings_table``.
+        ``driver``, ``simulator``, ``settings`` or ``settings_table``.
         """
         return pkgutil.resolve_name(getattr(self, role))
 

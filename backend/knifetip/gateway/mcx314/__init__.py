@@ -1,5 +1,6 @@
-"""MCX314, a chip that interpolates up to three of four axes: its segments and a simulation of it.
+"""MCX314, a chip that interpolates up to three of four axes, on a board with a queue.
 
-``segments`` encodes a toolpath as a table of segments, ``feeder`` writes them to the registers of a
-chip, and ``chip`` simulates the chip.  There is no language and no driver yet (ADR 72).
+The driver of the gateway talks to the board (``frames``, ``connection``).  The simulated board
+(``board``, ``planner``, ``feeder``, ``chip``) serves the same protocol on a TCP port, by
+``simulator``.
 """

@@ -1,7 +1,12 @@
 """chip: simulates the registers of an MCX314 and the pulses of its interpolation.
 
-Speeds are constant: acceleration is not simulated.  What a real chip would do wrong without notice
-raises ``ChipRefused`` here, such as a segment that is written too late.
+A drive begins at the start speed and ramps towards the drive speed.  The next segment continues at
+the speed at the end of the one before, and ramps towards its own drive speed.  The chip does not
+look ahead, and automatic deceleration is not simulated: a drive that has no next segment ends at
+the speed that it has.
+
+What a real chip would do wrong without notice raises ``ChipRefused`` here, such as a segment that
+is written too late, or a drive that ends faster than the start speed, where motors lose steps.
 """
 
 from __future__ import annotations
@@ -11,12 +16,14 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from knifetip.gateway.mcx314 import figures
 from knifetip.geometry.columns import F64, I64
+from knifetip.languages.mcx314 import figures
 
 _LINES = {figures.LINE_2: 2, figures.LINE_3: 3}
 _ARCS = {figures.CLOCKWISE: -1, figures.COUNTER_CLOCKWISE: 1}
 _BITS = {figures.BITS_2: 2, figures.BITS_3: 3}
+#: A drive may end faster than the start speed by this share: rounding of rates.
+_FASTER = 0.01
 
 
 class ChipRefused(Exception):
@@ -29,7 +36,10 @@ class _Drive:
 
     axes: list[int]
     points: I64  #: (n, axes) pulses, after each step
-    times: F64  #: (n,) s
+    weights: F64  #: (n,) length of each step: more than 1 for diagonal steps at constant speed
+    rate: float  #: drive speed (pulses/s)
+    times: F64 = field(default_factory=lambda: np.zeros(0))  #: (n,) s, once it has begun
+    last: float = 0.0  #: speed at its end (pulses/s), once it has begun
 
 
 @dataclass(slots=True)
@@ -37,6 +47,8 @@ class _Axis:
     """Data registers of one axis."""
 
     speed: int = 0
+    start: int = figures.FASTEST  #: start speed; ramps begin where the drive speed is greater
+    acceleration: int = 1
     finish: int = 0
     centre: int = 0
     position: int = 0
@@ -94,6 +106,13 @@ class Chip:
         """Return the logical position of an axis (pulses)."""
         return self._axes[axis].position
 
+    @property
+    def due(self) -> float | None:
+        """Time until the present segment ends (s); None if the chip is at rest."""
+        if self._drive is None:
+            return None
+        return self._begun + float(self._drive.times[-1]) - self.time
+
     def advance(self, seconds: float) -> None:
         """Let time pass and emit the pulses that are due."""
         end = self.time + seconds
@@ -114,6 +133,8 @@ class Chip:
         signed = data - (1 << 32) if data >> 31 else data
         if code in (figures.SET_SPEED, figures.SET_FINISH, figures.SET_CENTRE):
             self._set(code, axes, signed)
+        elif code in (figures.SET_START, figures.SET_ACCELERATION):
+            self._set_ramp(code, axes, signed)
         elif code == figures.SET_POSITION:
             for axis in axes:
                 self._axes[axis].position = signed
@@ -155,6 +176,18 @@ class Chip:
             else:
                 self._axes[axis].centre = value
 
+    def _set_ramp(self, code: int, axes: list[int], value: int) -> None:
+        if self._drive is not None:
+            raise ChipRefused("the ramp is changed during a drive")
+        most = figures.FASTEST if code == figures.SET_START else figures.STEEPEST
+        if not 1 <= value <= most:
+            raise ChipRefused(f"ramp value {value}")
+        for axis in axes:
+            if code == figures.SET_START:
+                self._axes[axis].start = value
+            else:
+                self._axes[axis].acceleration = value
+
     def _interpolate(self, code: int) -> None:
         if self._late:
             raise ChipRefused("the segment was written after the drive had ended")
@@ -174,13 +207,14 @@ class Chip:
             self._bits = (axes, float(rate))
             drive = self._pattern_drive()
         elif code in _LINES:
-            drive = _Drive(axes, *_line([self._axes[axis].finish for axis in axes], rate))
+            points = _line([self._axes[axis].finish for axis in axes])
+            drive = _Drive(axes, points, np.ones(len(points)), float(rate))
         else:
             finish = [self._axes[axis].finish for axis in axes]
             centre = [self._axes[axis].centre for axis in axes]
             constant = bool(mode & figures.CONSTANT_2)
-            drive = _Drive(axes, *_arc(finish, centre, _ARCS[code], rate, constant))
-        if len(drive.times) == 0:
+            drive = _Drive(axes, *_arc(finish, centre, _ARCS[code], constant), float(rate))
+        if len(drive.points) == 0:
             raise ChipRefused("a segment without pulses")
         self._refills = False
         if self._drive is None:
@@ -205,26 +239,35 @@ class Chip:
             plus, minus = words[2 * place], words[2 * place + 1]
             for bit in range(figures.PATTERN):
                 steps[bit, place] = (plus >> bit & 1) - (minus >> bit & 1)
-        times = np.arange(1, figures.PATTERN + 1) / rate
-        return _Drive(axes, np.cumsum(steps, axis=0), times)
+        return _Drive(axes, np.cumsum(steps, axis=0), np.ones(figures.PATTERN), rate)
 
     # -- the drive ----------------------------------------------------------------------------
 
-    def _begin(self, drive: _Drive, time: float) -> None:
+    def _begin(self, drive: _Drive, time: float, speed: float | None = None) -> None:
+        """Begin a drive at a speed (pulses/s); None for the start speed of its main axis."""
+        main = self._axes[drive.axes[0]]
+        start = float(main.start * self.multiple)
+        first = min(start, drive.rate) if speed is None else speed
+        steepness = float(main.acceleration * self.multiple * figures.RAMP_UNIT)
+        drive.times, drive.last = _ramp(drive.weights, first, drive.rate, steepness)
         self._drive, self._begun = drive, time
         self._origin = [self._axes[axis].position for axis in drive.axes]
 
     def _start_next(self) -> None:
-        begun = self._begun
+        begun, ended = self._begun, self._drive
+        assert ended is not None
         if self._bits is not None and self._stack:
-            self._begin(self._pattern_drive(), begun)
+            self._begin(self._pattern_drive(), begun, ended.last)
         elif self._next is not None:
             drive, self._next = self._next, None
-            self._begin(drive, begun)
+            self._begin(drive, begun, ended.last)
         else:
             self._drive = self._bits = None
             self.stops += 1
             self._late = self._refills
+            slowest = self._axes[ended.axes[0]].start * self.multiple
+            if ended.last > slowest * (1.0 + _FASTER):
+                raise ChipRefused(f"the drive stops at {ended.last:.0f} pulses/s without a ramp")
 
     def _place(self, row: int) -> None:
         """Set the logical positions after a step of the present segment."""
@@ -233,19 +276,38 @@ class Chip:
             self._axes[axis].position = self._origin[place] + int(self._drive.points[row, place])
 
 
-def _line(finish: list[int], rate: int) -> tuple[I64, F64]:
-    """Return the steps of a line and their times; the longest axis has a pulse in each step."""
+def _ramp(weights: F64, first: float, rate: float, steepness: float) -> tuple[F64, float]:
+    """Return the time after each of n steps, (n,) s, and the speed after the last one.
+
+    Parameters
+    ----------
+    weights : (n,)
+        Length of each step.
+    first, rate
+        Speed at the start, and drive speed that it ramps to (pulses/s).
+    steepness
+        Acceleration and deceleration (pulses/s²).
+    """
+    change = 2.0 * steepness * np.cumsum(weights)
+    if first <= rate:
+        speed = np.sqrt(np.minimum(first * first + change, rate * rate))
+    else:
+        speed = np.sqrt(np.maximum(first * first - change, rate * rate))
+    before = np.concatenate([[first], speed[:-1]])
+    return np.cumsum(2.0 * weights / (before + speed)), float(speed[-1])
+
+
+def _line(finish: list[int]) -> I64:
+    """Return the steps of a line; the longest axis has a pulse in each step."""
     way = np.array(finish, np.int64)
     count = int(np.abs(way).max())
     step = np.arange(1, count + 1)[:, None]
-    points = np.sign(way) * ((2 * step * np.abs(way) + count) // (2 * max(count, 1)))
-    return points, np.arange(1, count + 1) / rate
+    points: I64 = np.sign(way) * ((2 * step * np.abs(way) + count) // (2 * max(count, 1)))
+    return points
 
 
-def _arc(
-    finish: list[int], centre: list[int], side: int, rate: int, constant: bool
-) -> tuple[I64, F64]:
-    """Return the steps of an arc and their times.
+def _arc(finish: list[int], centre: list[int], side: int, constant: bool) -> tuple[I64, F64]:
+    """Return the steps of an arc and their lengths.
 
     Each step has a pulse of the axis along which the arc advances faster, and one of the other axis
     where that is nearer to the circle.
@@ -256,8 +318,6 @@ def _arc(
         End point and centre relative to the start (pulses).
     side
         1 for counter-clockwise, -1 for clockwise.
-    rate
-        Steps per second.
     constant
         Whether a diagonal step takes longer, so that the speed along the arc is constant.
     """
@@ -292,5 +352,4 @@ def _arc(
         points.append((x + centre[0], y + centre[1]))
     column = np.array(points, np.int64)
     steps = np.abs(np.diff(column, axis=0, prepend=0)).sum(axis=1)
-    weights = np.where(steps == 2, math.sqrt(2.0) if constant else 1.0, 1.0)
-    return column, np.cumsum(weights) / rate
+    return column, np.where(steps == 2, math.sqrt(2.0) if constant else 1.0, 1.0)

@@ -10,5 +10,6 @@ LANGUAGE = Language(
     reader="knifetip.verification.reading.mcx314:READER",
     timing="knifetip.sequencing.timing:no_halts",
     driver="knifetip.gateway.mcx314.driver:dial",
+    simulator="knifetip.gateway.mcx314.simulator:serve",
     settings="knifetip.languages.mcx314.settings:read_settings",
 )

@@ -94,7 +94,7 @@ MESSAGES: Final[Entries] = {
         machine="text",
     ),
     "mcx314.bad-line": entry(
-        "The line {line!r} is not an instruction.", "Correct the line.", line="text"
+        "The line {text!r} is not an instruction.", "Correct the line.", text="text"
     ),
     "mcx314.no-newline": entry(
         "The last line does not end with a newline.", "The program may have been cut off."
@@ -146,5 +146,104 @@ MESSAGES: Final[Entries] = {
     ),
     "mcx314.long-dwell": entry(
         "The dwell is longer than {limit} ms.", "Correct the dwell.", limit="count"
+    ),
+    # -- the board --------------------------------------------------------------------------------
+    "mcx314.unknown-line": entry(
+        "Program line {line} ({text}) is not an instruction for an MCX314.",
+        "Compile the job again for this machine.",
+        line="count",
+        text="text",
+    ),
+    "mcx314.pulses-of-board": entry(
+        "The program states other pulses per millimetre or degree than {name} has.",
+        "Compare [controller] in the machine file with the settings of the board, then compile the "
+        "job again.",
+        name="text",
+    ),
+    "mcx314.lost": entry(
+        "The connection to {name} is lost.",
+        "Check the cable to the board, then check the sheet on the table.",
+        name="text",
+    ),
+    "mcx314.silent": entry(
+        "{name} has not answered for {seconds:g} s.",
+        "Check that the board is switched on, then check the sheet on the table.",
+        name="text",
+        seconds="number",
+    ),
+    "mcx314.unreadable": entry(
+        "{name} gave an answer that is not that of a board with an MCX314: {answer}",
+        "Check the address of the controller.",
+        name="text",
+        answer="text",
+    ),
+    "mcx314.refused": entry(
+        "{name} refused {request}: {code}.",
+        "Check the table, then try again.",
+        name="text",
+        request="text",
+        code="text",
+    ),
+    "mcx314.reset": entry(
+        "{name} was switched off or reset. All outputs were released, and the position is unknown.",
+        "Check that the tool is out of the board, then home the machine.",
+        name="text",
+    ),
+    "mcx314.gave-up": entry(
+        "{name} has heard nothing from this gateway for {seconds:g} s and stopped the program.",
+        "Check the connection to the board, then check the sheet on the table.",
+        name="text",
+        seconds="number",
+    ),
+    "mcx314.stopped": entry(
+        "{name} has discarded the program at line {line}.",
+        "Another program may be connected to the board. Check the sheet on the table.",
+        name="text",
+        line="count",
+    ),
+    "mcx314.not-at-rest": entry(
+        "{name} was not at rest after {seconds:g} s.",
+        "Lift the tool and raise the stations at the table.",
+        name="text",
+        seconds="number",
+    ),
+    "mcx314.not-lifted": entry(
+        "The outputs are off, but the tool was not lifted. {cause}",
+        "{cause:hint}",
+        cause="message",
+    ),
+    "mcx314.alarm-unhomed": entry(
+        "The axes of {name} are not homed, so their positions are unknown.",
+        "Check that the tool is out of the board, then home the machine.",
+        name="text",
+    ),
+    "mcx314.alarm-emergency": entry(
+        "{name} is in emergency stop.",
+        "Clear the cause, release the button, unlock and home the machine.",
+        name="text",
+    ),
+    "mcx314.alarm-limit": entry(
+        "The axis {axis} of {name} is at its limit switch.",
+        "Check the table, then unlock and home the machine.",
+        name="text",
+        axis="text",
+    ),
+    "mcx314.alarm-drive": entry(
+        "The drive of the axis {axis} of {name} reports a fault.",
+        "Clear the fault at the drive, then unlock and home the machine.",
+        name="text",
+        axis="text",
+    ),
+    "mcx314.alarm-chip": entry(
+        "The motion chip of {name} was written too late, or refused a segment.",
+        "Check the sheet on the table, then unlock and home the machine. Choose a slower feed or a "
+        "longer refill in the machine file.",
+        name="text",
+    ),
+    "mcx314.alarm-other": entry(
+        "{name} reports the alarm {alarm}.",
+        "Check the table, then unlock and home the machine.",
+        name="text",
+        alarm="text",
     ),
 }

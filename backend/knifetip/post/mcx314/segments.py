@@ -131,7 +131,7 @@ def _turns(pose: F64, bulge: F64) -> F64:
 
 
 def _drop_empty(pieces: _Pieces, toolpath: Toolpath) -> _Pieces:
-    """Return the pieces that have pulses, and all rapids; the next piece makes up for the others."""
+    """Return the pieces that have pulses, and all rapids."""
     moves = (np.diff(pieces.point, axis=0) != 0).any(axis=1)
     moves |= toolpath.motion[pieces.row] == Motion.RAPID
     kept = np.flatnonzero(moves)

@@ -63,7 +63,7 @@ _PULSES: Final = re.compile(
 )
 
 _Faults = list[tuple[int, Message]]
-#: Columns of a move before it is a row of ``Moves``: line, code, start, end, centre, sweep, minutes.
+#: A move before it is a row of ``Moves``: line, code, start, end, centre, sweep and minutes.
 _Move = tuple[int, int, list[float], list[float], tuple[float, float], float, float]
 
 
@@ -138,7 +138,7 @@ class _Interpretation:
         self._switches: list[tuple[int, int, int, list[bool], bool]] = []
         self.faults: _Faults = []
 
-    def _fault(self, line: int, code: str, **arguments: object) -> None:
+    def _fault(self, line: int, code: str, **arguments: str | float) -> None:
         if len(self.faults) < _MAX_FAULTS:
             self.faults.append((line, Message(code, **arguments)))
 
@@ -157,7 +157,7 @@ class _Interpretation:
         for number, line in enumerate(lines[1:], 2):
             if line.startswith(";"):
                 if not line.isprintable() or not line.isascii():
-                    self._fault(number, "mcx314.bad-line", line=line[:40])
+                    self._fault(number, "mcx314.bad-line", text=line[:40])
                 continue
             if ended:
                 self._fault(number, "mcx314.after-end")
@@ -203,7 +203,7 @@ class _Interpretation:
             state.waited += int(match[1]) / 1e3
             state.dwell += int(match[1]) / 1e3
         else:
-            self._fault(number, "mcx314.bad-line", line=line[:40])
+            self._fault(number, "mcx314.bad-line", text=line[:40])
         state.seconds = seconds
 
     def _go(self, number: int, match: re.Match[str]) -> None:

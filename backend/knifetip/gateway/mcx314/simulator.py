@@ -1,0 +1,142 @@
+"""simulator: a simulated board with an MCX314 that listens on a TCP port."""
+
+from __future__ import annotations
+
+import asyncio
+from contextlib import suppress
+
+from knifetip.gateway.mcx314.board import Board, LinkFaults
+from knifetip.model.machine import Machine
+
+#: Real time between two steps (s).
+TICK = 0.002
+#: Longest real time of one step, so that a high speed does not block the port (s).
+STINT = 0.01
+#: Longest real time of one step that counts as silence of the gateway (s).
+LAG = 0.1
+
+
+class BoardServer:
+    """Server of a simulated board on a TCP port, for one client at a time.
+
+    Parameters
+    ----------
+    board
+        The board.
+    speed
+        Simulated seconds per second of real time.
+    """
+
+    def __init__(self, board: Board, speed: float) -> None:
+        self.board = board
+        self.host = ""
+        self.port = 0
+        self._speed = speed
+        self._server: asyncio.Server | None = None
+        self._running: asyncio.Task[None] | None = None
+        self._client: asyncio.StreamWriter | None = None
+        self._clients: set[asyncio.Task[None]] = set()
+
+    @property
+    def address(self) -> str:
+        """Address of the server as ``host:port``, for ``transport.connect``."""
+        return f"{self.host}:{self.port}"
+
+    async def start(self, host: str, port: int) -> None:
+        """Open the TCP port, accept connections, and start the clock of the simulation."""
+        self._server = await asyncio.start_server(self._serve, host, port)
+        self.host, self.port = self._server.sockets[0].getsockname()[:2]
+        self._running = asyncio.create_task(self._run(), name="simulated board")
+
+    async def close(self) -> None:
+        """Close the port and the connection, and stop the simulation."""
+        tasks = [*self._clients]
+        if self._running is not None:
+            tasks.append(self._running)
+        for task in tasks:
+            task.cancel()
+        await asyncio.gather(*tasks, return_exceptions=True)
+        if self._server is not None:
+            self._server.close()
+            await self._server.wait_closed()
+
+    async def __aenter__(self) -> BoardServer:
+        return self
+
+    async def __aexit__(self, *_: object) -> None:
+        await self.close()
+
+    def hang_up(self) -> None:
+        """Break the connection to the client."""
+        if self._client is not None:
+            self._client.close()
+
+    async def _run(self) -> None:
+        clock = asyncio.get_running_loop()
+        last = clock.time()
+        while True:
+            await asyncio.sleep(TICK)
+            now = clock.time()
+            # If the process was busy, so was the gateway in it.
+            self.board.watch(min(now - last, LAG))
+            self.board.advance(min(now - last, STINT) * self._speed)
+            last = now
+
+    async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        task = asyncio.current_task()
+        assert task is not None
+        self._clients.add(task)
+        # A new client takes over: the earlier one may be gone without having closed.
+        self.hang_up()
+        self._client = writer
+        self.board.connect()
+        try:
+            while data := await reader.read(4096):
+                writer.write(self.board.receive(data))
+                if self.board.hangs_up:
+                    return
+                with suppress(OSError):
+                    await writer.drain()
+        except (asyncio.CancelledError, OSError):
+            pass  # the port closes or the client is gone
+        finally:
+            if self._client is writer:
+                self._client = None
+            self._clients.discard(task)
+            writer.close()
+            with suppress(OSError, asyncio.CancelledError):
+                await writer.wait_closed()
+
+
+async def serve(
+    machine: Machine,
+    host: str = "127.0.0.1",
+    port: int = 0,
+    *,
+    speed: float = 1.0,
+    faults: LinkFaults | None = None,
+    sample: float = 0.0,
+    homed: bool = True,
+) -> BoardServer:
+    """Start a simulated board on a TCP port, and return its server.
+
+    Parameters
+    ----------
+    machine
+        Machine that is simulated.
+    host
+        Address on which the server listens.
+    port
+        TCP port on which the server listens; 0 for any free port.
+    speed
+        Simulated seconds per second of real time.
+    faults
+        Faults to inject; None for none.
+    sample
+        Simulated seconds between two records of the position of the axes; 0 for none.
+    homed
+        Whether the axes are homed when the board is switched on.
+    """
+    server = BoardServer(Board(machine, faults=faults, sample=sample, homed=homed), speed)
+    await server.start(host, port)
+    return server
