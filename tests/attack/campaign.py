@@ -11,8 +11,10 @@ from random import Random
 
 from tests.attack.harm import Oracle
 from tests.attack.mutation import mutate
-from tests.attack.subjects import DIALECTS, Subject
+from tests.attack.subjects import Subject
 
+#: Comments of languages that are not dialects of RS274/NGC.
+_COMMENTS = {"hpgl": rb'CO"[^"\n]*";?', "mcx314": rb"(?m)^;.*$"}
 #: Share of mutants with two changes; half of these begin with an accepted single mutant.
 _DOUBLE = 0.5
 _POOL = 40
@@ -120,7 +122,7 @@ def _mutant(
 
 def plain(text: bytes, language: str) -> bytes:
     """Return the words of a program without comments, spaces and empty lines."""
-    comment = rb"\([^()\n]*\)|;[^\n]*" if language in DIALECTS else rb'CO"[^"\n]*";?'
+    comment = _COMMENTS.get(language, rb"\([^()\n]*\)|;[^\n]*")
     lines = (
         re.sub(rb"[ \t\r]+", b"", line).upper() for line in re.sub(comment, b"", text).split(b"\n")
     )

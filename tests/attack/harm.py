@@ -24,12 +24,15 @@ from knifetip.model.tool import Cutter, Knife, Laser
 from tests.attack.controller import NotExecuted, Run, execute
 from tests.attack.effects import BLADE, TOLERANCE, Contact, Effect, effect
 from tests.attack.plotter import plot
-from tests.attack.subjects import DIALECTS, Subject
+from tests.attack.segments import drive
+from tests.attack.subjects import Subject
 from tests.controllers.linuxcnc_rs274 import RS274, TipTool, read_program
 from tests.support.programs.line_mutation import chords
 
 #: Distance from the outline within which work after it still belongs to it (mm).
 _MARGIN: Final = 0.5
+#: By how much a language rounds points to its units (mm).
+_ROUNDING: Final = {"hpgl": 0.0177, "mcx314": 0.0036}
 #: Spacing of the points at which a router's work is compared (mm).
 _GRID: Final = 2.0
 
@@ -45,14 +48,21 @@ class Oracle:
         """Whether the controller has a tool table (LinuxCNC)."""
         return self.subject.language == "linuxcnc"
 
+    @property
+    def plots(self) -> bool:
+        """Whether the controller is a plotter, which sets depths and headings itself."""
+        return self.subject.language == "hpgl"
+
     def run_of(self, text: bytes) -> Run:
-        """Return what a program in a dialect of RS274/NGC makes the machine do."""
+        """Return what a program for another controller than a plotter makes the machine do."""
+        if self.subject.language == "mcx314":
+            return drive(text, self.subject.machine)
         return execute(text, self.subject.machine, tooled=self.tooled)
 
     def effect_of(self, text: bytes) -> Effect:
         """Return what a program does to the board; raises NotExecuted."""
         machine = self.subject.machine
-        if self.subject.language not in DIALECTS:
+        if self.plots:
             return plot(text, machine)
         return effect(self.run_of(text), machine, self.subject.board, tooled=self.tooled)
 
@@ -60,11 +70,10 @@ class Oracle:
     def _tolerance(self) -> float:
         """Greatest distance from the path of the correct program (mm).
 
-        At an end, the tip may be off by the tolerance beside the line and along it.  A plotter
-        rounds both paths to its units, by up to 0.0177 mm each.
+        At an end, the tip may be off by the tolerance beside the line and along it.  Both paths
+        may be rounded to units.
         """
-        limit = math.sqrt(2.0) * TOLERANCE
-        return limit if self.subject.language in DIALECTS else limit + 2.0 * 0.0177
+        return math.sqrt(2.0) * TOLERANCE + 2.0 * _ROUNDING.get(self.subject.language, 0.0)
 
     @cached_property
     def base(self) -> Effect:
@@ -78,7 +87,7 @@ class Oracle:
     @cached_property
     def _milling(self) -> dict[int, float]:
         """Radius of the cutter of each station that carries a router or a laser."""
-        if self.subject.language not in DIALECTS:
+        if self.plots:
             return {}
         return {
             index: tool.radius if isinstance(tool, Cutter) else 0.5 * tool.kerf
@@ -135,7 +144,7 @@ class Oracle:
         its tip.
         """
         back: list[Contact] = []
-        if self.subject.language not in DIALECTS:
+        if self.plots:
             return back
         for each in contacts:
             tool = self.subject.machine.stations[each.station].tool
@@ -253,7 +262,7 @@ class Oracle:
         for contact in run.contacts:
             if contact.points[:, 2].max() > 1e-3 and contact.station not in self._milling:
                 continue
-            if self.subject.language not in DIALECTS and contact.station != 1:
+            if self.plots and contact.station != 1:
                 continue
             reach = self._milling.get(contact.station, 0.0) + 0.3
             near = (first < 0) & (

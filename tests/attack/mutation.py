@@ -20,6 +20,7 @@ Lines = list[str]
 Change = Callable[[Lines, int, Random], bool]
 
 _WORD = re.compile(r"([A-Za-z])\s*([+-]?\d*\.?\d+)")
+_SEGMENT = re.compile(r"(GO|LINE|CW|CCW|OUT|OSC|DWELL|PULSES)\b")
 _HPGL = re.compile(r"^[A-Z]{2}[-\d,]*;$")
 
 #: Differences that replace the number of a word, by letter.
@@ -35,10 +36,15 @@ _STEPS = {
     "M": (1, -1, 2, -2, 60, -60),
     "Q": (0.01, -0.004, 1.0),
 }
+#: Lines that switch a station, an output or the spindle, or wait.
+_SWITCHES = r"M6[45]|M[35]|T\d|G4|G49|SP|FS|OUT|OSC|DWELL"
+#: Differences of whole numbers of units or pulses.
+_WHOLE_STEPS = (1, -1, 2, -2, 10, -10, 400, -4000, 36000, -18000)
 _FOREIGN = tomllib.loads(Path(__file__).with_name("foreign.toml").read_text())
 _FOREIGN_WORDS = _FOREIGN["words"].split()
 _FOREIGN_LINES = [line.strip() for line in re.split(r"[|\n]", _FOREIGN["lines"]) if line.strip()]
 _FOREIGN_HPGL = _FOREIGN["hpgl"].split()
+_FOREIGN_SEGMENTS = _FOREIGN["mcx314"].strip().split("\n")
 
 
 def mutate(text: bytes, others: Sequence[bytes], rng: Random) -> tuple[str, bytes] | None:
@@ -48,6 +54,7 @@ def mutate(text: bytes, others: Sequence[bytes], rng: Random) -> tuple[str, byte
     """
     lines = text.decode("latin-1").split("\n")
     plots = any(_HPGL.match(line) for line in lines)
+    driven = any(line.startswith("PULSES") for line in lines)
     rows = [row for row, line in enumerate(lines) if line and not line.startswith(("(", ";"))]
     if not rows:
         return None
@@ -55,7 +62,8 @@ def mutate(text: bytes, others: Sequence[bytes], rng: Random) -> tuple[str, byte
     name = rng.choice(_WEIGHTED)
     before = lines[row]
     if name == "foreign line":
-        lines.insert(row, rng.choice(_FOREIGN_HPGL if plots else _FOREIGN_LINES))
+        foreign = _FOREIGN_HPGL if plots else _FOREIGN_SEGMENTS if driven else _FOREIGN_LINES
+        lines.insert(row, rng.choice(foreign))
     elif name == "line of another program":
         source = rng.choice(others).decode("latin-1").split("\n")
         at = rng.randrange(len(source))
@@ -88,8 +96,8 @@ def _digit(lines: Lines, row: int, rng: Random) -> bool:
 
 def _word_number(lines: Lines, row: int, rng: Random) -> bool:
     words = list(_WORD.finditer(lines[row]))
-    if not words:
-        return _plotter_number(lines, row, rng)
+    if not words or _SEGMENT.match(lines[row]):
+        return _whole_number(lines, row, rng)
     word = rng.choice(words)
     letter = word[1].upper()
     steps = _STEPS.get("X" if letter in "YIJ" else letter)
@@ -101,20 +109,26 @@ def _word_number(lines: Lines, row: int, rng: Random) -> bool:
     return True
 
 
-def _plotter_number(lines: Lines, row: int, rng: Random) -> bool:
+def _whole_number(lines: Lines, row: int, rng: Random) -> bool:
     numbers = list(re.finditer(r"-?\d+", lines[row]))
     if not numbers:
         return False
     number = rng.choice(numbers)
-    new = str(int(number[0]) + rng.choice((1, -1, 2, -2, 10, -10, 400, -4000)))
+    new = str(int(number[0]) + rng.choice(_WHOLE_STEPS))
     lines[row] = lines[row][: number.start()] + new + lines[row][number.end() :]
     return True
 
 
 def _scaled(lines: Lines, row: int, rng: Random) -> bool:
-    words = [word for word in _WORD.finditer(lines[row]) if word[1] in "XYZIJCF"]
+    words = [word for word in _WORD.finditer(lines[row]) if word[1] in "XYZIJCFV"]
     if not words:
         return False
+    if _SEGMENT.match(lines[row]):
+        word = rng.choice(words)
+        pulses = int(float(word[2]))
+        whole = rng.choice((-pulses, pulses * 2, pulses * 10, pulses // 10, 0))
+        lines[row] = lines[row][: word.start(2)] + str(whole) + lines[row][word.end(2) :]
+        return True
     word = rng.choice(words)
     value = float(word[2])
     scaled = [f"{value / 25.4:.4f}", f"{-value:.4f}", f"{value:.1f}", f"{value * 25.4:.4f}"]
@@ -253,6 +267,16 @@ def _respaced(lines: Lines, row: int, rng: Random) -> bool:
 
 def _motion(lines: Lines, row: int, rng: Random) -> bool:
     """Exchange the motion word of a line, or leave it out so that the last one holds."""
+    if _SEGMENT.match(lines[row]):
+        name, _, words = lines[row].partition(" ")
+        if rng.random() < 0.4:
+            end = " JOIN"
+            words = words.removesuffix(end) if words.endswith(end) else words + end
+        else:
+            name = rng.choice(("GO", "LINE", "CW", "CCW"))
+            words = re.sub(r" V\d+.*", "", words) if name == "GO" else words
+        lines[row] = f"{name} {words}"
+        return True
     if not re.search(r"\bG[0-3]\b", lines[row]):
         return False
     new = rng.choice(("G0", "G1", "G2", "G3", ""))
@@ -284,17 +308,23 @@ def _tail_shifted(lines: Lines, row: int, rng: Random) -> bool:
     def moved(word: re.Match[str]) -> str:
         return f"{letter}{float(word[1]) + shift:.4f}"
 
+    def pulsed(word: re.Match[str]) -> str:
+        return f"{letter}{int(word[1]) + round(shift * 200)}"
+
     for at in range(row, len(lines)):
         if not whole and at > row and lines[at].startswith("G0 X"):
             break
-        if lines[at][:2] in ("G0", "G1", "G2", "G3", "G9"):
+        if lines[at].startswith("GO"):
+            # A whole number of pulses.
+            lines[at] = re.sub(rf"{letter}(-?\d+)", pulsed, lines[at])
+        elif lines[at][:2] in ("G0", "G1", "G2", "G3", "G9"):
             lines[at] = re.sub(rf"{letter}(-?\d+(?:\.\d*)?)(?![\d.])", moved, lines[at])
     return True
 
 
 def _tracks(lines: Lines) -> list[int]:
     """Return the rows at which tracks begin, by rapids to their first points."""
-    return [row for row, line in enumerate(lines) if re.match(r"G0 .*[XYC]|PU-?\d", line)]
+    return [row for row, line in enumerate(lines) if re.match(r"G[0O] .*[XYC]|PU-?\d", line)]
 
 
 def _tracks_exchanged(lines: Lines, row: int, rng: Random) -> bool:
@@ -349,7 +379,9 @@ def _track_returned(lines: Lines, row: int, rng: Random) -> bool:
 
 def _stations_exchanged(lines: Lines, row: int, rng: Random) -> bool:
     """Exchange the sections of two stations, or move one."""
-    begins = [at for at, line in enumerate(lines) if re.match(r"\(station|M64|SP[1-9]", line)]
+    begins = [
+        at for at, line in enumerate(lines) if re.match(r"\(station|; station|M64|SP[1-9]", line)
+    ]
     if len(begins) < 2:
         return False
     which = rng.randrange(len(begins) - 1)
@@ -361,7 +393,7 @@ def _stations_exchanged(lines: Lines, row: int, rng: Random) -> bool:
 
 def _switch(lines: Lines, row: int, rng: Random) -> bool:
     """Change a line that switches a station, an output or the spindle."""
-    rows = [at for at, line in enumerate(lines) if re.match(r"M6[45]|M[35]|T\d|G4|G49|SP|FS", line)]
+    rows = [at for at, line in enumerate(lines) if re.match(_SWITCHES, line)]
     if not rows:
         return False
     at = rng.choice(rows)
@@ -369,6 +401,9 @@ def _switch(lines: Lines, row: int, rng: Random) -> bool:
     action = rng.randrange(5)
     if action == 0:
         line = line.translate(str.maketrans("45", "54")) if line.startswith("M6") else line
+        if line.startswith("O"):
+            line = line.replace(" OFF", " O") if " OFF" in line else line.replace(" ON", " OFF")
+            line = re.sub(r" O$", " ON", line)
     elif action == 1:
         line = re.sub(r"\d+(?=\D*$)", lambda word: str(int(word[0]) + rng.choice((1, -1))), line)
     elif action == 2:

@@ -75,6 +75,7 @@ def subjects() -> tuple[Subject, ...]:
         *_of_routers(),
         *_of_lasers(),
         _of_plotter(),
+        *_of_segments(),
     ]
     for subject in found:
         assert subject.accepts(subject.text), subject.name
@@ -172,3 +173,18 @@ def _of_plotter() -> Subject:
         machine,
         board,
     )
+
+
+def _of_segments() -> list[Subject]:
+    """Return programs of a table with an MCX314."""
+    table = load.machine("v-groove-table")
+    found = []
+    for name in ("V-groove", "crease", "knife", "partial cuts", "drag knife"):
+        engine = ENGINES[name]
+        machine = replace(table, stations=engine.machine.stations)
+        operations = plan(engine.line, machine, engine.board)
+        path = sequence([compensate(each) for each in operations], machine)
+        text = process(path, machine, notes=["placement X0.0000 Y0.0000"]).text
+        subject = Subject(f"{name}, mcx314", text, engine.line, (0.0, 0.0), machine, engine.board)
+        found.append(subject)
+    return found

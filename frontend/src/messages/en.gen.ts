@@ -2751,25 +2751,193 @@ export const TEXTS = {
     "text": "{machine} has no cutter with the name {cutter!r}.",
     "hint": "Choose one of the cutters {known:, }."
   },
+  "mcx314.after-end": {
+    "text": "The program continues after END.",
+    "hint": "Remove the lines after END."
+  },
+  "mcx314.alarm-chip": {
+    "text": "The motion chip of {name} was written too late, or refused a segment.",
+    "hint": "Check the sheet on the table, then unlock and home the machine. Choose a slower feed or a longer refill in the machine file."
+  },
+  "mcx314.alarm-drive": {
+    "text": "The drive of the axis {axis} of {name} reports a fault.",
+    "hint": "Clear the fault at the drive, then unlock and home the machine."
+  },
+  "mcx314.alarm-emergency": {
+    "text": "{name} is in emergency stop.",
+    "hint": "Clear the cause, release the button, unlock and home the machine."
+  },
+  "mcx314.alarm-limit": {
+    "text": "The axis {axis} of {name} is at its limit switch.",
+    "hint": "Check the table, then unlock and home the machine."
+  },
+  "mcx314.alarm-other": {
+    "text": "{name} reports the alarm {alarm}.",
+    "hint": "Check the table, then unlock and home the machine."
+  },
+  "mcx314.alarm-unhomed": {
+    "text": "The axes of {name} are not homed, so their positions are unknown.",
+    "hint": "Check that the tool is out of the board, then home the machine."
+  },
+  "mcx314.axis-too-fast": {
+    "text": "{path} needs {rate:.0f} pulses per second, and the chip MCX314 makes at most {limit}",
+    "hint": "Choose a lower velocity, fewer pulses, or a greater multiple."
+  },
+  "mcx314.axis-too-long": {
+    "text": "{path} travels {pulses} pulses, and the chip MCX314 counts at most {limit} in one segment",
+    "hint": "Choose fewer pulses per millimetre or degree."
+  },
+  "mcx314.bad-arc": {
+    "text": "The end of the arc is not on its circle, or the arc is a point or a whole circle.",
+    "hint": "Correct the end or the centre."
+  },
+  "mcx314.bad-axes": {
+    "text": "The line moves {count} axes, and the chip MCX314 moves one to three.",
+    "hint": "Divide the move."
+  },
+  "mcx314.bad-header": {
+    "text": "The program does not begin with “MCX314 {version}”.",
+    "hint": "Check that it is a program for an MCX314, in this version of the format."
+  },
+  "mcx314.bad-line": {
+    "text": "The line {text!r} is not an instruction.",
+    "hint": "Correct the line."
+  },
+  "mcx314.bad-rate": {
+    "text": "{path} is {value}, but must be a multiple of {step} and at most {limit}",
+    "hint": "Choose another value; the multiple of the drive speed determines the steps."
+  },
+  "mcx314.bad-speed": {
+    "text": "The drive speed must be {slowest} to {fastest} pulses per second.",
+    "hint": "Correct the drive speed."
+  },
+  "mcx314.ends-lowered": {
+    "text": "Output {output} is on at the end of the program.",
+    "hint": "Switch it off before END."
+  },
+  "mcx314.ends-oscillating": {
+    "text": "The oscillation is on at the end of the program.",
+    "hint": "Switch it off before END."
+  },
+  "mcx314.feed-too-slow": {
+    "text": "{path} gives {rate:.0f} pulses per second along a diagonal, and programs need at least {limit:.0f} for an exact feed",
+    "hint": "Choose a greater feed, or more pulses per millimetre."
+  },
   "mcx314.four-axes": {
-    "text": "Row {row} of the toolpath moves four axes at once, and the chip MCX314 can move three.",
+    "text": "{place} moves four axes at once, and the chip MCX314 can move three.",
     "hint": "Let the tool turn before or after its depth changes."
   },
+  "mcx314.gave-up": {
+    "text": "{name} has heard nothing from this gateway for {seconds:g} s and stopped the program.",
+    "hint": "Check the connection to the board, then check the sheet on the table."
+  },
+  "mcx314.joins-nothing": {
+    "text": "The line joins the one before it, which is not a line or an arc.",
+    "hint": "Remove JOIN."
+  },
+  "mcx314.joins-short": {
+    "text": "The line joins a segment of {milliseconds:.3g} ms, and writing it to the chip takes up to {refill:.3g} ms.",
+    "hint": "Remove JOIN, or join longer segments."
+  },
+  "mcx314.lost": {
+    "text": "The connection to {name} is lost.",
+    "hint": "Check the cable to the board, then check the sheet on the table."
+  },
+  "mcx314.no-circle": {
+    "text": "The line is an arc, but X and Y have different pulses per millimetre.",
+    "hint": "Replace the arc by lines."
+  },
+  "mcx314.no-end": {
+    "text": "The program does not end with END.",
+    "hint": "The program may have been cut off."
+  },
+  "mcx314.no-newline": {
+    "text": "The last line does not end with a newline.",
+    "hint": "The program may have been cut off."
+  },
+  "mcx314.no-pulses": {
+    "text": "The first instruction must be PULSES with the pulses of X, Y, Z and C.",
+    "hint": "Create the program again."
+  },
+  "mcx314.no-wiring": {
+    "text": "The file of {machine} does not state how its axes are connected to an MCX314.",
+    "hint": "Add the table [controller] to the machine file."
+  },
+  "mcx314.not-at-rest": {
+    "text": "{name} was not at rest after {seconds:g} s.",
+    "hint": "Lift the tool and raise the stations at the table."
+  },
+  "mcx314.not-lifted": {
+    "text": "The outputs are off, but the tool was not lifted. {cause}",
+    "hint": "{cause:hint}"
+  },
+  "mcx314.not-settled": {
+    "text": "A move begins {seconds:g} s after an output or the oscillation was switched.",
+    "hint": "Dwell before the move for as long as the station settles."
+  },
+  "mcx314.other-pulses": {
+    "text": "The program is made for other pulses per millimetre or degree than {machine} has.",
+    "hint": "Create the program for this machine."
+  },
+  "mcx314.out-of-range": {
+    "text": "A number is greater than {limit}, which the chip MCX314 cannot count.",
+    "hint": "Divide the move."
+  },
+  "mcx314.pulses-of-board": {
+    "text": "The program states other pulses per millimetre or degree than {name} has.",
+    "hint": "Compare [controller] in the machine file with the settings of the board, then compile the job again."
+  },
+  "mcx314.refused": {
+    "text": "{name} refused {request}: {code}.",
+    "hint": "Check the table, then try again."
+  },
+  "mcx314.reset": {
+    "text": "{name} was switched off or reset. All outputs were released, and the position is unknown.",
+    "hint": "Check that the tool is out of the board, then home the machine."
+  },
+  "mcx314.silent": {
+    "text": "{name} has not answered for {seconds:g} s.",
+    "hint": "Check that the board is switched on, then check the sheet on the table."
+  },
   "mcx314.speed": {
-    "text": "Row {row} of the toolpath needs {rate:.0f} pulses per second, and the chip MCX314 makes {slowest} to {fastest}.",
+    "text": "{place} needs {rate:.0f} pulses per second, and the chip MCX314 makes {slowest} to {fastest}.",
     "hint": "Choose another feed for the tool, or another multiple of the drive speed."
   },
+  "mcx314.stopped": {
+    "text": "{name} has discarded the program at line {line}.",
+    "hint": "Another program may be connected to the board. Check the sheet on the table."
+  },
   "mcx314.too-far": {
-    "text": "Row {row} of the toolpath needs {pulses} pulses, and the chip MCX314 counts at most {limit} in one segment.",
+    "text": "{place} needs {pulses} pulses, and the chip MCX314 counts at most {limit} in one segment.",
     "hint": "Divide the edge, or use fewer pulses per millimetre."
   },
   "mcx314.too-short": {
-    "text": "Row {row} of the toolpath takes {milliseconds:.3g} ms, and writing the next segment to the chip MCX314 takes up to {refill:.3g} ms.",
+    "text": "{place} takes {milliseconds:.3g} ms, and writing the next segment to the chip MCX314 takes up to {refill:.3g} ms.",
     "hint": "Choose a slower feed for the tool, or remove short edges from the drawing."
   },
-  "mcx314.underrun": {
-    "text": "The chip MCX314 came to rest before segment {segment} was written, in the middle of a cut.",
-    "hint": "Choose a slower feed. Check the board and the position of the machine first."
+  "mcx314.tool-not-supported": {
+    "text": "{path} is a tool that must be switched within a cut, which a program for an MCX314 cannot",
+    "hint": "Use a knife, a crease wheel, a V-cutter or a router in this station."
+  },
+  "mcx314.unknown-line": {
+    "text": "Program line {line} ({text}) is not an instruction for an MCX314.",
+    "hint": "Compile the job again for this machine."
+  },
+  "mcx314.unknown-output": {
+    "text": "The machine has no output {output}.",
+    "hint": "Correct the number."
+  },
+  "mcx314.unknown-position": {
+    "text": "The line moves an axis by pulses, but no line before it states where the axis is.",
+    "hint": "Move the axis with GO first."
+  },
+  "mcx314.unreadable": {
+    "text": "{name} gave an answer that is not that of a board with an MCX314: {answer}",
+    "hint": "Check the address of the controller."
+  },
+  "mcx314.wrong-dwell": {
+    "text": "The dwell must last {needed} ms, for which the selected station settles.",
+    "hint": "Correct the dwell."
   },
   "milling.contours-cross": {
     "text": "Edge {edge} belongs to a contour that crosses another contour or itself at X{x:.3f} Y{y:.3f}, so it is not clear on which side the cutter must run.",

@@ -17,6 +17,7 @@ from enum import StrEnum
 
 import numpy as np
 
+from knifetip.errors import ControllerError
 from knifetip.gateway.mcx314.chip import Chip, ChipRefused
 from knifetip.gateway.mcx314.feeder import Feeder, rate_of_arc
 from knifetip.gateway.mcx314.frames import Splitter, pack, unpack
@@ -132,6 +133,11 @@ class Board:
         Simulated seconds between two records of the position; 0 for none.
     homed
         Whether the axes are homed when the board is switched on.
+
+    Raises
+    ------
+    ControllerError
+        The file of the machine does not describe an MCX314.
     """
 
     def __init__(
@@ -144,7 +150,7 @@ class Board:
     ) -> None:
         wiring = machine.controller
         if not isinstance(wiring, Wiring):
-            raise TypeError(f"{machine.title} has no MCX314")
+            raise ControllerError("mcx314.no-wiring", machine=machine.title)
         self.machine = machine
         self.faults = faults or LinkFaults()
         self.chip = Chip(wiring.multiple)

@@ -144,8 +144,23 @@ MESSAGES: Final[Entries] = {
     "mcx314.unknown-output": entry(
         "The machine has no output {output}.", "Correct the number.", output="count"
     ),
-    "mcx314.long-dwell": entry(
-        "The dwell is longer than {limit} ms.", "Correct the dwell.", limit="count"
+    "mcx314.wrong-dwell": entry(
+        "The dwell must last {needed} ms, for which the selected station settles.",
+        "Correct the dwell.",
+        needed="count",
+    ),
+    "mcx314.not-settled": entry(
+        "A move begins {seconds:g} s after an output or the oscillation was switched.",
+        "Dwell before the move for as long as the station settles.",
+        seconds="number",
+    ),
+    "mcx314.ends-lowered": entry(
+        "Output {output} is on at the end of the program.",
+        "Switch it off before END.",
+        output="count",
+    ),
+    "mcx314.ends-oscillating": entry(
+        "The oscillation is on at the end of the program.", "Switch it off before END."
     ),
     # -- the board --------------------------------------------------------------------------------
     "mcx314.unknown-line": entry(

@@ -29,13 +29,11 @@ from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine
 from knifetip.verification.reading.moves import Moves, Switches
-from knifetip.verification.tools import extra_outputs
+from knifetip.verification.tools import expected_tool, extra_outputs
 
 #: Greatest size of a program: bytes and lines.
 MAX_BYTES: Final = 64 << 20
 MAX_LINES: Final = 2_000_000
-#: Longest dwell (ms).
-MAX_DWELL: Final = 60_000
 #: Greatest difference between the radii at both ends of an arc (pulses).
 ROUND: Final = 1.0
 _MAX_FAULTS: Final = 1000
@@ -81,6 +79,7 @@ class _State:
     dwell: float = 0.0
     seconds: float = -1.0  #: duration of the segment of the line before; negative if it is none
     switched: int = 0
+    unready: bool = False  #: a move began too early after the last switching
 
 
 class Mcx314Reader:
@@ -166,12 +165,27 @@ class _Interpretation:
                 scaled = self._read_pulses(number, line)
                 continue
             ended = line == "END"
-            if not ended:
+            if ended:
+                self._check_end(number)
+            else:
                 self._execute(number, line)
         if not scaled:
             self._fault(max(len(lines), 1), "mcx314.no-pulses")
         if not ended:
             self._fault(max(len(lines), 1), "mcx314.no-end")
+
+    def _check_end(self, number: int) -> None:
+        """Check that everything is off at the end of the program."""
+        if self._state.on:
+            self._fault(number, "mcx314.ends-lowered", output=min(self._state.on))
+        if self._state.oscillates:
+            self._fault(number, "mcx314.ends-oscillating")
+
+    def _settle(self) -> float:
+        """Return how long the machine must dwell after switching for the selected station (s)."""
+        station = self._station()
+        own = expected_tool(self._stations[station].tool).min_dwell if station >= 0 else 0.0
+        return max(own, self._machine.settle)
 
     def _read_pulses(self, number: int, line: str) -> bool:
         """Read the line that states the pulses of each axis; return whether it is one."""
@@ -198,8 +212,8 @@ class _Interpretation:
             state.oscillates, state.osc_stated = match[1] == "ON", True
             self._add_switch(number, -1, spindle=True)
         elif match := _DWELL.fullmatch(line):
-            if int(match[1]) > MAX_DWELL:
-                self._fault(number, "mcx314.long-dwell", limit=MAX_DWELL)
+            if int(match[1]) != round(self._settle() * 1e3):
+                self._fault(number, "mcx314.wrong-dwell", needed=round(self._settle() * 1e3))
             state.waited += int(match[1]) / 1e3
             state.dwell += int(match[1]) / 1e3
         else:
@@ -302,7 +316,7 @@ class _Interpretation:
     # -- rows -------------------------------------------------------------------------------------
 
     def _add_switch(self, number: int, lowers: int, *, spindle: bool = False) -> None:
-        self._state.waited = 0.0
+        self._state.waited, self._state.unready = 0.0, False
         self._switches.append((number, len(self._moves) - 1, lowers, self._beside(), spindle))
 
     def _beside(self) -> list[bool]:
@@ -339,6 +353,10 @@ class _Interpretation:
         sweep: float = 0.0,
     ) -> None:
         state = self._state
+        if state.waited < self._settle() - 1e-9 and not state.unready:
+            # One fault for each switching, not one for each move after it.
+            self._fault(number, "mcx314.not-settled", seconds=state.waited)
+            state.unready = True
         self._moves.append((number, code, state.at, end, centre, sweep, minutes))
         on = [held.output in state.on for held in self._stations]
         extra = [output in state.on for output in extra_outputs(self._machine)]
