@@ -121,9 +121,7 @@ async def stream(
 
     lines, total = await _measure(text, limits, interpreter())
     follower = ProgramFollower(text, limits, interpreter())
-    corridor = Corridor(
-        text, status, controller.capacity, interpreter(), off=controller.accuracy
-    )
+    corridor = Corridor(text, status, controller.capacity, interpreter(), off=controller.accuracy)
     clock = _Clock(total)
     base = status
     controller.observer = corridor

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -17,8 +18,7 @@ from knifetip.model.program import Program
 from knifetip.model.toolpath import Motion, Toolpath
 
 TABLE = load.machine("v-groove-table")
-WIRING = TABLE.controller
-assert isinstance(WIRING, Wiring)
+WIRING = cast(Wiring, TABLE.controller)
 #: tan(sweep / 4) of a quarter circle
 QUARTER = math.tan(math.pi / 8.0)
 
@@ -53,7 +53,7 @@ def program(toolpath: Toolpath, machine: Machine = TABLE, tolerance: float = 0.0
     return process(toolpath, machine, tolerance=tolerance)
 
 
-def with_wiring(**changes: object) -> Machine:
+def with_wiring(**changes: Any) -> Machine:
     return replace(TABLE, controller=replace(WIRING, **changes))
 
 

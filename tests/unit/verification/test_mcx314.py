@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import cast
 
 import numpy as np
 import pytest
 
 from knifetip.errors import ProgramUnreadable
+from knifetip.languages.mcx314.wiring import Wiring
 from knifetip.library import load
 from knifetip.verification.reading.mcx314 import MAX_LINES, READER
 
@@ -129,7 +131,7 @@ def test_each_fault_is_found_with_its_line(old: str, new: str, line: int, code: 
 
 
 def test_arcs_need_equal_pulses_of_x_and_y() -> None:
-    wiring = replace(TABLE.controller, pulses=(200.0, 100.0, 400.0, 100.0))
+    wiring = replace(cast(Wiring, TABLE.controller), pulses=(200.0, 100.0, 400.0, 100.0))
     text = PROGRAM.replace("Y200", "Y100").encode()
     _, found = READER.read(text, replace(TABLE, controller=wiring), BOARD)
     assert [(line, fault.code) for line, fault in found] == [

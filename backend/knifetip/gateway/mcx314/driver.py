@@ -50,6 +50,8 @@ class Mcx314(Mcx314Operations):
 
     #: Moves that may be executed at the same time: the board reports the line that it executes.
     capacity: int | None = 1
+    #: The board reports the pulses of the chip, whose lines and arcs deviate by two at most.
+    accuracy: float = 0.1
 
     def __init__(
         self,

@@ -12,4 +12,5 @@ LANGUAGE = Language(
     driver="knifetip.gateway.mcx314.driver:dial",
     simulator="knifetip.gateway.mcx314.simulator:serve",
     settings="knifetip.languages.mcx314.settings:read_settings",
+    settings_table="knifetip.languages.mcx314.settings:ControllerTable",
 )
