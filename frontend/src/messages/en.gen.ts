@@ -2903,6 +2903,10 @@ export const TEXTS = {
     "text": "{place} needs {rate:.0f} pulses per second, and the chip MCX314 makes {slowest} to {fastest}.",
     "hint": "Choose another feed for the tool, or another multiple of the drive speed."
   },
+  "mcx314.spindle-not-supported": {
+    "text": "{path} states a direction or a speed, and a program for an MCX314 only switches the spindle on and off",
+    "hint": "Remove spindle and spindle_speed, and set them at the drive."
+  },
   "mcx314.stopped": {
     "text": "{name} has discarded the program at line {line}.",
     "hint": "Another program may be connected to the board. Check the sheet on the table."

@@ -33,6 +33,8 @@ def test_the_shipped_machine_has_its_wiring() -> None:
         ("low = -1080.0, high = 1080.0", "low = -90000.0, high = 90000.0", "travels 18000000"),
         ("plunge = 3000.0", "plunge = 300.0", "577 pulses per second along a diagonal"),
         ("output = 2", "output = 16", "output is 16"),
+        ("output = 0", 'output = 0\nspindle = "M4"', "spindle states a direction"),
+        ("output = 0", "output = 0\nspindle_speed = 900.0", "spindle states a direction"),
         ("[controller]", "[controller]\nbaud = 9600", "baud"),
     ],
 )

@@ -274,7 +274,7 @@ class Mcx314(Mcx314Operations):
         try:
             status = await recovery.make_safe(connection, self._safe)
             done = True
-            self._switched_on = frozenset()
+            self._forget_switches()
         except ControllerError as unsafe:
             connection.fault = None  # the present fault matters more than the first one
             raise connection.fail(unsafe) from None
@@ -288,7 +288,7 @@ class Mcx314(Mcx314Operations):
 
     async def _secure(self) -> None:
         await recovery.secure(self._connection, self._safe)
-        self._switched_on = frozenset()
+        self._forget_switches()
 
 
 async def dial(

@@ -5,6 +5,7 @@
 - ``home`` lets the board find the zero of all axes, which also clears an alarm.
 - Jogs and the move to the park position are moves to absolute positions, so that a repeated request
   does not move twice.
+- Runs above the board (``dry_run``) are not possible: their programs are G-code.
 - ``zero`` lets the board store the present position as the zero of programs.
 """
 
@@ -16,8 +17,9 @@ from knifetip.errors import ControllerError
 from knifetip.gateway.controller import SafeState, State, Status
 from knifetip.gateway.mcx314 import recovery
 from knifetip.gateway.mcx314.connection import BoardConnection
-from knifetip.gateway.operations import AXES, OperationName
+from knifetip.gateway.operations import AXES, RUNS, OperationName
 from knifetip.messages import Message
+from knifetip.model.machine import Station
 
 #: Longest time until all axes are homed (s).
 HOMING_SECONDS = 180.0
@@ -33,11 +35,12 @@ class Mcx314Operations:
     _connection: BoardConnection
     _safe: SafeState | None
     _switched_on: frozenset[int] = frozenset()
+    _spinning: int = 0
 
     @property
     def operations(self) -> frozenset[str]:
-        """Names of the operations that the controller can do: all."""
-        return frozenset(OperationName)
+        """Names of the operations that the controller can do: all but runs above the board."""
+        return frozenset(OperationName) - RUNS - {OperationName.HOLD, OperationName.RESUME}
 
     @property
     def connected(self) -> bool:
@@ -53,6 +56,11 @@ class Mcx314Operations:
     def last_status(self) -> Status | None:
         """Last status report, also after a failure; None if there is none since connecting."""
         return self._connection.status
+
+    @property
+    def spinning(self) -> int:
+        """Number of the station whose oscillation ``spin`` has switched on; 0 for none."""
+        return self._spinning
 
     @property
     def switched_on(self) -> frozenset[int]:
@@ -73,7 +81,7 @@ class Mcx314Operations:
                 await connection.guard(self._safe)
         finally:
             connection.recovering = False
-        self._switched_on = frozenset()
+        self._forget_switches()
 
     async def home(self) -> None:
         """Home all axes, lift the tool and switch all outputs off."""
@@ -92,7 +100,7 @@ class Mcx314Operations:
             await recovery.secure(connection, self._safe)
         finally:
             connection.recovering = False
-        self._switched_on = frozenset()
+        self._forget_switches()
 
     async def jog(self, axis: str, distance: float, feed: float) -> None:
         """Begin to move one axis by a distance (mm or degrees) at a feed (per minute)."""
@@ -115,11 +123,20 @@ class Mcx314Operations:
     async def park(self) -> None:
         """Lift the tool, then begin to move X and Y to the park position of the machine."""
         await recovery.secure(self._connection, self._safe)
-        self._switched_on = frozenset()
+        self._forget_switches()
         if self._safe is not None:
             scales = self._connection.pulses
             x, y = (round(at * scale) for at, scale in zip(self._safe.park, scales, strict=False))
             await self._connection.request(f"MOVE X{x} Y{y} V{PARK_SPEED * scales[0]:.0f}")
+
+    def _forget_switches(self) -> None:
+        """Record that all outputs and the oscillation have been switched off."""
+        self._switched_on, self._spinning = frozenset(), 0
+
+    async def spin(self, station: Station | None) -> None:
+        """Switch the oscillation or the spindle of a station on, or switch it off."""
+        await self._connection.request("OSC OFF" if station is None else "OSC ON")
+        self._spinning = 0 if station is None else station.number
 
     async def switch(self, output: int, on: bool) -> None:
         """Switch a digital output on or off."""

@@ -113,6 +113,8 @@ def _check_stations(wiring: Wiring, machine: Machine) -> Iterator[_Fault]:
         path = (f"station {row}",)
         if station.is_beam or station.tool.outputs:
             yield (*path, "tool"), "mcx314.tool-not-supported", {}
+        if station.spindle != "M3" or station.spindle_speed:
+            yield (*path, "spindle"), "mcx314.spindle-not-supported", {}
         if station.output >= OUTPUTS:
             yield (*path, "output"), "field.above", {"value": station.output, "limit": OUTPUTS - 1}
         for name in ("feed", "plunge"):

@@ -48,6 +48,12 @@ MESSAGES: Final[Entries] = {
         "Use a knife, a crease wheel, a V-cutter or a router in this station.",
         path="text",
     ),
+    "mcx314.spindle-not-supported": entry(
+        "{path} states a direction or a speed, and a program for an MCX314 only switches the spindle "
+        "on and off",
+        "Remove spindle and spindle_speed, and set them at the drive.",
+        path="text",
+    ),
     # -- toolpaths --------------------------------------------------------------------------------
     "mcx314.four-axes": entry(
         "{place} moves four axes at once, and the chip MCX314 can move three.",

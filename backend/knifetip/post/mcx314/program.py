@@ -136,7 +136,7 @@ class _Writer:
             self._add(self._release([previous.output] if previous.output >= 0 else []))
         if station.output >= 0:
             self._add([f"OUT {station.output} ON"])
-        if station.tool.spindle:
+        if station.speed:
             self._add(["OSC ON"])
         if (pause := station.tool.settle(self._machine.settle)) > 0:
             self._add([f"DWELL {round(pause * 1e3)}"])
