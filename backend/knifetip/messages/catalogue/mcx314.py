@@ -49,8 +49,8 @@ MESSAGES: Final[Entries] = {
         path="text",
     ),
     "mcx314.spindle-not-supported": entry(
-        "{path} states a direction or a speed, and a program for an MCX314 only switches the spindle "
-        "on and off",
+        "{path} states a direction or a speed, and a program for an MCX314 only switches the "
+        "spindle on and off",
         "Remove spindle and spindle_speed, and set them at the drive.",
         path="text",
     ),
