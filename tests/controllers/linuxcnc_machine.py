@@ -89,6 +89,7 @@ class Machine:
     def make_ready(self) -> None:
         """Discard a program, release the emergency stop, switch on and home, like a person."""
         self.release_emergency_stop()
+        self.override_feed(100)
         if not self._is("halui.program.is-idle"):
             self._request("halui.abort", lambda: self._is("halui.program.is-idle"))
         if not self._is("halui.machine.is-on"):
@@ -97,6 +98,13 @@ class Machine:
         if not self._homed():
             self._request("halui.mode.manual", lambda: self._is("halui.mode.is-manual"))
             self._request("halui.home-all", self._homed)
+
+    def override_feed(self, percent: int) -> None:
+        """Move at a percentage of the programmed feeds."""
+        pin = "halui.feed-override"
+        for name, value in (("direct-value", 1), ("scale", 0.01), ("counts", percent)):
+            self._halcmd("setp", f"{pin}.{name}", str(value))
+        wait_until(lambda: float(self.pins(pin)[f"{pin}.value"]) == percent / 100.0)
 
     def press_emergency_stop(self) -> None:
         """Press the emergency stop button of the machine."""

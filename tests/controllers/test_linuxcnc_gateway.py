@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 from collections.abc import AsyncGenerator, AsyncIterator, Iterator, Mapping
 from contextlib import aclosing, asynccontextmanager
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -18,11 +17,9 @@ from knifetip.gateway.interpreter import tool_offsets
 from knifetip.gateway.linuxcnc.driver import Linuxcnc, dial
 from knifetip.gateway.motion import Limits, Pose
 from knifetip.gateway.stream import Progress, stream
-from knifetip.library import load
 from knifetip.model.dieline import LineType
-from knifetip.model.machine import Machine as TableMachine
-from knifetip.model.tool import Cutter
 from tests.controllers.linuxcnc_machine import Machine, Supply, missing_requirement, wait_until
+from tests.controllers.quick_router import BOARD, ROUTER, TABLE, WHEEL
 from tests.support.shapes import closed, dieline, edges
 
 SKIP_REASON = missing_requirement()
@@ -33,21 +30,7 @@ pytestmark = [
 ]
 
 
-def quick_router_table() -> TableMachine:
-    """Return the router table with a spindle that starts soon and mills a blank in one pass."""
-    table = load.machine("router-table")
-    stations = [
-        replace(station, tool=replace(station.tool, spin_up=0.2, step=4.0, feed=4000.0))
-        if isinstance(station.tool, Cutter)
-        else station
-        for station in table.stations
-    ]
-    return replace(table, stations=tuple(stations))
-
-
-TABLE = quick_router_table()
 SAFE = SafeState.of(TABLE)
-WHEEL, ROUTER = 1, 3  # outputs
 
 
 @pytest.fixture(scope="module")
@@ -64,10 +47,10 @@ def machine(supply: Supply) -> Iterator[Machine]:
 
 def creased_blank() -> bytes:
     """Return a program that creases a fold, then mills the blank around it."""
-    blank = closed((100.0, 100.0), (150.0, 100.0), (150.0, 135.0), (100.0, 135.0))
-    fold = edges(((125.0, 100.0), (125.0, 135.0)))
+    blank = closed((100.0, 100.0), (220.0, 100.0), (220.0, 180.0), (100.0, 180.0))
+    fold = edges(((160.0, 100.0), (160.0, 180.0)))
     line = dieline((LineType.CUT, blank), (LineType.CREASE, fold))
-    work = plan(line, TABLE, load.board("greyboard-3.0"))
+    work = plan(line, TABLE, BOARD)
     toolpath = sequence([compensate(operation) for operation in work], TABLE)
     return process(toolpath, TABLE, "linuxcnc").text
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import gc
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -189,6 +190,21 @@ async def test_a_cancelled_request_does_not_shift_the_replies() -> None:
             await asyncio.sleep(0)
             asking.cancel()
         assert (await controller.status()).position[0] == 1.0
+
+
+async def test_a_request_that_nobody_waits_for_leaves_no_error(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    shell = Shell()
+    async with dialled(shell) as controller:
+        shell.deaf = True
+        asking = asyncio.create_task(controller.status())
+        await asyncio.sleep(0.05)
+        asking.cancel()
+        await asyncio.gather(asking, return_exceptions=True)
+    await asyncio.sleep(0.05)
+    gc.collect()
+    assert caplog.text == ""
 
 
 async def test_a_wrong_password_is_reported() -> None:

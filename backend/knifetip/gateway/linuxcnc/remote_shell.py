@@ -161,7 +161,11 @@ class RemoteShell:
         """
         # A caller that is cancelled must not leave a reply unread: it would be taken for the reply
         # to the next request.
-        return await asyncio.shield(self._converse(text, prefix, max(patience, self._silence)))
+        conversation = asyncio.create_task(
+            self._converse(text, prefix, max(patience, self._silence)), name="linuxcnc request"
+        )
+        conversation.add_done_callback(_retrieve_error)
+        return await asyncio.shield(conversation)
 
     async def _converse(self, text: str, prefix: str, patience: float) -> str:
         async with self._lock:
@@ -192,3 +196,12 @@ class RemoteShell:
             reply = line.decode("utf-8", "replace").strip()
             if reply.startswith(f"{prefix} ") or reply == prefix:
                 return reply.removeprefix(prefix).strip()
+
+
+def _retrieve_error(conversation: asyncio.Task[str]) -> None:
+    """Take note of the error of a request, so that asyncio does not log it if nobody waits for it.
+
+    This is the case if the caller was cancelled, and the connection was then closed.
+    """
+    if not conversation.cancelled():
+        conversation.exception()
