@@ -390,6 +390,65 @@ def test_a_tool_at_the_end_of_its_life_is_changed_or_used_on_for_a_reason(
     wait_until(lambda: api.get(f"/api/jobs/{job}").json()["state"] == "cancelled", "not stopped")
 
 
+def test_a_tool_is_checked_above_a_point_and_its_offset_corrected_by_touch(
+    tablet: tuple[Page, str], workshop: Workshop, api: httpx.Client, screenshots: Path
+) -> None:
+    page, name = tablet
+    state = page.get_by_test_id("station-state")
+    expect(state).to_have_text("At rest", timeout=60_000)
+    job = send_job(api, copies=1)
+    expect(state).to_have_text("Waiting for operator")
+    page.get_by_test_id("check-tool-3").tap()
+    facts = page.get_by_test_id("tool-facts")
+    for text in ("v cutter", "tilt 45°", "has worked 0 m", "X \u221260.00"):
+        expect(facts).to_contain_text(text)
+    page.get_by_test_id("tool-check-move").tap()
+    table = workshop.table.table
+    # Corner of the drawing at 20, 20; 2 mm above 2 mm of board.
+    wait_until(
+        lambda: table.position == pytest.approx((-40.0, 20.0, 4.0, 0.0), abs=1e-3),
+        "the tool is not above the point",
+        60.0,
+    )
+    expect(state).to_have_text("Waiting for operator")
+    expect(page.get_by_test_id("tool-check-move")).to_be_enabled()
+    assert [number for number, on in table.outputs.items() if on] == [2]
+    page.get_by_test_id("shift-X").scroll_into_view_if_needed()
+    assert_reachable(page)
+    page.get_by_test_id("shift-X-more").tap()
+    page.get_by_test_id("shift-X-more").tap()
+    page.get_by_test_id("shift-C-less").tap()
+    expect(page.get_by_test_id("shift-X")).to_contain_text("0.40")
+    expect(page.get_by_test_id("tool-check-right")).to_be_disabled()
+    page.wait_for_timeout(500)
+    page.screenshot(path=screenshots / f"{name}-11-tool-check.png")
+    page.get_by_test_id("tool-check-move").tap()
+    wait_until(
+        lambda: table.position == pytest.approx((-39.6, 20.0, 4.0, -0.2), abs=1e-3),
+        "the correction is not tried",
+        60.0,
+    )
+    # The demo table is part of the library: its file cannot be changed.
+    expect(page.get_by_test_id("tool-check-save")).to_be_enabled()
+    page.get_by_test_id("tool-check-save").tap()
+    outcome = page.get_by_test_id("outcome")
+    expect(outcome).to_contain_text("belongs to the library")
+    expect(outcome).to_contain_text("Copy it under a name of its own")
+    page.screenshot(path=screenshots / f"{name}-12-not-saved.png")
+    page.get_by_test_id("tool-check-lift").tap()
+    assert_done(page, "Lift")
+    assert table.position[2] == pytest.approx(20.0)
+    assert not any(table.outputs.values())
+    page.get_by_test_id("shift-X-less").tap()
+    page.get_by_test_id("shift-X-less").tap()
+    page.get_by_test_id("shift-C-more").tap()
+    page.get_by_test_id("tool-check-right").tap()
+    ticked = page.get_by_test_id("check").filter(has_text="V-cutter").locator("input")
+    expect(ticked).to_be_checked()
+    api.post(f"/api/jobs/{job}/cancel")
+    expect(state).to_have_text("At rest")
+
+
 def hold_arrow(page: Page, arrow: str, seconds: float) -> None:
     """Hold an arrow down with a finger."""
     target = page.get_by_test_id(arrow)

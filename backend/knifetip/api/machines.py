@@ -79,6 +79,8 @@ async def ask_for_operation(
     if request.operation == "frame":
         asked |= {"share": request.share or FRAME_SHARE}
         asked |= await service.threads.reports(_box_of_sheet, service, name)
+    if request.operation == "tool_check":
+        asked |= await service.threads.reports(_height_above_board, service, name)
     return _operation_out(await service.threads.reports(service.store.stations.ask, name, asked))
 
 
@@ -94,6 +96,16 @@ def _box_of_sheet(service: Service, machine: str) -> dict[str, Any]:
     origin = service.store.library.machine(machine).origin
     x, y = (start - sheet["margin"] for start in origin)
     return {"box": [x, y, x + sheet["width"], y + sheet["height"]]}
+
+
+def _height_above_board(service: Service, machine: str) -> dict[str, Any]:
+    """Return the height of the tip in a tool check, above the board of the job that waits."""
+    job = service.store.stations.waiting_job(machine)
+    if job is None:
+        return {}
+    library = service.store.library
+    height = library.board(job.board).caliper + library.machine(machine).clearance
+    return {"height": height}
 
 
 @router.get("/{name}/operations/{id}")

@@ -51,7 +51,7 @@ class Activity:
     seconds_left: float | None = None
     position: Pose | None = None  #: on the sheet, as in the heartbeats of a job
     station: int | None = None  #: number of the station whose path is shown
-    message: Message | None = None  #: why it has failed
+    message: Message | None = None  #: why it has failed, or what it has left out
 
     def as_json(self) -> dict[str, object]:
         """Return the fields of the report to the server."""
@@ -188,9 +188,17 @@ class DryRun:
                     if self._held and progress.state is State.RUN:
                         await controller.hold()
 
+    @property
+    def _must_stop(self) -> bool:
+        return self._stopped or not self._may_go_on()
+
     def _raise_if_stopped(self) -> None:
-        if self._stopped or not self._may_go_on():
+        if self._must_stop:
             raise _Stopped
+
+    def _note(self, message: Message) -> None:
+        """Add a message to the activity that is no failure."""
+        self._activity = replace(self._activity, message=message)
 
     def _record(self, progress: Progress) -> None:
         station = self._program.station_at(progress.executed)
@@ -213,5 +221,9 @@ class DryRun:
     def _end(self, state: ActivityState, message: Message | None = None) -> None:
         progress = 1.0 if state is ActivityState.DONE else self._activity.progress
         self._activity = replace(
-            self._activity, state=state, progress=progress, seconds_left=None, message=message
+            self._activity,
+            state=state,
+            progress=progress,
+            seconds_left=None,
+            message=message or self._activity.message,
         )

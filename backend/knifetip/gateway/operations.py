@@ -41,12 +41,14 @@ class OperationName(StrEnum):
     SPINDLE = "spindle"  #: switch the spindle or the oscillation of a station on or off
     DRY_RUN = "dry_run"  #: run the program of the waiting job above the board
     FRAME = "frame"  #: move round the box of the sheet or of the work, above the board
+    TOOL_CHECK = "tool_check"  #: move a station above a point, and lower it almost to the board
+    LIFT = "lift"  #: lift the tool straight up, and switch everything off
     HOLD = "hold"  #: hold a dry run
     RESUME = "resume"  #: resume a dry run
 
 
 #: Operations that run a program above the board while a job waits (``station``).
-RUNS = frozenset({OperationName.DRY_RUN, OperationName.FRAME})
+RUNS = frozenset({OperationName.DRY_RUN, OperationName.FRAME, OperationName.TOOL_CHECK})
 #: Operations that change such a run, and are carried out while it uses the machine.
 OF_RUNS = frozenset({OperationName.HOLD, OperationName.RESUME, OperationName.STOP_JOG})
 #: Operations that an alarm does not prevent.
@@ -64,9 +66,13 @@ class Operation:
     axes: str = ""  #: letters of the axes to set to zero
     output: int = -1  #: number of the output to switch
     on: bool = False
-    station: int = 0  #: number of the station whose spindle is switched
+    station: int = 0  #: number of the station that is checked, or whose spindle is switched
     share: float = 1.0  #: share of the feeds of a dry run
     box: tuple[float, float, float, float] | None = None  #: x0, y0, x1, y1 of a frame (mm)
+    point: tuple[float, float] | None = None  #: of a tool check, as in programs (mm)
+    height: float = 0.0  #: of the tip above the mat in a tool check (mm)
+    #: trial correction of the datum in a tool check: X, Y, Z (mm) and C (degrees)
+    shift: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
 
 
 @runtime_checkable
@@ -242,6 +248,8 @@ async def perform(
             await controller.zero(operation.axes)
         case OperationName.PARK:
             await controller.park()
+        case OperationName.LIFT:
+            await controller.stop()
         case OperationName.SWITCH:
             await controller.switch(operation.output, operation.on)
         case OperationName.SPINDLE:

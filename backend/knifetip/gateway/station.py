@@ -30,6 +30,7 @@ from knifetip.errors import ControllerAlarm, ControllerError, KnifetipError, Ope
 from knifetip.gateway.controller import State, Status
 from knifetip.gateway.dry_programs import DryPrograms
 from knifetip.gateway.dry_run import DryRun
+from knifetip.gateway.job_run import JobRun
 from knifetip.gateway.job_server import JobServer
 from knifetip.gateway.machine_link import MachineLink
 from knifetip.gateway.open_loop import OpenLoop
@@ -49,6 +50,7 @@ from knifetip.gateway.station_report import (
     OperationResult,
     StationReport,
 )
+from knifetip.gateway.tool_check import CheckedPoint, ToolCheck
 from knifetip.messages import Message
 from knifetip.model.machine import Machine
 
@@ -291,25 +293,33 @@ class MachineStation:
             if job is None or not job.is_waiting:
                 raise ControllerError("dry-run.no-job")
             await require_possible(operation, controller, self._machine)
-            start = (await controller.status()).position
-            program = await self._programs.prepare(operation, job.claim, start)
+            run = await self._prepared(operation, job, controller)
             if is_late():
                 raise OperationExpired("operation.expired", seconds=EXPIRY)
             if self._link.run is not job or not job.is_waiting:
                 raise ControllerError("dry-run.no-job")
-            run = self._link.dry_run = DryRun(
-                operation.name.value,
-                job.claim.job,
-                program,
-                self._machine,
-                lambda: self._link.run is job and job.is_waiting,
-            )
+            self._link.dry_run = run
             self._results.append(OperationResult(id, "done"))
             self._wake.set()
             try:
                 await run.run(controller)
             finally:
                 self._link.abandoned = controller.fault is not None
+
+    async def _prepared(
+        self, operation: Operation, job: JobRun, controller: OperableController
+    ) -> DryRun:
+        """Return the run of an operation for the job that waits; nothing is sent."""
+
+        def may_go_on() -> bool:
+            return self._link.run is job and job.is_waiting
+
+        id, machine = job.claim.job, self._machine
+        if operation.name is OperationName.TOOL_CHECK:
+            return ToolCheck(id, CheckedPoint.of(operation, machine), machine, may_go_on)
+        start = (await controller.status()).position
+        program = await self._programs.prepare(operation, job.claim, start)
+        return DryRun(operation.name.value, id, program, machine, may_go_on)
 
     def _refuse_during_job(self) -> None:
         if self._link.runs_job:

@@ -106,6 +106,9 @@ def _request(fields: Mapping[str, Any]) -> OperationRequest:
             int(given.get("station", 0)),
             _finite(given.get("share", 1.0)),
             _box(given.get("box")),
+            _point(given.get("point")),
+            _finite(given.get("height", 0.0)),
+            _box(given.get("shift")) or (0.0, 0.0, 0.0, 0.0),
         ),
     )
 
@@ -115,6 +118,13 @@ def _box(value: Any) -> tuple[float, float, float, float] | None:
         return None
     x0, y0, x1, y1 = (_finite(one) for one in value)
     return x0, y0, x1, y1
+
+
+def _point(value: Any) -> tuple[float, float] | None:
+    if value is None:
+        return None
+    x, y = (_finite(one) for one in value)
+    return x, y
 
 
 def _finite(value: Any) -> float:

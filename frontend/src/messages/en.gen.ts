@@ -3055,6 +3055,10 @@ export const TEXTS = {
     "text": "Station {station} of {machine} has no spindle or oscillation that is switched by hand.",
     "hint": "Choose a station with a knife that oscillates or with a cutter."
   },
+  "operation.no-station": {
+    "text": "{machine} has no station {station}, or no point was given for it.",
+    "hint": "Choose a station of the machine, and a point on its table."
+  },
   "operation.not-at-rest": {
     "text": "{name} is not at rest: it reports the state {state}. Nothing was sent.",
     "hint": "Wait until the machine has stopped. If it is in alarm, unlock or home it."
@@ -3982,6 +3986,26 @@ export const TEXTS = {
   "svg.unpacks-too-far": {
     "text": "The compressed SVG file (.svgz) is larger than {limit:.1f} MB when unpacked.",
     "hint": "Export a drawing with a single carton, without pictures."
+  },
+  "tool-check.in-zone": {
+    "text": "The point lies in the keep-out zone {zone}, or so near that the tool would touch it. Nothing has moved.",
+    "hint": "Choose another point."
+  },
+  "tool-check.large-shift": {
+    "text": "A correction of a station in a tool check is at most {largest:g} mm or degrees.",
+    "hint": "Measure the datum of the station again, and change it in the machine file."
+  },
+  "tool-check.not-lowered": {
+    "text": "The tool is above the point, but was not lowered: Z would have to move to {target:.1f}, and its travel ends at {lowest:g}.",
+    "hint": "Check the tool from above, and the Z of the station in the machine file."
+  },
+  "tool-check.not-lowered-beam": {
+    "text": "The laser is above the point, but was not lowered or switched on.",
+    "hint": "Check its position with the pointer of the laser, if it has one."
+  },
+  "tool-check.not-reached": {
+    "text": "Z has not come to rest at {target:.1f} in time. The tool was lifted again.",
+    "hint": "Check the machine, then try again."
   },
   "tool-life.near": {
     "text": "The tool {name} in station {station} has worked {used:.0f} m, {percent:.0f} % of its life of {life:.0f} m.",

@@ -19,7 +19,7 @@ interface Props {
 const SHARES = [10, 25, 50, 100] as const;
 
 interface Way {
-  readonly kind: Activity["kind"];
+  readonly kind: "dry_run" | "frame";
   readonly note: string;
   request(share: number): OperationRequest;
 }
@@ -129,6 +129,7 @@ const ENDS: Readonly<Partial<Record<Activity["state"], { text: string; tone: str
 function LastRun({ activity, job }: { activity: Activity | null; job: Job }) {
   const end = activity === null ? undefined : ENDS[activity.state];
   if (activity === null || end === undefined || activity.job !== job.id) return null;
+  if (activity.kind === "tool_check") return null;
   const { message } = activity;
   return (
     <div

@@ -7,24 +7,7 @@ import { useUiStore } from "../state/store";
 import jobCss from "./job.module.css";
 import css from "./panels.module.css";
 import { Section } from "./Section";
-
-const DIMENSIONS: Readonly<Record<string, string>> = {
-  back: "tip offset beside head axis",
-  blade_angle: "blade angle",
-  blade_width: "blade width",
-  half_width: "tip offset behind head axis",
-  radius: "tool radius",
-  tilt: "blade tilt",
-  trail: "tip offset behind head axis",
-  width: "tool width",
-};
-const ANGLES = new Set(["tilt", "blade_angle"]);
-
-const dimensionText = ({ dimensions }: Machine["stations"][number]["tool"]): string =>
-  Object.entries(dimensions)
-    .filter(([name, value]) => name in DIMENSIONS && typeof value === "number" && value !== 0)
-    .map(([name, value]) => `${DIMENSIONS[name]} ${value}${ANGLES.has(name) ? "°" : "\u202fmm"}`)
-    .join(" · ");
+import { dimensionText } from "./toolText";
 
 /** A number with a minus sign that is as wide as a plus sign. */
 const signed = (value: number): string => value.toLocaleString("en").replace("-", "\u2212");

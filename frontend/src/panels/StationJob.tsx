@@ -16,6 +16,7 @@ import { DryRunPanel } from "./DryRunPanel";
 import { RestPanel } from "./RestPanel";
 import { StateBadge } from "./StateBadge";
 import css from "./station.module.css";
+import { ToolCheckPanel } from "./ToolCheckPanel";
 import { WornTools } from "./WornTools";
 
 interface Props {
@@ -54,7 +55,10 @@ export function StationJob(props: Props) {
         </>
       )}
       {job.waiting_for === "confirmation" && job.state === "queued" && (
-        <DryRunPanel job={job} machine={machine} station={station} reached={reached} />
+        <>
+          <DryRunPanel job={job} machine={machine} station={station} reached={reached} />
+          {checks !== null && <ToolCheckPanel {...props} checks={checks} />}
+        </>
       )}
       {(job.state === "interrupted" || job.state === "cancelled") && (
         <AfterInterruption job={job} reached={reached} />

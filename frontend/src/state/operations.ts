@@ -83,6 +83,18 @@ export async function operate(
   return outcome;
 }
 
+/** Do something that is no operation of the machine, and report what has become of it. */
+export async function reportAction(label: string, action: () => Promise<void>): Promise<void> {
+  const outcomes = useOutcomes.getState();
+  const number = outcomes.begin(label);
+  try {
+    await action();
+    outcomes.report(number, { label, state: "done", text: "", hint: "" });
+  } catch (cause) {
+    outcomes.report(number, failureOf(label, cause));
+  }
+}
+
 /** Whether the machine has carried out a command of a job. */
 export function isCarriedOut(word: JobCommand, job: Job): boolean {
   if (job.requested_action !== "") return false;

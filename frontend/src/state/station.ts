@@ -36,6 +36,7 @@ const occupies = (job: Job | undefined): job is Job => job !== undefined && !isF
 export const RUN_TITLES: Readonly<Record<Activity["kind"], string>> = {
   dry_run: "Dry run",
   frame: "Frame",
+  tool_check: "Tool check",
 };
 
 /** The run above the board that the machine executes now; null if there is none. */

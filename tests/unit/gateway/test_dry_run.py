@@ -15,6 +15,7 @@ from knifetip.gateway.claim import run_gateway
 from knifetip.gateway.grbl import driver
 from knifetip.gateway.job_server import GatewaySettings
 from knifetip.gateway.table import Table
+from knifetip.model.machine import Machine
 from tests.unit.gateway.test_claim import MACHINE, PROGRAM
 from tests.unit.gateway.test_station import JOG, StationOffice
 
@@ -23,7 +24,7 @@ DRY: dict[str, Any] = {"operation": "dry_run", "share": 1.0}
 
 @asynccontextmanager
 async def waiting_job(
-    monkeypatch: pytest.MonkeyPatch, speed: float = 50.0
+    monkeypatch: pytest.MonkeyPatch, speed: float = 50.0, machine: Machine = MACHINE
 ) -> AsyncIterator[tuple[StationOffice, Table]]:
     """Run a gateway with a simulated table whose positions are recorded; its job waits."""
     monkeypatch.setattr(station, "WATCHED_INTERVAL", 0.02)
@@ -32,13 +33,13 @@ async def waiting_job(
     office.command = lambda beat: "wait"
     office.jobs = True
     async with (
-        await simulator.serve(MACHINE, speed=speed, sample=0.001) as server,
+        await simulator.serve(machine, speed=speed, sample=0.001) as server,
         httpx.AsyncClient(transport=httpx.MockTransport(office)) as client,
         asyncio.timeout(30.0),
     ):
         running = asyncio.create_task(
             run_gateway(
-                GatewaySettings("http://office", MACHINE, "table-7", wait=0.1, beat=0.01),
+                GatewaySettings("http://office", machine, "table-7", wait=0.1, beat=0.01),
                 lambda safe, stop_motion: driver.dial(
                     server.address, safe, stop_motion=stop_motion, silence=0.5, poll=0.02
                 ),

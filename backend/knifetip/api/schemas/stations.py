@@ -11,8 +11,11 @@ from knifetip.api.schemas.messages import MessageIn, MessageOut
 from knifetip.fields import LISTED, field_error
 from knifetip.gateway.dry_program import LEAST_SHARE
 from knifetip.gateway.operations import EXPIRY
+from knifetip.gateway.tool_check import LARGEST_SHIFT
 
 Pose = tuple[float, float, float, float]
+Coordinate = Annotated[float, Field(ge=-1e5, le=1e5)]
+Shift = Annotated[float, Field(ge=-LARGEST_SHIFT, le=LARGEST_SHIFT)]
 OperationWord = Annotated[
     Literal[
         "unlock",
@@ -25,6 +28,8 @@ OperationWord = Annotated[
         "spindle",
         "dry_run",
         "frame",
+        "tool_check",
+        "lift",
         "hold",
         "resume",
     ],
@@ -48,14 +53,16 @@ _NEEDED = {
     "zero": ("axes",),
     "switch": ("output", "on"),
     "spindle": ("station", "on"),
+    "tool_check": ("station", "point"),
 }
 
 
 class _Activity(BaseModel):
     """What a machine does above the board for a person, while a job waits for its operator."""
 
-    kind: Literal["dry_run", "frame"] = Field(
-        description="dry_run: the program of the job. frame: round the box of sheet or work"
+    kind: Literal["dry_run", "frame", "tool_check"] = Field(
+        description="dry_run: the program of the job. frame: round the box of sheet or work. "
+        "tool_check: a station above a point, lowered almost to the board"
     )
     job: Name = Field(description="Id of the job that waits")
     state: Literal["running", "held", "done", "stopped", "failed"] = Field(
@@ -79,13 +86,17 @@ class _Activity(BaseModel):
 class ActivityIn(_Activity):
     """A run above the board, as the gateway reports it."""
 
-    message: MessageIn | None = Field(default=None, description="Why it has failed; else null")
+    message: MessageIn | None = Field(
+        default=None, description="Why it has failed, or what it has left out; else null"
+    )
 
 
 class ActivityOut(_Activity):
     """A run above the board while a job waits for its operator."""
 
-    message: MessageOut | None = Field(description="Why it has failed; else null")
+    message: MessageOut | None = Field(
+        description="Why it has failed, or what it has left out; else null"
+    )
 
 
 class StationOut(BaseModel):
@@ -136,7 +147,9 @@ class OperationIn(Strict):
         "spindle: switch the spindle or the oscillation of a station on or off. "
         "dry_run: run the program of the job that waits for its operator above the board, with "
         "all outputs and the spindle off; the job keeps waiting. frame: move round the box of the "
-        "sheet, or of the work if the sheet has no size, above the board. hold, resume: hold and "
+        "sheet, or of the work if the sheet has no size, above the board. tool_check: "
+        "move a station above a point and lower it almost to the board, with the spindle off. "
+        "lift: lift the tool straight up and switch everything off. hold, resume: hold and "
         "resume such a run; stop_jog stops it"
     )
     axis: Literal["X", "Y", "Z", "C"] | None = Field(
@@ -167,7 +180,18 @@ class OperationIn(Strict):
         description="Whether to switch it on; required for `switch` and `spindle`",
     )
     station: Annotated[int, Field(ge=1, le=255)] | None = Field(
-        default=None, description="Number of the station; required for `spindle`"
+        default=None,
+        description="Number of the station; required for `spindle` and `tool_check`",
+    )
+    point: tuple[Coordinate, Coordinate] | None = Field(
+        default=None,
+        description="Point on the table: X, Y in the coordinates of programs (mm); required for "
+        "`tool_check`",
+    )
+    shift: tuple[Shift, Shift, Shift, Shift] | None = Field(
+        default=None,
+        description="Trial correction of the datum of the station: X, Y, Z (mm) and C (degrees), "
+        "for `tool_check`; null for none",
     )
     share: float | None = Field(
         default=None,
@@ -263,6 +287,13 @@ class AskedOut(BaseModel):
     on: bool | None = Field(default=None, description="Whether to switch the output on")
     station: int | None = Field(default=None, description="Number of the station")
     share: float | None = Field(default=None, description="Share of the feeds, for dry runs")
+    point: tuple[float, float] | None = Field(default=None, description="Point of a tool check")
+    height: float | None = Field(
+        default=None, description="Height of the tip above the mat in a tool check (mm)"
+    )
+    shift: Pose | None = Field(
+        default=None, description="Trial correction of the datum in a tool check (mm, degrees)"
+    )
     box: Pose | None = Field(
         default=None, description="Box of a frame: x0, y0, x1, y1 (mm); null: that of the work"
     )

@@ -57,4 +57,31 @@ MESSAGES: Final[Entries] = {
         "The machine runs a program above the board.",
         "Wait until the run has ended, or stop it first.",
     ),
+    "tool-check.in-zone": entry(
+        "The point lies in the keep-out zone {zone}, or so near that the tool would touch it. "
+        "Nothing has moved.",
+        "Choose another point.",
+        zone="text",
+    ),
+    "tool-check.large-shift": entry(
+        "A correction of a station in a tool check is at most {largest:g} mm or degrees.",
+        "Measure the datum of the station again, and change it in the machine file.",
+        largest="number",
+    ),
+    "tool-check.not-lowered": entry(
+        "The tool is above the point, but was not lowered: Z would have to move to {target:.1f}, "
+        "and its travel ends at {lowest:g}.",
+        "Check the tool from above, and the Z of the station in the machine file.",
+        target="number",
+        lowest="number",
+    ),
+    "tool-check.not-reached": entry(
+        "Z has not come to rest at {target:.1f} in time. The tool was lifted again.",
+        "Check the machine, then try again.",
+        target="number",
+    ),
+    "tool-check.not-lowered-beam": entry(
+        "The laser is above the point, but was not lowered or switched on.",
+        "Check its position with the pointer of the laser, if it has one.",
+    ),
 }

@@ -74,6 +74,12 @@ MESSAGES: Final[Entries] = {
         "{name} is not locked by an alarm, so there is nothing to unlock.",
         name="text",
     ),
+    "operation.no-station": entry(
+        "{machine} has no station {station}, or no point was given for it.",
+        "Choose a station of the machine, and a point on its table.",
+        station="number",
+        machine="text",
+    ),
     "operation.no-spindle": entry(
         "Station {station} of {machine} has no spindle or oscillation that is switched by hand.",
         "Choose a station with a knife that oscillates or with a cutter.",

@@ -1,0 +1,288 @@
+/** Check of the tools of a waiting job, one by one: move above a point, look, correct or confirm. */
+
+import { useState } from "react";
+import { type Job, type Machine, type Station, service } from "../api/client";
+import { renderText } from "../messages/render";
+import type { Check } from "../state/checks";
+import { commandJob, operate, reportAction } from "../state/operations";
+import { useDrawing } from "../state/queries";
+import { AXES, type Axis, reasonAgainst, runAboveBoard } from "../state/station";
+import {
+  afterCorrection,
+  isShifted,
+  NO_SHIFT,
+  placesOf,
+  type Shift,
+  saveCorrection,
+  shifted,
+} from "../state/toolCheck";
+import css from "./station.module.css";
+import { dimensionText } from "./toolText";
+
+interface Props {
+  readonly job: Job;
+  readonly machine: Machine;
+  readonly station: Station | undefined;
+  readonly checks: readonly Check[];
+  readonly ticked: ReadonlySet<string>;
+  readonly reached: boolean;
+  onTick(key: string): void;
+}
+
+type Mounted = Machine["stations"][number];
+
+/** Steps of a correction: mm, or degrees for C. */
+const STEPS = [0.05, 0.2, 1] as const;
+
+const text = (value: number): string => value.toFixed(2).replace("-", "\u2212");
+const unitOf = (axis: Axis): string => (axis === "C" ? "°" : "\u202fmm");
+
+export function ToolCheckPanel(props: Props) {
+  const { machine, checks } = props;
+  const tools = checks.filter((check) => check.station !== null);
+  const [opened, setOpened] = useState<number | null>(null);
+  const mounted = machine.stations.find(({ number }) => number === opened);
+  return (
+    <section className={css.dryRun} aria-label="Tool check" data-testid="tool-check">
+      <h3>Check a tool above the board</h3>
+      <div className={css.wayGrid}>
+        {tools.map(({ key, station, title }) => (
+          <button
+            key={key}
+            type="button"
+            className={css.button}
+            aria-expanded={opened === station}
+            onClick={() => setOpened(opened === station ? null : station)}
+            data-testid={`check-tool-${station}`}
+          >
+            {station} {title}
+          </button>
+        ))}
+      </div>
+      {mounted !== undefined && (
+        <OneTool
+          {...props}
+          key={mounted.number}
+          mounted={mounted}
+          check={tools.find(({ station }) => station === mounted.number)}
+        />
+      )}
+    </section>
+  );
+}
+
+interface OneProps extends Props {
+  readonly mounted: Mounted;
+  readonly check: Check | undefined;
+}
+
+function OneTool(props: OneProps) {
+  const { machine, station, job, reached, mounted, check, ticked, onTick } = props;
+  const { data: drawing } = useDrawing();
+  const [place, setPlace] = useState("corner");
+  const [shift, setShift] = useState<Shift>(NO_SHIFT);
+  const places = placesOf(machine, drawing);
+  const [first] = places;
+  const chosen = places.find(({ key }) => key === place) ?? first;
+  const reason = reasonAgainst("tool_check", station, machine, job);
+  const move = () => {
+    if (chosen === undefined) return;
+    const [x, y] = chosen.point;
+    void operate(machine.name, `Move ${mounted.name} above the point`, {
+      operation: "tool_check",
+      station: mounted.number,
+      point: [x, y],
+      shift: [...shift],
+    });
+  };
+  return (
+    <div className={css.ways} data-testid="tool-check-step">
+      <ToolFacts mounted={mounted} detail={check?.detail ?? ""} />
+      <fieldset className={css.steps} data-columns="3">
+        <legend>Point on the table</legend>
+        {places.map(({ key, title }) => (
+          <label key={key} className={css.step}>
+            <input
+              type="radio"
+              name="place"
+              checked={chosen?.key === key}
+              onChange={() => setPlace(key)}
+            />
+            <span className={`${css.stepText} ${css.stepName}`} data-testid={`place-${key}`}>
+              {title}
+            </span>
+          </label>
+        ))}
+      </fieldset>
+      {reason !== null && <p className={css.small}>{reason}</p>}
+      <div className={css.wayGrid}>
+        <div className={css.way}>
+          <button
+            type="button"
+            className={css.button}
+            disabled={!reached || reason !== null}
+            onClick={move}
+            data-testid="tool-check-move"
+          >
+            {isShifted(shift) ? "Try the correction" : "Move above the point"}
+          </button>
+          <small>Then lowers the tool almost to the board, with its spindle off.</small>
+        </div>
+        <div className={css.way}>
+          <button
+            type="button"
+            className={css.button}
+            disabled={!reached || reasonAgainst("lift", station, machine, job) !== null}
+            onClick={() => void operate(machine.name, "Lift", { operation: "lift" })}
+            data-testid="tool-check-lift"
+          >
+            Lift
+          </button>
+          <small>Straight up; all outputs go off.</small>
+        </div>
+      </div>
+      <LastCheck station={station} number={mounted.number} />
+      <Correction
+        {...props}
+        shift={shift}
+        onShift={setShift}
+        right={check !== undefined && ticked.has(check.key)}
+        onRight={() => check !== undefined && onTick(check.key)}
+      />
+    </div>
+  );
+}
+
+function ToolFacts({ mounted, detail }: { mounted: Mounted; detail: string }) {
+  const { datum } = mounted;
+  const offset = AXES.map((axis) => {
+    const value = datum[axis.toLowerCase()] ?? 0;
+    return `${axis} ${text(value)}${unitOf(axis)}`;
+  });
+  return (
+    <dl className={css.toolFacts} data-testid="tool-facts">
+      <dt>Tool</dt>
+      <dd>
+        {mounted.tool.kind.replaceAll("-", " ")}: {dimensionText(mounted.tool)}
+      </dd>
+      <dt>Wear</dt>
+      <dd>{detail}</dd>
+      <dt>Offset</dt>
+      <dd>{offset.join(" · ")}</dd>
+    </dl>
+  );
+}
+
+/** What the last check of the tool has left out, or why it has failed. */
+function LastCheck({ station, number }: { station: Station | undefined; number: number }) {
+  const activity = station?.activity ?? null;
+  if (activity === null || activity.kind !== "tool_check" || activity.station !== number) {
+    return null;
+  }
+  if (runAboveBoard(station) !== null || activity.message === null) return null;
+  return (
+    <p className={css.message} data-tone={activity.state === "failed" ? "red" : "amber"}>
+      {renderText(activity.message)}
+    </p>
+  );
+}
+
+interface CorrectionProps extends OneProps {
+  readonly shift: Shift;
+  readonly right: boolean;
+  onShift(shift: Shift): void;
+  onRight(): void;
+}
+
+function Correction(props: CorrectionProps) {
+  const { machine, job, mounted, reached, shift, right, onShift, onRight } = props;
+  const [step, setStep] = useState<number>(0.2);
+  const [saved, setSaved] = useState(false);
+  const save = () =>
+    reportAction(`Save the offset of ${mounted.name}`, async () => {
+      await saveCorrection(machine, mounted.number, shift);
+      onShift(NO_SHIFT);
+      setSaved(true);
+      await service.job(job.id);
+    });
+  return (
+    <>
+      <fieldset className={css.steps} data-columns="3">
+        <legend>Is the tip not above the point? Correct its offset by steps of</legend>
+        {STEPS.map((one) => (
+          <label key={one} className={css.step}>
+            <input
+              type="radio"
+              name="correction"
+              checked={step === one}
+              onChange={() => setStep(one)}
+            />
+            <span className={css.stepText}>{one}</span>
+          </label>
+        ))}
+      </fieldset>
+      <div className={css.shifts}>
+        {AXES.map((axis, at) => (
+          <div key={axis} className={css.shift}>
+            <button
+              type="button"
+              className={css.button}
+              aria-label={`${axis} less`}
+              onClick={() => onShift(shifted(shift, axis, -step))}
+              data-testid={`shift-${axis}-less`}
+            >
+              {"\u2212"}
+            </button>
+            <output data-testid={`shift-${axis}`}>
+              {axis} {text(shift[at] ?? 0)}
+              {unitOf(axis)}
+            </output>
+            <button
+              type="button"
+              className={css.button}
+              aria-label={`${axis} more`}
+              onClick={() => onShift(shifted(shift, axis, step))}
+              data-testid={`shift-${axis}-more`}
+            >
+              +
+            </button>
+          </div>
+        ))}
+      </div>
+      <div className={css.wayGrid}>
+        <button
+          type="button"
+          className={css.button}
+          disabled={!reached || !isShifted(shift)}
+          onClick={() => void save()}
+          data-testid="tool-check-save"
+        >
+          Save the offset
+        </button>
+        <button
+          type="button"
+          className={css.button}
+          aria-pressed={right}
+          disabled={isShifted(shift)}
+          onClick={onRight}
+          data-testid="tool-check-right"
+        >
+          {right ? "Tool is right \u2713" : "Tool is right"}
+        </button>
+      </div>
+      {saved && (
+        <div className={css.message} data-tone="amber" data-testid="tool-check-saved">
+          <p>The offset is saved as a new version of the machine. {afterCorrection(machine)}</p>
+          <button
+            type="button"
+            className={css.button}
+            disabled={!reached}
+            onClick={() => void commandJob(job.id, "Compile again", "recompile")}
+          >
+            Compile the job again
+          </button>
+        </div>
+      )}
+    </>
+  );
+}

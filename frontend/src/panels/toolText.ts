@@ -1,0 +1,21 @@
+/** Dimensions of tools in words. */
+
+import type { Machine } from "../api/client";
+
+const DIMENSIONS: Readonly<Record<string, string>> = {
+  back: "tip offset beside head axis",
+  blade_angle: "blade angle",
+  blade_width: "blade width",
+  half_width: "tip offset behind head axis",
+  radius: "tool radius",
+  tilt: "blade tilt",
+  trail: "tip offset behind head axis",
+  width: "tool width",
+};
+const ANGLES = new Set(["tilt", "blade_angle"]);
+
+export const dimensionText = ({ dimensions }: Machine["stations"][number]["tool"]): string =>
+  Object.entries(dimensions)
+    .filter(([name, value]) => name in DIMENSIONS && typeof value === "number" && value !== 0)
+    .map(([name, value]) => `${DIMENSIONS[name]} ${value}${ANGLES.has(name) ? "°" : "\u202fmm"}`)
+    .join(" · ");
