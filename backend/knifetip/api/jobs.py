@@ -400,16 +400,18 @@ def job_out(store: Store, row: Job) -> JobOut:
 def jobs_out(store: Store, rows: Sequence[Job]) -> list[JobOut]:
     """Return the API models of jobs from their rows in the store, in the same order."""
     now = store.database.clock()
+    remaining = store.jobs.remaining_copies(rows)
     return [
-        _job_out(row, waiting, now)
+        _job_out(row, waiting, remaining.get(row.id, 0), now)
         for row, waiting in zip(rows, waiting_of(store, rows), strict=True)
     ]
 
 
-def _job_out(row: Job, waiting: Waiting, now: float) -> JobOut:
+def _job_out(row: Job, waiting: Waiting, remaining: int, now: float) -> JobOut:
     message = waiting.message or row.message
     computed = {
         "verdict", "progress", "waiting_for", "actions", "reason", "hint", "message", "is_rest",
+        "remaining_copies",
     }  # fmt: skip
     fields: dict[str, Any] = {
         name: getattr(row, name) for name in set(JobOut.model_fields) - computed
@@ -425,6 +427,7 @@ def _job_out(row: Job, waiting: Waiting, now: float) -> JobOut:
             "verdict": row.verdict_summary,
             "progress": progress(row),
             "is_rest": row.rest is not None,
+            "remaining_copies": remaining,
         }
     )
 

@@ -67,16 +67,17 @@ def continue_job(
     other program in their order; it is verified against what is still uncut, and the other tracks
     must not be made again.  When the new job is queued, an interrupted job becomes ``continued``
     and frees its table.  The operator must confirm the new job on every machine before it starts.
-    The status is 409 if the other job is on its machine, or if a third job continues its sheet.
+    The status is 409 if the other job is on its machine, if a third job continues its sheet, or if
+    no copies remain to be made.
     """
     request = RequestKey(key, fingerprint(id, choice.model_dump_json())) if key else None
     row = service.store.jobs.find(request) if request else None
     if row is None:
         parent = service.store.jobs.get(id)
         continuation = Continuation(
-            None if choice.whole else _rest_record(service, parent, choice),
+            None if choice.whole or choice.remaining else _rest_record(service, parent, choice),
             parent.line,
-            choice.copies,
+            None if choice.remaining else choice.copies,
             choice.release,
             _accepted_exceptions(service, parent),
         )

@@ -192,6 +192,14 @@ def continue_job(
     copies: Annotated[
         int, typer.Option(min=1, max=1000, help="Number of sheets to make, with --whole.")
     ] = 1,
+    remaining: Annotated[
+        bool,
+        typer.Option(
+            "--remaining",
+            help="Make the copies that remain of a stopped batch, on new sheets; without the "
+            "other choices.",
+        ),
+    ] = False,
     release: Annotated[
         bool, typer.Option("--release", help="Queue the new job when its program is accepted.")
     ] = False,
@@ -201,7 +209,7 @@ def continue_job(
     Without a track, a line or a station, the new job makes all tracks that the machine has not
     reported as executed.
     """
-    flags = {"made": made, "whole": whole, "release": release}
+    flags = {"made": made, "whole": whole, "remaining": remaining, "release": release}
     body = {**choice.body(), **flags, "copies": copies}
     _print_job(JobClient(server, key).command(id, "rest", body))
 

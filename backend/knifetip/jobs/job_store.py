@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import sqlalchemy as sa
@@ -21,6 +21,7 @@ from knifetip.jobs.job import (
     State,
     new_id,
 )
+from knifetip.jobs.remaining_copies import batch_of, remaining_copies
 from knifetip.jobs.request_key import RequestKey
 from knifetip.jobs.rest_record import RestRecord
 from knifetip.jobs.tables import Drawing, Job
@@ -57,7 +58,7 @@ class Continuation:
 
     rest: RestRecord | None  #: what remains on the sheet; None for the whole program again
     executed: int = 0  #: executed lines of the other job when ``rest`` was chosen
-    copies: int = 1
+    copies: int | None = 1  #: None for those that remain of the batch: see ``remaining_copies``
     release: bool = False  #: queue the job when it is ready
     exceptions: Exceptions | None = None  #: shortfalls that the user accepted in the other job
 
@@ -130,7 +131,8 @@ class JobStore:
         parent
             Id of the other job.
         continuation
-            What the new job makes.
+            What the new job makes.  If it makes the remaining copies of a batch, ``parent`` may
+            also be a job that made the rest of a sheet of the batch.
         key
             Key of the request, None if it has none.  If a job was stored with this key, that job is
             returned and nothing is stored.
@@ -141,7 +143,7 @@ class JobStore:
             There is no job with the id ``parent``.
         WrongState
             The other job has not ended its work, has no program, was executed further in the
-            meantime, or its sheet is continued by a third job.
+            meantime, its sheet is continued by a third job, or no copy of its batch remains.
         KeyReused
             The key was used for a request with another content.
         """
@@ -149,6 +151,9 @@ class JobStore:
         try:
             with self._db.writing() as session:
                 before = self._transitions.lock(session, parent)
+                if continuation.copies is None:
+                    before = self._transitions.lock(session, batch_of(session, before))
+                    continuation = self._with_remaining(session, before, continuation)
                 self._check_continuable(session, before, continuation)
                 initial = _initial_columns(self._db.clock(), key)
                 row = Job(
@@ -158,14 +163,14 @@ class JobStore:
                 whole = continuation.rest is None
                 for id, state, event in (
                     (
-                        parent,
+                        before.id,
                         before.state,
                         Message("rest.whole-ordered" if whole else "rest.ordered", job=row.id),
                     ),
                     (
                         row.id,
                         State.RECEIVED,
-                        Message("rest.copy-of" if whole else "rest.continues", job=parent),
+                        Message("rest.copy-of" if whole else "rest.continues", job=before.id),
                     ),
                 ):
                     self._transitions.write_event(session, "job", id, state, OPERATOR, event)
@@ -174,6 +179,28 @@ class JobStore:
                 raise
             return earlier
         return row
+
+    def remaining_copies(self, rows: Sequence[Job]) -> dict[str, int]:
+        """Return the number of copies that remain to be ordered for each job (see the module)."""
+        with self._db.reading() as session:
+            return remaining_copies(session, rows)
+
+    def _with_remaining(
+        self, session: Session, row: Job, continuation: Continuation
+    ) -> Continuation:
+        """Return a continuation with the number of copies that remain of the batch ``row``.
+
+        Raises
+        ------
+        WrongState
+            The sheet of an interrupted job still occupies its table, or no copy remains.
+        """
+        if row.state == State.INTERRUPTED:
+            raise WrongState("rest.sheet-first", job=row.id)
+        copies = remaining_copies(session, [row]).get(row.id, 0)
+        if not copies:
+            raise WrongState("rest.no-copies", job=row.id, copies=row.copies)
+        return replace(continuation, copies=copies)
 
     def _check_continuable(self, session: Session, row: Job, continuation: Continuation) -> None:
         """Raise ``WrongState`` unless a job may be continued by a new one."""

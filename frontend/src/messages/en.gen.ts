@@ -3559,6 +3559,10 @@ export const TEXTS = {
     "text": "The machine has meanwhile reported that it executed {line} program lines of job {job}.",
     "hint": "Look at the tracks again and choose where to continue."
   },
+  "rest.no-copies": {
+    "text": "No copy of job {job} remains to be ordered. It was ordered with {copies} copies.",
+    "hint": "Make one more copy of the whole job if you need more."
+  },
   "rest.no-such-station": {
     "text": "The program has no tracks of station {station}.",
     "hint": "Choose one of the stations that the list of tracks contains."
@@ -3586,6 +3590,10 @@ export const TEXTS = {
   "rest.ordered": {
     "text": "Job {job} was created to make the rest of the sheet.",
     "hint": ""
+  },
+  "rest.sheet-first": {
+    "text": "Job {job} is interrupted, and its sheet occupies the table.",
+    "hint": "Make the rest of the sheet first, or scrap the job. Then order the remaining copies."
   },
   "rest.whole-ordered": {
     "text": "Job {job} was created to make the whole program again.",

@@ -78,7 +78,7 @@ export function JobPanel() {
 
 /** Where another job continues; open at once where a sheet lies half cut on the table. */
 function Rest({ job }: { job: Job }) {
-  const [open, setOpen] = useState(job.state === "interrupted");
+  const [open, setOpen] = useState(job.state === "interrupted" || job.remaining_copies > 0);
   return (
     <details open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary className={jobCss.summary} data-testid="rest-open">

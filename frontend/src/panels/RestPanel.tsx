@@ -19,6 +19,7 @@ import {
   workBox,
 } from "../state/rest";
 import { useUiStore } from "../state/store";
+import { RemainingCopies } from "./RemainingCopies";
 import css from "./rest.module.css";
 
 const MODES: readonly { value: RestMode; label: string }[] = [
@@ -53,6 +54,7 @@ export function RestPanel({ job }: { job: Job }) {
   };
   return (
     <div className={css.rest} data-testid="rest">
+      <RemainingCopies job={job} />
       {toolpath !== undefined && (
         <TrackPicture tracks={tracks} toolpath={toolpath} chosen={chosen} onPick={pick} />
       )}

@@ -13,6 +13,7 @@ import { canContinue } from "../state/rest";
 import type { WornToolsState } from "../state/wornTools";
 import { AskOnce } from "./AskOnce";
 import { DryRunPanel } from "./DryRunPanel";
+import { RemainingCopies } from "./RemainingCopies";
 import { RestPanel } from "./RestPanel";
 import { StateBadge } from "./StateBadge";
 import css from "./station.module.css";
@@ -63,6 +64,7 @@ export function StationJob(props: Props) {
       {(job.state === "interrupted" || job.state === "cancelled") && (
         <AfterInterruption job={job} reached={reached} />
       )}
+      {job.state === "done" && <RemainingCopies job={job} />}
     </section>
   );
 }

@@ -1,9 +1,10 @@
 import { describe, expect, it } from "vitest";
-import type { Track } from "../api/client";
+import type { Job, Track } from "../api/client";
 import type { Toolpath } from "../geometry/records";
 import {
   chosenTracks,
   proposedTrack,
+  remainingText,
   restChoice,
   trackNumbers,
   trackOutlines,
@@ -30,6 +31,15 @@ const TRACKS = [
 ];
 const numbers = (tracks: readonly Track[]) => tracks.map(({ number }) => number);
 
+describe("the copies after a stopped sheet", () => {
+  it("are named, and ordered after the sheet is continued or scrapped", () => {
+    const job = { remaining_copies: 3, state: "done" } as Job;
+    expect(remainingText(job)).toContain("3 copies of the batch are neither made nor queued");
+    expect(remainingText({ ...job, state: "interrupted" })).toContain("this sheet first");
+    expect(remainingText({ ...job, remaining_copies: 1 })).toContain("1 copy of the batch is");
+  });
+});
+
 describe("the rest of a sheet", () => {
   it("begins with the track that was begun", () => {
     expect(proposedTrack(TRACKS)).toBe(3);
@@ -49,7 +59,7 @@ describe("the rest of a sheet", () => {
   });
 
   it("becomes a request", () => {
-    const common = { copies: 1, release: true };
+    const common = { copies: 1, release: true, remaining: false };
     expect(restChoice(TRACKS, "from", 3, false)).toEqual({
       ...common,
       whole: false,

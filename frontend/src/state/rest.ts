@@ -2,6 +2,7 @@
 
 import type { Job, RestChoice, Track } from "../api/client";
 import { MOTIONS, type Toolpath } from "../geometry/records";
+import { pluralize } from "./format";
 
 /** What the new job makes: all tracks from one on, those of its tool, or the whole program. */
 export type RestMode = "from" | "tool" | "whole";
@@ -43,10 +44,27 @@ export function restChoice(
   first: number,
   made: boolean,
 ): RestChoice {
-  const rest = { whole: mode === "whole", made, copies: 1, release: true };
+  const rest = { whole: mode === "whole", remaining: false, made, copies: 1, release: true };
   if (mode === "whole") return { ...rest, made: false };
   const station = tracks.find(({ number }) => number === first)?.station ?? null;
   return { ...rest, from_track: first, station: mode === "tool" ? station : null };
+}
+
+/** The request for the copies of a stopped batch that no job makes. */
+export const REMAINING_COPIES: RestChoice = {
+  whole: false,
+  remaining: true,
+  made: false,
+  copies: 1,
+  release: true,
+};
+
+/** What remains of a stopped batch, and what to do about it. */
+export function remainingText({ remaining_copies: count, state }: Job): string {
+  const copies = `${pluralize(count, "copy", "copies")} of the batch ${count === 1 ? "is" : "are"}`;
+  return state === "interrupted"
+    ? `${copies} not made. Continue or scrap this sheet first; the copies after it are then ordered here.`
+    : `${copies} neither made nor queued. Each needs a new sheet.`;
 }
 
 /** Track numbers as text: "3", "3 and 4", "3 … 7", "3, 4, 9". */

@@ -56,6 +56,8 @@ def test_the_tracks_have_lines_edges_and_states(
         {"from_track": 1, "from_line": 9},
         {"whole": True, "station": 1},
         {"copies": 2},
+        {"remaining": True, "from_track": 1},
+        {"remaining": True, "whole": True},
         {"from_track": 99},
         {"station": 9},
     ],
@@ -93,3 +95,31 @@ def test_the_rest_is_compiled_queued_and_frees_the_table(
     assert whole["program_sha256"] == interrupted["program_sha256"]
     for id in (job["id"], copy["id"]):
         assert client.post(f"/api/jobs/{id}/cancel").status_code == 200
+
+
+def test_the_remaining_copies_are_ordered_by_one_call(client: httpx.Client) -> None:
+    drawing = upload_drawing(client, square())["id"]
+    job = order_job(client, drawing, release=True, copies=3)["id"]
+    wait_for_state(client, job, "queued")
+    claim = client.post(
+        "/api/gateway/claim", json={"gateway": "g", "machine": "demo-table", "wait": 0.0}
+    ).json()
+    client.post(f"/api/jobs/{job}/confirm")
+    beat = {"job": job, "epoch": claim["epoch"], "line": 0, "waiting": True}
+    assert client.post("/api/gateway/heartbeat", json=beat).json()["command"] == "start"
+    end = {"job": job, "epoch": claim["epoch"], "outcome": "interrupted", "line": 20}
+    client.post("/api/gateway/finish", json={**end, "copies_done": 1})
+    body = {"remaining": True, "release": True}
+    refused = client.post(f"/api/jobs/{job}/rest", json=body)
+    assert (refused.status_code, refused.json()["code"]) == (409, "rest.sheet-first")
+    assert client.post(f"/api/jobs/{job}/scrap").json()["remaining_copies"] == 2
+    answer = client.post(f"/api/jobs/{job}/rest", json=body)
+    assert answer.status_code == 201
+    copies = answer.json()
+    assert (copies["resumes"], copies["is_rest"], copies["copies"]) == (job, False, 2)
+    assert client.get(f"/api/jobs/{job}").json()["remaining_copies"] == 0
+    none = client.post(f"/api/jobs/{job}/rest", json=body)
+    assert (none.status_code, none.json()["code"]) == (409, "rest.no-copies")
+    wait_for_state(client, copies["id"], "queued")
+    client.post(f"/api/jobs/{copies['id']}/cancel")
+    assert client.get(f"/api/jobs/{job}").json()["remaining_copies"] == 2

@@ -152,6 +152,77 @@ def test_a_copy_of_the_whole_may_be_made_at_any_time(store: Store) -> None:
     assert (copy.resumes, copy.rest, copy.copies) == (parent.id, None, 3)
 
 
+def batch(store: Store) -> Job:
+    """Return a job that was interrupted in the second of five copies."""
+    job = running(store, copies=5)
+    store.gateways.finish(job.id, job.epoch, "interrupted", line=LINE, copies_done=1)
+    return store.jobs.get(job.id)
+
+
+def remaining(store: Store, id: str) -> int:
+    return store.jobs.remaining_copies([store.jobs.get(id)]).get(id, 0)
+
+
+def order_remaining(store: Store, id: str) -> Job:
+    return store.jobs.add_continuation(id, Continuation(None, copies=None))
+
+
+def run(store: Store, job: Job, outcome: str = "done", copies_done: int = 1) -> None:
+    claim = store.gateways.claim("table", "gateway", manual=True)
+    assert claim is not None
+    assert claim.id == job.id
+    store.operators.confirm(job.id)
+    store.gateways.heartbeat(job.id, claim.epoch, WAITING)
+    store.gateways.finish(job.id, claim.epoch, outcome, line=LINE, copies_done=copies_done)
+
+
+def test_the_copies_after_the_finished_sheet_are_ordered_by_one_call(store: Store) -> None:
+    parent = batch(store)
+    assert remaining(store, parent.id) == 4  # without the rest, the second copy is lost, too
+    with pytest.raises(WrongState, match="occupies the table"):
+        order_remaining(store, parent.id)
+    sheet = compiled(store, rest(store, parent))
+    assert [remaining(store, id) for id in (parent.id, sheet.id)] == [3, 3]
+    run(store, sheet)
+    # They are not ordered by themselves, and stay in sight at both jobs.
+    assert store.jobs.search((State.QUEUED,)) == []
+    assert [remaining(store, id) for id in (parent.id, sheet.id)] == [3, 3]
+    copies = order_remaining(store, sheet.id)
+    assert (copies.resumes, copies.rest, copies.copies) == (parent.id, None, 3)
+    assert [remaining(store, id) for id in (parent.id, sheet.id, copies.id)] == [0, 0, 0]
+    with pytest.raises(WrongState, match="No copy"):
+        order_remaining(store, parent.id)
+
+
+def test_copies_that_were_cancelled_remain(store: Store) -> None:
+    parent = batch(store)
+    run(store, compiled(store, rest(store, parent)))
+    copies = order_remaining(store, parent.id)
+    store.operators.cancel(copies.id)
+    assert remaining(store, parent.id) == 3
+    store.jobs.add_continuation(parent.id, Continuation(None, copies=1))
+    assert remaining(store, parent.id) == 2
+
+
+def test_a_sheet_that_is_lost_after_all_remains(store: Store) -> None:
+    parent = batch(store)
+    first = compiled(store, rest(store, parent))
+    run(store, first, "interrupted", 0)
+    # As long as it is not given up, its sheet may be finished.
+    assert remaining(store, parent.id) == 3
+    again = rest(store, store.jobs.get(first.id))
+    compiled(store, again)
+    assert [remaining(store, id) for id in (parent.id, first.id, again.id)] == [3, 3, 3]
+    store.operators.cancel(again.id)
+    assert remaining(store, parent.id) == 4
+
+
+def test_one_copy_or_a_running_batch_leaves_no_copies(store: Store) -> None:
+    assert remaining(store, interrupted(store).id) == 0
+    store.operators.scrap(store.machines.jobs_on_tables()["table"])
+    assert remaining(store, running(store, copies=5).id) == 0
+
+
 def test_a_report_between_choice_and_order_refuses_the_rest(store: Store) -> None:
     parent = interrupted(store)
     store.gateways.finish(parent.id, parent.epoch, "interrupted", line=LINE + 9)

@@ -139,6 +139,12 @@ class JobOut(BaseModel):
     )
     copies: int = Field(description="Number of sheets to make")
     copies_done: int = Field(description="Number of completed sheets")
+    remaining_copies: int = Field(
+        default=0,
+        description="Number of copies of a stopped batch that no job has made or is going to "
+        "make; a job that makes the rest of a sheet of the batch shows it, too. They are ordered "
+        "with `POST /api/jobs/{id}/rest` and `remaining`",
+    )
     priority: int = Field(
         description="Priority in the queue of the machine; jobs with a higher number come first"
     )

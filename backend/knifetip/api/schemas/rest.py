@@ -35,6 +35,12 @@ class RestIn(Strict):
         default=False,
         description="Make the whole program again, on a new sheet; excludes the fields above",
     )
+    remaining: bool = Field(
+        default=False,
+        description="Make the copies that remain of a batch which was stopped (`remaining_copies` "
+        "of the job), on new sheets; excludes all other fields but `release`. Also for a job that "
+        "made the rest of a sheet of the batch",
+    )
     made: bool = Field(
         default=False,
         description="Whether the operator has found all tracks complete that are left out. If "
@@ -52,7 +58,13 @@ class RestIn(Strict):
         places = (self.from_track, self.from_line, self.station)
         given = sum(place is not None for place in places)
         both = self.from_track is not None and self.from_line is not None
-        if both or (self.whole and given) or (self.copies > 1 and not self.whole):
+        others = given or self.whole or self.made or self.copies > 1
+        if (
+            both
+            or (self.whole and given)
+            or (self.copies > 1 and not self.whole)
+            or (self.remaining and others)
+        ):
             raise field_error("field.rest-choice")
         return self
 

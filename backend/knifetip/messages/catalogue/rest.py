@@ -37,6 +37,12 @@ MESSAGES: Final[Entries] = {
         line="count",
         job="text",
     ),
+    "rest.no-copies": entry(
+        "No copy of job {job} remains to be ordered. It was ordered with {copies} copies.",
+        "Make one more copy of the whole job if you need more.",
+        job="text",
+        copies="count",
+    ),
     "rest.no-such-station": entry(
         "The program has no tracks of station {station}.",
         "Choose one of the stations that the list of tracks contains.",
@@ -74,6 +80,11 @@ MESSAGES: Final[Entries] = {
     ),
     "rest.ordered": entry(
         "Job {job} was created to make the rest of the sheet.",
+        job="text",
+    ),
+    "rest.sheet-first": entry(
+        "Job {job} is interrupted, and its sheet occupies the table.",
+        "Make the rest of the sheet first, or scrap the job. Then order the remaining copies.",
         job="text",
     ),
     "rest.whole-ordered": entry(
