@@ -180,7 +180,8 @@ interface ActionsProps {
 
 function Actions({ entry: { job, place }, last, move, toTop }: ActionsProps) {
   const { data: machines } = useMachines();
-  const [copies, setCopies] = useState<number | null>(null);
+  // What is being typed, also when it is empty; null: nothing is typed.
+  const [copies, setCopies] = useState<number | string | null>(null);
   const name = job.drawing_name;
   return (
     <div className={css.actions}>
@@ -206,9 +207,10 @@ function Actions({ entry: { job, place }, last, move, toTop }: ActionsProps) {
         allowDecimal={false}
         suffix="×"
         value={copies ?? job.copies}
-        onChange={(value) => setCopies(typeof value === "number" ? value : null)}
+        onChange={setCopies}
         onBlur={() => {
-          if (copies !== null && copies !== job.copies) void changeJob(job.id, { copies });
+          if (typeof copies === "number" && copies !== job.copies)
+            void changeJob(job.id, { copies });
           setCopies(null);
         }}
         onKeyDown={(event) => event.key === "Enter" && event.currentTarget.blur()}

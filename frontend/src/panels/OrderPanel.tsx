@@ -2,7 +2,7 @@
 
 import { Button, Checkbox, NumberInput, Select } from "@mantine/core";
 import { IconBolt } from "@tabler/icons-react";
-import { useEffect } from "react";
+import { useEffect, useState } from "react";
 import { compile } from "../state/actions";
 import { DEFAULT_CORNERS } from "../state/corners";
 import { pluralize } from "../state/format";
@@ -25,6 +25,8 @@ export function OrderPanel() {
   const copies = useUiStore((ui) => ui.copies);
   const lift = useUiStore((ui) => ui.lift);
   const busy = useUiStore((ui) => ui.busy);
+  // The field of copies while it is typed in, also when it is empty; null: nothing is typed.
+  const [typed, setTyped] = useState<number | string | null>(null);
   const set = useUiStore((ui) => ui.set);
 
   useEffect(() => {
@@ -103,8 +105,12 @@ export function OrderPanel() {
             max={1000}
             allowDecimal={false}
             clampBehavior="strict"
-            value={copies}
-            onChange={(value) => set({ copies: Math.max(1, Number(value) || 1) })}
+            value={typed ?? copies}
+            onChange={(value) => {
+              setTyped(value);
+              set({ copies: Math.max(1, Number(value) || 1) });
+            }}
+            onBlur={() => setTyped(null)}
             data-testid="copies"
           />
           <Button

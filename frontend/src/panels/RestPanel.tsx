@@ -1,6 +1,6 @@
 /** Chooses where another job continues a sheet: in a picture of the tracks, or in their list. */
 
-import { Button, Checkbox, SegmentedControl } from "@mantine/core";
+import { Button, Checkbox, NumberInput, SegmentedControl } from "@mantine/core";
 import { IconPlayerTrackNext } from "@tabler/icons-react";
 import { type KeyboardEvent, useEffect, useMemo, useRef, useState } from "react";
 import type { Job, Track } from "../api/client";
@@ -14,6 +14,7 @@ import {
   type RestMode,
   restChoice,
   trackNumbers,
+  trackOfLine,
   trackOutlines,
   unconfirmedTracks,
   workBox,
@@ -60,6 +61,20 @@ export function RestPanel({ job }: { job: Job }) {
       )}
       <Legend />
       <TrackList tracks={tracks} chosen={chosen} first={first} job={job} onPick={pick} />
+      <NumberInput
+        label="Or begin at a program line"
+        description="The new job begins with the track of this line."
+        placeholder="Line"
+        size="md"
+        min={1}
+        max={job.lines}
+        allowDecimal={false}
+        onChange={(line) => {
+          const number = typeof line === "number" ? trackOfLine(tracks, line) : null;
+          if (number !== null) pick(number);
+        }}
+        data-testid="rest-line"
+      />
       <SegmentedControl
         fullWidth
         size="sm"

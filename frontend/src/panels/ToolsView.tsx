@@ -35,7 +35,8 @@ function MachineTools({ machine, title }: { machine: string; title: string }) {
 
 function Tool({ machine, tool }: { machine: string; tool: ToolUse }) {
   const [asked, setAsked] = useState(false);
-  const [life, setLife] = useState<number | null>(null);
+  // What is being typed, also when it is empty; null: nothing is typed.
+  const [life, setLife] = useState<number | string | null>(null);
   const { station, name, used, share, warning, message } = tool;
   return (
     <li className={css.tool} data-warning={warning} data-testid="tool">
@@ -64,12 +65,14 @@ function Tool({ machine, tool }: { machine: string; tool: ToolUse }) {
         max={1e7}
         decimalScale={1}
         thousandSeparator=" "
-        prefix="Life "
         suffix=" m"
+        leftSection="Life"
+        leftSectionWidth={44}
         value={life ?? tool.life}
-        onChange={(value) => setLife(typeof value === "number" ? value : null)}
+        onChange={setLife}
         onBlur={() => {
-          if (life !== null && life !== tool.life) void setToolLife(machine, station, life);
+          if (typeof life === "number" && life !== tool.life)
+            void setToolLife(machine, station, life);
           setLife(null);
         }}
         onKeyDown={(event) => event.key === "Enter" && event.currentTarget.blur()}

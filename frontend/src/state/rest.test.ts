@@ -7,6 +7,7 @@ import {
   remainingText,
   restChoice,
   trackNumbers,
+  trackOfLine,
   trackOutlines,
   unconfirmedTracks,
   workBox,
@@ -44,6 +45,13 @@ describe("the rest of a sheet", () => {
   it("begins with the track that was begun", () => {
     expect(proposedTrack(TRACKS)).toBe(3);
     expect(proposedTrack(TRACKS.slice(0, 2))).toBe(1);
+  });
+
+  it("begins with the track of a program line, or with the next one", () => {
+    expect(trackOfLine(TRACKS, 1)).toBe(1);
+    expect(trackOfLine(TRACKS, 25)).toBe(2);
+    expect(trackOfLine(TRACKS, 26)).toBe(3);
+    expect(trackOfLine(TRACKS, 56)).toBeNull();
   });
 
   it("has all tracks from one on, those of its tool, or all", () => {

@@ -14,6 +14,10 @@ export const canContinue = (job: Job): boolean => job.actions.includes("rest");
 export const proposedTrack = (tracks: readonly Track[]): number =>
   (tracks.find(({ state }) => state !== "cut") ?? tracks[0])?.number ?? 1;
 
+/** Number of the track with which the rest from a program line begins; null behind the last. */
+export const trackOfLine = (tracks: readonly Track[], line: number): number | null =>
+  tracks.find(({ last_line }) => last_line >= line)?.number ?? null;
+
 /** Tracks that the new job makes. */
 export function chosenTracks(
   tracks: readonly Track[],

@@ -1,0 +1,135 @@
+"""The queue of a machine on the page: its order, hold, priority, copies, and another machine."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import httpx
+import pytest
+from playwright.sync_api import Locator, Page, expect
+
+from tests.browser.conftest import Running
+from tests.browser.own_machine import OwnMachine
+
+pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(120)]
+
+NAMES = ("first.dxf", "second.dxf", "third.dxf")
+
+
+class Queue(NamedTuple):
+    """A machine with three waiting jobs, the other machine, and their list on the page."""
+
+    machine: OwnMachine
+    other: OwnMachine
+    jobs: list[str]
+    list: Locator
+
+
+@pytest.fixture(scope="module")
+def machines(server: Running) -> Iterator[tuple[OwnMachine, OwnMachine, list[str]]]:
+    headers = {"X-Knifetip": "page"}
+    with httpx.Client(base_url=server.url, timeout=60.0, trust_env=False, headers=headers) as api:
+        machine, other = OwnMachine(api, "queue-table"), OwnMachine(api, "second-table")
+        yield machine, other, [machine.upload(name) for name in NAMES]
+
+
+@pytest.fixture
+def queue(
+    page: Page, server: Running, machines: tuple[OwnMachine, OwnMachine, list[str]]
+) -> Iterator[Queue]:
+    machine, other, drawings = machines
+    jobs = [machine.order(drawing) for drawing in drawings]
+    page.evaluate("localStorage.setItem('knifetip.operator', 'Mia')")
+    listed = page.get_by_test_id(f"queue-of-{machine.name}")
+    expect(listed.get_by_test_id("queue-row")).to_have_count(3)
+    yield Queue(machine, other, jobs, listed)
+    machine.clear()
+    other.clear()
+
+
+def row(queue: Queue, name: str) -> Locator:
+    return queue.list.locator("li", has_text=name)
+
+
+def expect_order(queue: Queue, *names: str) -> None:
+    expect(queue.list.get_by_test_id("queue-row")).to_contain_text(list(names))
+    at = dict(zip(NAMES, queue.jobs, strict=True))
+    assert queue.machine.queue() == [at[name] for name in names]
+
+
+def who(queue: Queue, name: str) -> str:
+    """Return who has changed a job last."""
+    id = queue.jobs[NAMES.index(name)]
+    return str(queue.machine.api.get(f"/api/jobs/{id}/events").json()[-1]["who"])
+
+
+def test_jobs_are_moved_by_buttons_and_by_dragging(queue: Queue) -> None:
+    expect_order(queue, "first.dxf", "second.dxf", "third.dxf")
+    expect(row(queue, "first.dxf").get_by_test_id("move-up")).to_be_disabled()
+    expect(row(queue, "third.dxf").get_by_test_id("move-down")).to_be_disabled()
+    row(queue, "third.dxf").get_by_test_id("move-up").click()
+    expect_order(queue, "first.dxf", "third.dxf", "second.dxf")
+    assert who(queue, "third.dxf") == "operator Mia"
+    row(queue, "second.dxf").drag_to(row(queue, "first.dxf"), target_position={"x": 60, "y": 4})
+    expect_order(queue, "second.dxf", "first.dxf", "third.dxf")
+    row(queue, "third.dxf").get_by_test_id("queue-more").click()
+    queue.list.page.get_by_role("menuitem", name="Move to the top").click()
+    expect_order(queue, "third.dxf", "second.dxf", "first.dxf")
+
+
+def test_a_move_in_an_order_that_has_changed_is_refused_and_shown(queue: Queue) -> None:
+    page = queue.list.page
+    moved: list[str] = []
+
+    def change_first(route: object) -> None:
+        # Another person is faster: the order is not the displayed one any more.
+        if not moved:
+            moved.append(queue.jobs[2])
+            body = {"previous": "", "next": queue.jobs[0], "by": "Ben"}
+            queue.machine.api.post(f"/api/jobs/{queue.jobs[2]}/move", json=body).raise_for_status()
+        route.continue_()  # type: ignore[attr-defined]
+
+    page.route(re.compile(r"/api/jobs/[^/]+/move$"), change_first)
+    row(queue, "second.dxf").get_by_test_id("move-up").click()
+    expect(page.get_by_test_id("report")).to_contain_text(re.compile("order|queue", re.I))
+    expect_order(queue, "third.dxf", "first.dxf", "second.dxf")
+    row(queue, "second.dxf").get_by_test_id("move-up").click()
+    expect_order(queue, "third.dxf", "second.dxf", "first.dxf")
+
+
+def test_a_job_is_held_and_gets_a_priority_and_copies(queue: Queue) -> None:
+    page, (first, _, third) = queue.list.page, queue.jobs
+    row(queue, "first.dxf").get_by_test_id("queue-hold").click()
+    expect(row(queue, "first.dxf")).to_have_attribute("data-hold", "true")
+    assert queue.machine.job(first)["waiting_for"] == "hold"
+    assert who(queue, "first.dxf") == "operator Mia"
+    assert queue.machine.claim()["job"] == queue.jobs[1]
+    row(queue, "first.dxf").get_by_test_id("queue-hold").click()
+    expect(row(queue, "first.dxf")).to_have_attribute("data-hold", "false")
+
+    row(queue, "third.dxf").get_by_test_id("queue-more").click()
+    page.get_by_role("menuitem", name="Urgent").click()
+    expect(row(queue, "third.dxf")).to_contain_text("Urgent")
+    assert queue.machine.job(third)["priority"] > 0
+    expect(row(queue, "third.dxf")).to_have_attribute("data-place", "1")
+
+    copies = row(queue, "third.dxf").get_by_test_id("queue-copies")
+    copies.press("ControlOrMeta+a")
+    copies.press_sequentially("7")
+    copies.press("Enter")
+    expect(row(queue, "third.dxf")).to_contain_text("7 copies")
+    assert queue.machine.job(third)["copies"] == 7
+
+
+def test_a_job_is_moved_to_another_machine(queue: Queue) -> None:
+    page = queue.list.page
+    row(queue, "second.dxf").get_by_test_id("queue-more").click()
+    page.get_by_role("menuitem", name=queue.other.title).click()
+    expect_order_of_other = page.get_by_test_id(f"queue-of-{queue.other.name}")
+    expect(expect_order_of_other).to_contain_text("second.dxf", timeout=60_000)
+    expect(queue.list.get_by_test_id("queue-row")).to_have_count(2)
+    moved = queue.machine.job(queue.jobs[1])
+    assert (moved["machine"], moved["state"]) == (queue.other.name, "queued")
+    assert queue.other.queue() == [queue.jobs[1]]
