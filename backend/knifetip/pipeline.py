@@ -305,7 +305,8 @@ def rest_of(compiled: Compiled, choice: RestChoice, executed: int = 0) -> Rest:
     program, toolpath = compiled.program, compiled.toolpath
     tracks = find_tracks(toolpath, row_lines(program, len(toolpath)))
     selected = select_rest(tracks, executed, choice)
-    return Rest(toolpath, selected.tracks, (EarlierWork(program.text, selected.made_lines),))
+    work = EarlierWork(program.text, selected.made_lines, selected.repeated_lines)
+    return Rest(toolpath, selected.tracks, (work,))
 
 
 def verify(

@@ -74,10 +74,11 @@ def rest(
     *,
     sheet: bool = False,
     earlier: tuple[EarlierWork, ...] | None = None,
+    executed: int = 0,
 ) -> Compiled:
     """Return the rest of a program; ``earlier`` replaces the work that the verifier is told."""
     lines, line, machine, made = job(name, language, board, sheet)
-    left = pipeline.rest_of(made, choice)
+    left = pipeline.rest_of(made, choice, executed)
     if earlier is not None:
         left = replace(left, earlier=earlier)
     choices = Choices(sheet=Sheet() if sheet else None)
@@ -159,6 +160,59 @@ def test_creases_after_the_outline_of_an_earlier_program_are_refused() -> None:
     assert refusals(found) == {"verify.released-before"}
     # The other way round the creases are made, and the knife makes the rest.
     assert refusals(rest(*key, RestChoice(station=1, made=True))) == set()
+
+
+#: Rows of the two outer contours in TRAYS and in BLANKS.
+OUTLINES = {*range(4), *range(8, 12)}
+
+
+@every_machine
+def test_the_inside_of_a_part_is_not_made_again_after_its_outline(
+    name: str, language: str, board: str
+) -> None:
+    made = job(name, language, board)[3]
+    tracks, executed = tracks_of(made), len(made.program)
+    path = made.toolpath
+    inside = [
+        not {*path.source[first : last + 1].tolist()} - {-1} <= OUTLINES
+        for first, last in zip(tracks.first_row, tracks.last_row, strict=True)
+    ]
+    assert inside[0]
+    assert not inside[-1]
+    for number in range(1, len(tracks) + 1):
+        choice = RestChoice(from_track=number)
+        found = refusals(rest(name, language, board, choice, executed=executed))
+        assert found == ({"verify.released-before"} if any(inside[number - 1 :]) else set())
+        # The operator has found that a blunt tool did not cut through.
+        uncut = replace(choice, uncut=True)
+        assert refusals(rest(name, language, board, uncut, executed=executed)) == set()
+
+
+@every_machine
+def test_a_rest_after_any_line_is_accepted(name: str, language: str, board: str) -> None:
+    made = job(name, language, board)[3]
+    last = int(tracks_of(made).last_line[-1])
+    for executed in range(0, last, max(last // 15, 1)):
+        found = rest(name, language, board, RestChoice(), executed=executed)
+        assert refusals(found) == set(), executed
+
+
+def test_a_rest_of_a_rest_knows_what_the_first_program_has_cut() -> None:
+    key = ("demo-table", "linuxcnc", "e-flute")
+    lines, line, machine, made = job(*key)
+    board, count = load.board("e-flute"), len(tracks_of(made))
+    # The outlines are made again, then the creases.
+    left = pipeline.rest_of(made, RestChoice(from_track=count), len(made.program))
+    first = pipeline.compile_rest(lines, line, machine, board, left)
+    assert refusals(first) == set()
+    again = pipeline.rest_of(first, RestChoice(from_track=1), 0)
+    creases = replace(
+        pipeline.rest_of(made, RestChoice(from_track=1), 0),
+        earlier=(replace(left.earlier[0], lines=()), *again.earlier),
+    )
+    assert "verify.released-before" in refusals(
+        pipeline.compile_rest(lines, line, machine, board, creases)
+    )
 
 
 def test_a_rest_from_the_middle_of_a_contour_begins_at_its_start() -> None:

@@ -12,7 +12,7 @@ from knifetip.api.schemas.rest import RestIn, TrackOut
 from knifetip.api.service import Service, ServiceDep, fingerprint
 from knifetip.jobs.job_store import Continuation
 from knifetip.jobs.request_key import RequestKey
-from knifetip.jobs.rest_record import Ranges, RestRecord
+from knifetip.jobs.rest_record import ExecutedWork, Ranges, RestRecord
 from knifetip.jobs.tables import Job
 from knifetip.model.acceptance import Exceptions
 from knifetip.model.verdict import Acceptance
@@ -65,10 +65,11 @@ def continue_job(
 
     The other job must have ended or be interrupted.  The program of the new job makes tracks of the
     other program in their order; it is verified against what is still uncut, and the other tracks
-    must not be made again.  When the new job is queued, an interrupted job becomes ``continued``
-    and frees its table.  The operator must confirm the new job on every machine before it starts.
-    The status is 409 if the other job is on its machine, if a third job continues its sheet, or if
-    no copies remain to be made.
+    must not be made again.  Its program is refused if it works on a piece of board that executed
+    lines have cut out, also where it makes their tracks again, unless `uncut` is set.  When the new
+    job is queued, an interrupted job becomes ``continued`` and frees its table.  The operator must
+    confirm the new job on every machine before it starts.  The status is 409 if the other job is on
+    its machine, if a third job continues its sheet, or if no copies remain to be made.
     """
     request = RequestKey(key, fingerprint(id, choice.model_dump_json())) if key else None
     row = service.store.jobs.find(request) if request else None
@@ -92,14 +93,15 @@ def _rest_record(service: Service, parent: Job, choice: RestIn) -> RestRecord:
     selected = select_rest(
         tracks,
         parent.line,
-        RestChoice(choice.from_track, choice.from_line, choice.station, choice.made),
+        RestChoice(choice.from_track, choice.from_line, choice.station, choice.made, choice.uncut),
     )
     earlier = () if parent.rest is None else RestRecord.from_json(parent.rest).made
     ends = np.flatnonzero(np.diff(selected.tracks) != 1)
     first = selected.tracks[np.concatenate([[0], ends + 1])].tolist()
     last = selected.tracks[np.concatenate([ends, [len(selected.tracks) - 1]])].tolist()
     ranges: Ranges = tuple(zip(first, last, strict=True))
-    return RestRecord(ranges, (*earlier, (parent.id, selected.made_lines)))
+    work = ExecutedWork(parent.id, selected.made_lines, selected.repeated_lines)
+    return RestRecord(ranges, (*earlier, work))
 
 
 def _accepted_exceptions(service: Service, parent: Job) -> Exceptions | None:

@@ -35,10 +35,20 @@ class RestOptions:
         typer.Option(min=0, help="Make only the tracks of this station. Default: all stations."),
     ] = None
 
+    uncut: Annotated[
+        bool,
+        typer.Option(
+            "--uncut",
+            help="The tracks that are made again have not cut through the board. Without it, a "
+            "rest that works on a piece which they have cut out is refused.",
+        ),
+    ] = False
+
     @property
     def is_given(self) -> bool:
         """Whether any of the options is given."""
-        return any(value is not None for value in asdict(self).values())
+        places = (self.from_track, self.from_line, self.station)
+        return any(value is not None for value in places)
 
     def choice(self) -> RestChoice:
         """Return the choice of tracks; all other tracks count as made.
@@ -50,7 +60,9 @@ class RestOptions:
         """
         if self.from_track is not None and self.from_line is not None:
             raise typer.BadParameter("give either a track or a line", param_hint="--from-line")
-        return RestChoice(self.from_track, self.from_line, self.station, made=True)
+        return RestChoice(
+            self.from_track, self.from_line, self.station, made=True, uncut=self.uncut
+        )
 
     def body(self) -> dict[str, Any]:
         """Return the options as fields of a request to the server."""

@@ -106,7 +106,10 @@ def _stored_rest(store: Store, job: Job) -> StoredRest | None:
     return StoredRest(
         store.jobs.column(job.resumes, "toolpath"),
         record.tracks,
-        tuple((store.jobs.column(id, "program"), lines) for id, lines in record.made),
+        tuple(
+            (store.jobs.column(work.job, "program"), work.lines, work.repeated)
+            for work in record.made
+        ),
     )
 
 

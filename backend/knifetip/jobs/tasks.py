@@ -245,7 +245,7 @@ def _restore_rest(stored: StoredRest) -> Rest:
     """Return the work that remains on a sheet from the stored data of the jobs that began it."""
     toolpath, _ = unpack_toolpath(stored.toolpath)
     tracks = [np.arange(first, last + 1) for first, last in stored.tracks]
-    earlier = [EarlierWork(program, lines) for program, lines in stored.made]
+    earlier = [EarlierWork(*work) for work in stored.made]
     return Rest(toolpath, np.concatenate(tracks), earlier)
 
 

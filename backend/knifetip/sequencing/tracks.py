@@ -58,6 +58,8 @@ class RestChoice:
     from_line: int | None = None  #: program line; the rest begins with the track of this line
     station: int | None = None  #: only the tracks of this station
     made: bool = False  #: the user has found all other tracks complete
+    #: the user has found that the tracks which are made again have not cut through the board
+    uncut: bool = False
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -66,6 +68,8 @@ class RestSelection:
 
     tracks: I64  #: (k,) numbers of the tracks, from 0, ascending
     made_lines: tuple[tuple[int, int], ...]  #: ranges of program lines: first and last, from 1
+    #: ranges of executed lines of the tracks that are made again, unless they left the board uncut
+    repeated_lines: tuple[tuple[int, int], ...]
 
 
 def row_lines(program: Program, rows: int) -> I32:
@@ -138,7 +142,11 @@ def select_rest(tracks: Tracks, executed: int, choice: RestChoice) -> RestSelect
             station=int(tracks.station[np.argmax(missing)]),
             executed=executed,
         )
-    return RestSelection(np.flatnonzero(kept), _line_ranges(tracks, ~kept))
+    repeated: tuple[tuple[int, int], ...] = ()
+    if not choice.uncut:
+        ranges = _line_ranges(tracks, kept & (tracks.first_line <= executed))
+        repeated = tuple((first, min(last, executed)) for first, last in ranges)
+    return RestSelection(np.flatnonzero(kept), _line_ranges(tracks, ~kept), repeated)
 
 
 def _first_track(tracks: Tracks, executed: int, choice: RestChoice) -> int:

@@ -3,6 +3,9 @@
 A rest program continues a sheet on which earlier programs have done a part of the work.  Its checks
 of edges and of the working order use the paths of all these programs, as if they were one program:
 an edge may be made by an earlier program, and an earlier cut may have released a piece of board.
+
+Work that was done and is made again counts for the working order only: it may have released a piece
+of board, but the rest must make its edges.
 """
 
 from __future__ import annotations
@@ -38,7 +41,11 @@ class JoinedWork:
 
 
 def join_work(
-    paths: TipPaths, earlier: Sequence[EarlierWork], earlier_paths: Sequence[TipPaths]
+    paths: TipPaths,
+    earlier: Sequence[EarlierWork],
+    earlier_paths: Sequence[TipPaths],
+    *,
+    with_repeated: bool = False,
 ) -> JoinedWork:
     """Return the tip paths of a program, with the completed ones of earlier programs before them.
 
@@ -48,10 +55,13 @@ def join_work(
         All tip paths of the verified program.
     earlier, earlier_paths
         The earlier programs in the order of their execution, and all tip paths of each.
+    with_repeated
+        Whether earlier work that is made again is included.
     """
     parts, lines_before, tracks = [], 0, 0
     for work, traced in zip(earlier, earlier_paths, strict=True):
-        kept = _select_rows(traced, _are_in_ranges(traced, work.lines))
+        ranges = work.lines + work.repeated if with_repeated else work.lines
+        kept = _select_rows(traced, _are_in_ranges(traced, ranges))
         parts.append(_renumbered(kept, lines_before, tracks))
         lines_before += work.text.count(b"\n") + 1
         tracks += int(traced.track.max(initial=-1)) + 1

@@ -78,8 +78,8 @@ def verify(
         file.  The rounding of coarse coordinates is added; the verdict contains the sum.
     earlier : sequence of EarlierWork
         Programs that have done a part of the work on the same sheet, in the order of their
-        execution.  Their completed work is not required again and must not be repeated, and the
-        order of the work includes it.
+        execution.  Their completed work is not required again and must not be repeated.  The order
+        of the work includes it, and the executed work that is made again.
 
     Returns
     -------
@@ -105,9 +105,9 @@ def verify(
     moves, _, paths = _trace(text, machine, board, tolerance, findings, area)
     _check_placement(text, placement, machine, findings)
     _check_unclassified(dieline, findings)
-    work = join_work(
-        paths, earlier, [trace_program(one.text, machine, board)[2] for one in earlier]
-    )
+    earlier_paths = [trace_program(one.text, machine, board)[2] for one in earlier]
+    work = join_work(paths, earlier, earlier_paths)
+    executed = join_work(paths, earlier, earlier_paths, with_repeated=True)
     tolerance += moves.resolution
     context = CheckContext(
         edges,
@@ -123,7 +123,7 @@ def verify(
         work.lines_before,
     )
     check_edges(context, work.paths)
-    check_work_order(context, work.paths)
+    check_work_order(context, executed.paths)
     check_repeated_work(context, work)
     findings.extend(work.own_line(finding) for finding in joined_findings.sorted())
     found = findings.sorted()

@@ -685,10 +685,11 @@ export interface paths {
          *
          *     The other job must have ended or be interrupted.  The program of the new job makes tracks of the
          *     other program in their order; it is verified against what is still uncut, and the other tracks
-         *     must not be made again.  When the new job is queued, an interrupted job becomes ``continued``
-         *     and frees its table.  The operator must confirm the new job on every machine before it starts.
-         *     The status is 409 if the other job is on its machine, if a third job continues its sheet, or if
-         *     no copies remain to be made.
+         *     must not be made again.  Its program is refused if it works on a piece of board that executed
+         *     lines have cut out, also where it makes their tracks again, unless `uncut` is set.  When the new
+         *     job is queued, an interrupted job becomes ``continued`` and frees its table.  The operator must
+         *     confirm the new job on every machine before it starts.  The status is 409 if the other job is on
+         *     its machine, if a third job continues its sheet, or if no copies remain to be made.
          */
         post: operations["continue_job"];
         delete?: never;
@@ -4474,6 +4475,12 @@ export interface components {
              * @default false
              */
             made: boolean;
+            /**
+             * Uncut
+             * @description Whether the operator has found that the tracks which are made again have not cut through the board, for example with a blunt knife. If false, a program that works on a piece which their executed lines have cut out is refused
+             * @default false
+             */
+            uncut: boolean;
             /**
              * Copies
              * @description Number of sheets to make; 1 unless `whole` is set

@@ -4681,7 +4681,7 @@ export const TEXTS = {
   },
   "verify.released-before": {
     "text": "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board that an earlier program has already cut out or begun to cut out on this sheet.",
-    "hint": "Continue from the first contour that is not made, or start a new sheet."
+    "hint": "Continue from the first contour that is not made, or start a new sheet. If the tool did not cut through the board, state this when you continue the job."
   },
   "verify.slanted": {
     "text": "Station {station} moves {distance:.3f} mm sideways (away from the axis of its tool) while the tool enters or leaves the board.",

@@ -43,14 +43,17 @@ export function RestPanel({ job }: { job: Job }) {
   const [mode, setMode] = useState<RestMode>("from");
   const [picked, setPicked] = useState<number | null>(null);
   const [made, setMade] = useState(false);
+  const [uncut, setUncut] = useState(false);
   if (error !== null) return <div className={css.note}>{error.message}</div>;
   if (tracks === undefined || tracks.length === 0) return null;
   const first = picked ?? proposedTrack(tracks);
   const chosen = chosenTracks(tracks, mode, first);
   const unconfirmed = mode === "whole" ? [] : unconfirmedTracks(tracks, mode, first);
+  const again = mode === "whole" ? [] : chosen.filter(({ state }) => state === "cut");
   const pick = (number: number) => {
     setPicked(number);
     setMade(false);
+    setUncut(false);
     if (mode === "whole") setMode("from");
   };
   return (
@@ -84,6 +87,7 @@ export function RestPanel({ job }: { job: Job }) {
         onChange={(value) => {
           setMode(value as RestMode);
           setMade(false);
+          setUncut(false);
         }}
         data-testid="rest-mode"
       />
@@ -98,11 +102,19 @@ export function RestPanel({ job }: { job: Job }) {
           data-testid="rest-made"
         />
       )}
+      {again.length > 0 && (
+        <Checkbox
+          checked={uncut}
+          onChange={(event) => setUncut(event.currentTarget.checked)}
+          label={`I have checked on the sheet: ${pluralize(again.length, "track")} reported as cut (${trackNumbers(again)}) ${again.length === 1 ? "has" : "have"} not cut through the board`}
+          data-testid="rest-uncut"
+        />
+      )}
       <Button
         size="md"
         leftSection={<IconPlayerTrackNext size={16} aria-hidden />}
         disabled={busy || (unconfirmed.length > 0 && !made)}
-        onClick={() => void continueJob(job.id, restChoice(tracks, mode, first, made))}
+        onClick={() => void continueJob(job.id, restChoice(tracks, mode, first, made, uncut))}
         data-testid="rest-order"
       >
         {mode === "whole" ? "Queue one more copy" : `Queue ${pluralize(chosen.length, "track")}`}

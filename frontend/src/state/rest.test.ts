@@ -67,7 +67,7 @@ describe("the rest of a sheet", () => {
   });
 
   it("becomes a request", () => {
-    const common = { copies: 1, release: true, remaining: false };
+    const common = { uncut: false, copies: 1, release: true, remaining: false };
     expect(restChoice(TRACKS, "from", 3, false)).toEqual({
       ...common,
       whole: false,

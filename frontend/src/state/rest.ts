@@ -41,15 +41,26 @@ export function unconfirmedTracks(
   return tracks.filter((track) => track.state !== "cut" && !chosen.has(track));
 }
 
-/** The request for a mode; `made` states that all tracks left out are complete on the sheet. */
+/**
+ * The request for a mode. `made` states that all tracks left out are complete on the sheet, `uncut`
+ * that those made again have not cut through the board.
+ */
 export function restChoice(
   tracks: readonly Track[],
   mode: RestMode,
   first: number,
   made: boolean,
+  uncut = false,
 ): RestChoice {
-  const rest = { whole: mode === "whole", remaining: false, made, copies: 1, release: true };
-  if (mode === "whole") return { ...rest, made: false };
+  const rest = {
+    whole: mode === "whole",
+    remaining: false,
+    made,
+    uncut,
+    copies: 1,
+    release: true,
+  };
+  if (mode === "whole") return { ...rest, made: false, uncut: false };
   const station = tracks.find(({ number }) => number === first)?.station ?? null;
   return { ...rest, from_track: first, station: mode === "tool" ? station : null };
 }
@@ -59,6 +70,7 @@ export const REMAINING_COPIES: RestChoice = {
   whole: false,
   remaining: true,
   made: false,
+  uncut: false,
   copies: 1,
   release: true,
 };

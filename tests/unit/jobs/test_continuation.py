@@ -10,7 +10,7 @@ from knifetip.jobs.job import OPERATOR, Confirmation, State
 from knifetip.jobs.job_store import Continuation
 from knifetip.jobs.queue_store import WaitingChange, check_transferable
 from knifetip.jobs.request_key import RequestKey
-from knifetip.jobs.rest_record import RestRecord
+from knifetip.jobs.rest_record import ExecutedWork, RestRecord
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from tests.support.job_states import RESULT, WAITING, course, ordered, queued, running
@@ -25,7 +25,7 @@ def interrupted(store: Store) -> Job:
 
 
 def record(job: Job) -> RestRecord:
-    return RestRecord(((3, 7), (9, 9)), ((job.id, ((8, 30),)),))
+    return RestRecord(((3, 7), (9, 9)), (ExecutedWork(job.id, ((8, 30),), ((31, 33),)),))
 
 
 def rest(store: Store, job: Job, key: RequestKey | None = None) -> Job:

@@ -12,7 +12,7 @@ from knifetip.jobs.gateway_store import GatewayReport
 from knifetip.jobs.job import OPERATOR, State
 from knifetip.jobs.job_store import Continuation
 from knifetip.jobs.operator_actions import OperatorAction, allowed_actions
-from knifetip.jobs.rest_record import RestRecord
+from knifetip.jobs.rest_record import ExecutedWork, RestRecord
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from tests.support.messages import stored
@@ -159,7 +159,7 @@ def interrupted_rest(store: Store) -> str:
 
 def rest_of(store: Store, id: str) -> str:
     """Return a queued job that makes the rest of the sheet of an interrupted job."""
-    record = RestRecord(((1, 4),), ((id, ((1, 3),)),))
+    record = RestRecord(((1, 4),), (ExecutedWork(id, ((1, 3),)),))
     line = store.jobs.get(id).line
     rest = store.jobs.add_continuation(id, Continuation(record, line, release=True)).id
     store.compiles.begin("worker")

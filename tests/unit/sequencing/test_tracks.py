@@ -47,6 +47,18 @@ def test_executed_lines_divide_the_tracks() -> None:
     assert TRACKS.states(35) == ["cut", "cut", "cut", "uncut", "uncut"]
 
 
+def test_executed_lines_that_are_made_again() -> None:
+    def repeated(executed: int, **choice: object) -> tuple[tuple[int, int], ...]:
+        found = select_rest(TRACKS, executed, RestChoice(**choice))  # type: ignore[arg-type]
+        return found.repeated_lines
+
+    assert repeated(35) == ()
+    assert repeated(33) == ((31, 33),)
+    assert repeated(43, from_track=2) == ((21, 43),)
+    assert repeated(43, station=2, made=True) == ((11, 25),)
+    assert repeated(43, from_track=2, uncut=True) == ()
+
+
 @pytest.mark.parametrize("line", [31, 33, 34])
 def test_the_rest_begins_with_the_track_that_was_begun(line: int) -> None:
     assert chosen(line) == ([2, 3, 4], ((11, 25),))

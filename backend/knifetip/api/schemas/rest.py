@@ -46,6 +46,12 @@ class RestIn(Strict):
         description="Whether the operator has found all tracks complete that are left out. If "
         "false, tracks that the machine has not reported as executed must not be left out",
     )
+    uncut: bool = Field(
+        default=False,
+        description="Whether the operator has found that the tracks which are made again have not "
+        "cut through the board, for example with a blunt knife. If false, a program that works on "
+        "a piece which their executed lines have cut out is refused",
+    )
     copies: int = Field(
         default=1, ge=1, le=1000, description="Number of sheets to make; 1 unless `whole` is set"
     )

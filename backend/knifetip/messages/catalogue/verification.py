@@ -387,7 +387,8 @@ MESSAGES: Final[Entries] = {
     "verify.released-before": entry(
         "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board "
         "that an earlier program has already cut out or begun to cut out on this sheet.",
-        "Continue from the first contour that is not made, or start a new sheet.",
+        "Continue from the first contour that is not made, or start a new sheet. If the tool did "
+        "not cut through the board, state this when you continue the job.",
         x="number",
         y="number",
     ),
