@@ -28,6 +28,7 @@
     │   ├── ControllerRejected    the controller reported an error for a line
     │   ├── ControllerReset       the controller was reset during a job
     │   ├── ControllerSilent      the controller does not answer
+    │   ├── NoSuchController      no controller can ever be reached at the address
     │   └── OperationExpired      an operation of a person was not carried out in time
     ├── RequestError              a valid request that cannot be applied
     ├── ServerBusy                too many requests are waiting for a process
@@ -246,6 +247,13 @@ class ControllerReset(ControllerError):
 
 class ControllerSilent(ControllerError):
     """Raised when the controller does not answer."""
+
+
+class NoSuchController(ControllerError):
+    """Raised when no controller can ever be reached at an address, so trying again is useless.
+
+    The address is invalid, or something else than a controller answers there.
+    """
 
 
 class OperationExpired(ControllerError):

@@ -99,14 +99,18 @@ class Shop:
         self._end_gateway(signal.SIGKILL)
 
     def stop_gateway(self) -> None:
-        """End the gateway as a user does."""
-        self._end_gateway(signal.SIGINT)
+        """End the gateway as a service manager does."""
+        self._end_gateway(signal.SIGTERM)
 
     def _end_gateway(self, signal_number: signal.Signals) -> None:
         gateway, self._gateway = self._gateway, None
         if gateway is not None:
             gateway.send_signal(signal_number)
-            gateway.wait(20.0)
+            try:
+                gateway.wait(30.0)
+            finally:
+                gateway.kill()
+                gateway.wait()
 
     @property
     def log(self) -> str:
@@ -321,6 +325,19 @@ def test_a_cancelled_job_is_continued_from_a_contour(shop: Shop) -> None:
     assert made(after, WHEEL, 0.4, program).is_empty
     assert not made(after, ROUTER, 2.0 * RADIUS, program).intersects(WINDOW)
     assert_lowered_in_the_mat(np.concatenate([before, after]))
+
+
+def test_a_gateway_that_is_stopped_in_a_cut_stops_its_machine(shop: Shop) -> None:
+    job = shop.order()
+    shop.start(job)
+    shop.wait_until_milling()
+    mark = shop.machine.mark()
+    shop.stop_gateway()
+    shop.assert_safe()
+    assert_lowered_in_the_mat(shop.machine.samples(mark))
+    interrupted = shop.wait_for(job, "interrupted")
+    assert 0 < interrupted["stopped_at"]["line"] < interrupted["lines"]
+    shop.post(f"jobs/{job}/scrap")
 
 
 def test_a_gateway_killed_in_a_cut_takes_its_machine_back(shop: Shop) -> None:

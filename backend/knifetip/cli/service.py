@@ -5,9 +5,11 @@ from __future__ import annotations
 import asyncio
 import signal
 import threading
+from collections.abc import Coroutine
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -27,6 +29,9 @@ Speed = Annotated[
         min=0.01, max=100_000.0, help="Speed of the simulated machine as a multiple of real time."
     ),
 ]
+
+#: Exit code of a process that SIGTERM has ended.
+_TERMINATED = 143
 
 DATABASE = "sqlite:///knifetip.sqlite"
 
@@ -189,7 +194,11 @@ def gateway(
         str, typer.Option(envvar="KNIFETIP_KEY", help="Access key of the server. Default: no key.")
     ] = "",
 ) -> None:
-    """Fetch the jobs of a machine from the server and send them to its controller."""
+    """Fetch the jobs of a machine from the server and send them to its controller.
+
+    Ctrl-C or SIGTERM stops the machine, then the gateway.  An address at which there can be no
+    controller ends it at once; a controller that is switched off is waited for.
+    """
     from knifetip.cli.served_machine import find_machine
     from knifetip.gateway import claim
     from knifetip.gateway.hot_folder import find_driver
@@ -201,12 +210,27 @@ def gateway(
     dial = find_driver(table, controller)
     print_stderr(f"{table.title}: controller {controller}, server {server}")
     record = journal or default_path(machine, server)
-    asyncio.run(
+    _run_until_terminated(
         claim.run_gateway(
             GatewaySettings(server, table, name, headers=headers, journal=record),
             lambda safe, stop_motion: dial(controller, safe, stop_motion=stop_motion),
         )
     )
+
+
+def _run_until_terminated(work: Coroutine[Any, Any, None]) -> None:
+    """Run a coroutine until it ends; SIGTERM cancels it, as Ctrl-C does."""
+
+    async def run() -> None:
+        task = asyncio.create_task(work)
+        with suppress(NotImplementedError):  # on Windows
+            asyncio.get_running_loop().add_signal_handler(signal.SIGTERM, task.cancel)
+        await task
+
+    try:
+        asyncio.run(run())
+    except asyncio.CancelledError:
+        raise typer.Exit(_TERMINATED) from None
 
 
 def simulator(

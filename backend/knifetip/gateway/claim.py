@@ -21,6 +21,8 @@ outgoing connections.  It decides the following by itself:
   every copy was executed to its last line.
 - After an alarm the connection is kept: the person at the machine can unlock or home it (see
   ``station``), and the gateway then claims jobs again.
+- If no controller can ever be reached at the address, the gateway ends; if the controller only
+  does not answer, the gateway tries again.
 - A controller that still runs a job of this gateway after a restart or a lost connection is first
   stopped and brought into its safe state.
 """
@@ -33,7 +35,7 @@ from contextlib import aclosing, suppress
 
 import httpx
 
-from knifetip.errors import ControllerError, KnifetipError
+from knifetip.errors import ControllerError, KnifetipError, NoSuchController
 from knifetip.gateway.controller import Controller, SafeState, State
 from knifetip.gateway.interpreter import tool_offsets
 from knifetip.gateway.job_run import (
@@ -138,11 +140,26 @@ class _GatewayLoop:
         try:
             await self._link.connected()
         except (ControllerError, OSError) as error:
+            self._raise_if_hopeless(error)
             self._complaint = str(error)
             _log.warning("%s", error)
 
+    def _raise_if_hopeless(self, error: Exception) -> None:
+        """Raise an error again if it shows that the address of the controller is wrong.
+
+        A controller that was reached is waited for, whatever answers at its address now.
+        """
+        if isinstance(error, NoSuchController) and not self._link.reached:
+            raise error
+
     async def _wait_until_idle(self) -> None:
-        """Wait until the controller is connected and idle; connect to it if necessary."""
+        """Wait until the controller is connected and idle; connect to it if necessary.
+
+        Raises
+        ------
+        NoSuchController
+            The address of the controller is wrong.
+        """
         pause = FIRST_PAUSE
         while True:
             try:
@@ -152,6 +169,7 @@ class _GatewayLoop:
                     return
                 complaint = str(self._not_idle(status.state))
             except (ControllerError, OSError) as error:
+                self._raise_if_hopeless(error)
                 complaint = str(error)
             if complaint != self._complaint:
                 self._complaint = complaint
@@ -415,6 +433,11 @@ async def run_gateway(
     jobs
         Number of jobs to claim; the function returns when the last one has ended.  None for no
         limit.
+
+    Raises
+    ------
+    NoSuchController
+        The address of the controller is wrong, and was so from the start.
     """
     http = httpx.AsyncClient() if client is None else client
     http.headers.update({"X-Knifetip": "gateway", **settings.headers})

@@ -16,7 +16,7 @@ from typing import Any
 from urllib.parse import SplitResult, urlsplit
 from urllib.request import url2pathname
 
-from knifetip.errors import ControllerError
+from knifetip.errors import ControllerError, NoSuchController
 from knifetip.gateway.controller import SafeState
 from knifetip.gateway.open_loop import OpenLoop
 from knifetip.languages.registry import find_language
@@ -137,7 +137,7 @@ async def dial(
 def _folder_of(url: SplitResult) -> Path:
     """Return the folder of ``file:///FOLDER``."""
     if url.netloc not in ("", "localhost") or not url.path.strip("/") or url.query:
-        raise ControllerError("folder.bad-address", address=url.geturl())
+        raise NoSuchController("folder.bad-address", address=url.geturl())
     return Path(url2pathname(url.path))
 
 

@@ -36,6 +36,8 @@ class MachineLink:
     abandoned
         Whether the machine may still execute a job of this gateway; it is then stopped when the
         gateway connects.
+    reached
+        Whether the controller was reached since the start of the gateway.
     jogged
         Whether an operation of a person has moved the machine, which was not seen at rest since.
     run
@@ -51,6 +53,7 @@ class MachineLink:
         self._connecting = asyncio.Lock()
         self.in_use = asyncio.Lock()
         self.abandoned = False
+        self.reached = False
         self.jogged = False
         self.run: JobRun | None = None
         self.dry_run: DryRun | None = None
@@ -92,7 +95,7 @@ class MachineLink:
                 await self.close()
             if self._controller is None:
                 self._controller = await self._connect(self._safe, self.abandoned)
-                self.abandoned = False
+                self.abandoned, self.reached = False, True
             if self._controller.fault is not None:
                 raise self._controller.fault
             return self._controller

@@ -18,7 +18,7 @@ from importlib.metadata import entry_points
 from typing import Protocol, TypeAlias, runtime_checkable
 from urllib.parse import SplitResult, urlsplit
 
-from knifetip.errors import ControllerError
+from knifetip.errors import NoSuchController
 
 #: Group of the entry points of transports.
 GROUP = "knifetip.transports"
@@ -65,8 +65,8 @@ def byte_rate(transport: Transport) -> float:
     return transport.byte_rate if isinstance(transport, Paced) else math.inf
 
 
-#: Function that opens a connection to the address in a URL.  It raises ``ControllerError`` if the
-#: URL is not an address, or if the connection cannot be opened.
+#: Function that opens a connection to the address in a URL.  It raises ``NoSuchController`` if the
+#: URL is not an address, and ``ControllerError`` if the connection cannot be opened.
 Opener: TypeAlias = Callable[[SplitResult], Awaitable[Transport]]
 
 
@@ -75,8 +75,10 @@ async def connect(address: str) -> Transport:
 
     Raises
     ------
+    NoSuchController
+        The address is invalid.
     ControllerError
-        The address is invalid, or the connection cannot be opened.
+        The connection cannot be opened.
     """
     try:
         url = urlsplit(address if "//" in address else f"tcp://{address}")
@@ -84,8 +86,13 @@ async def connect(address: str) -> Transport:
         url = SplitResult("", "", "", "", "")
     opener = find_opener(url.scheme)
     if opener is None:
-        raise ControllerError("controller.bad-address", address=address, schemes=schemes())
+        raise NoSuchController("controller.bad-address", address=address, schemes=schemes())
     return await opener(url)
+
+
+def is_from_web_server(line: str) -> bool:
+    """Return whether a received line is an answer of a web server to a request it cannot read."""
+    return line.lower().startswith(("http/", "<!doctype", "<html"))
 
 
 def schemes() -> list[str]:

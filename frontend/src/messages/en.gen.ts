@@ -471,6 +471,10 @@ export const TEXTS = {
     "text": "{address!r} is not the address of a controller.",
     "hint": "Write the address as HOST:PORT, for example 127.0.0.1:2323, or as a URL. Known schemes: {schemes:, }."
   },
+  "controller.bad-host": {
+    "text": "The address {address!r} of the controller cannot be right: {host!r} is neither an IP address nor the name of a host.",
+    "hint": "Write the address as HOST:PORT, for example 127.0.0.1:2323."
+  },
   "controller.bad-serial-address": {
     "text": "{address!r} is not the address of a serial port.",
     "hint": "Write it as serial:///dev/ttyUSB0 or serial://COM3; ?baud=250000 at its end sets another speed than 115200 bits per second, &flow=rtscts or &flow=xonxoff the flow control."
@@ -634,6 +638,10 @@ export const TEXTS = {
   "controller.was-reset": {
     "text": "{name} was reset.",
     "hint": "Check the table and home the machine before the next job."
+  },
+  "controller.web-server": {
+    "text": "A web server answers at {address}, not a controller.",
+    "hint": "Correct the host or the port in the address of the controller."
   },
   "corner.at": {
     "text": " at X {x:g} mm, Y {y:g} mm",

@@ -10,6 +10,7 @@ from __future__ import annotations
 import asyncio
 import re
 from collections.abc import Awaitable, Callable
+from contextlib import suppress
 
 from knifetip.errors import (
     ControllerAlarm,
@@ -17,6 +18,7 @@ from knifetip.errors import (
     ControllerRejected,
     ControllerReset,
     ControllerSilent,
+    NoSuchController,
 )
 from knifetip.gateway.controller import Observer, State, Status
 from knifetip.gateway.grbl import answers
@@ -25,12 +27,14 @@ from knifetip.gateway.grbl.receive_buffer import Count, PendingLine, ReceiveBuff
 from knifetip.gateway.grbl.watchdog import Watchdog
 from knifetip.gateway.interpreter import strip_comments
 from knifetip.gateway.motion import Pose
-from knifetip.gateway.transport import Transport, byte_rate
+from knifetip.gateway.transport import Transport, byte_rate, is_from_web_server
 
 #: Most bytes without a line end that are kept; a longer sequence is noise.
 _LONGEST_ANSWER = 8192
 #: Most characters of an echoed line that a message contains.
 _LONGEST_ECHO = 60
+#: Time in which a web server refuses a line (s).
+_WEB_SERVER = 1.0
 #: Most lines between two answers that are kept.
 _MOST_LINES = 1000
 #: Consecutive status reports that must show the same contradiction before it counts as a fault.
@@ -81,6 +85,7 @@ class GrblConnection:
         self.checking = False  #: the controller is in check mode
         self.refusals: list[ControllerRejected] = []  #: of program lines, in check mode
         self.recovering = False  #: the machine is being brought into its safe state
+        self.web_server = False  #: a web server has answered, not a controller
         self._transport = transport
         self._reconnect = reconnect
         self._watchdog = Watchdog(self, silence, polling)
@@ -97,6 +102,22 @@ class GrblConnection:
         self._was_reset = False  # by this connection: earlier answers are of another sender
 
     # -- opening and closing ----------------------------------------------------------------------
+
+    async def find_web_server(self) -> None:
+        """Raise ``NoSuchController`` if a web server is at the other end.
+
+        If that is silent, everything sent so far was the beginning of a line, which is ended here:
+        a web server refuses a complete line.
+        """
+        if isinstance(self.fault, ControllerSilent):
+            with suppress(ControllerError, TimeoutError):
+                async with asyncio.timeout(_WEB_SERVER):
+                    await self._transport.write(b"\r\n")
+                    while self.connected and not self.web_server:
+                        self._changed.clear()
+                        await self._changed.wait()
+        if self.web_server:
+            raise NoSuchController("controller.web-server", address=self._transport.address)
 
     def start(self) -> None:
         """Clear the recorded fault, and start the tasks that read answers and request reports.
@@ -380,7 +401,9 @@ class GrblConnection:
         self.fail(ControllerError("controller.lost", name=self.name, due=self.buffer.due()))
 
     def _handle_line(self, line: str) -> None:
-        if line == "ok":
+        if is_from_web_server(line):
+            self.web_server = True
+        elif line == "ok":
             self._handle_answer(0)
         elif line.startswith("error:"):
             self._handle_answer(_code(line))

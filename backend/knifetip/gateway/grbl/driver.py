@@ -216,6 +216,10 @@ class Grbl(GrblOperations):
                 ControllerError("controller.not-in-laser-mode", name=self.name)
             )
 
+    async def find_web_server(self) -> None:
+        """Raise ``NoSuchController`` if a web server is at the address, not a controller."""
+        await self._connection.find_web_server()
+
     async def close(self) -> None:
         """Close the connection; the controller still executes the lines in its buffer."""
         await self._connection.close()
@@ -419,6 +423,8 @@ async def dial(
 
     Raises
     ------
+    NoSuchController
+        The address is invalid, or a web server answers there.
     ControllerError
         The controller does not answer or is busy.
     """
@@ -433,7 +439,11 @@ async def dial(
         await controller.open(stop_motion=stop_motion)
     except ControllerAlarm as locked:
         controller.lock(locked)
-    except BaseException:
-        await controller.close()
+    except BaseException as failed:
+        try:
+            if isinstance(failed, ControllerError):
+                await controller.find_web_server()
+        finally:
+            await controller.close()
         raise
     return controller

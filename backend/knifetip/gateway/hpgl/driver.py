@@ -18,7 +18,7 @@ from contextlib import suppress
 from itertools import accumulate
 from urllib.parse import parse_qsl, urlencode, urlsplit
 
-from knifetip.errors import ControllerError, ProgramError
+from knifetip.errors import ControllerError, NoSuchController, ProgramError
 from knifetip.gateway.controller import SafeState
 from knifetip.gateway.open_loop import OpenLoop
 from knifetip.gateway.program_follower import lines_of
@@ -162,7 +162,7 @@ def _split_address(address: str) -> tuple[str, int]:
     buffer = options.pop("buffer", str(BUFFER))
     serial = url.scheme == "serial"
     if not buffer.isdecimal() or (serial and options.get("flow") not in ("rtscts", "xonxoff")):
-        raise ControllerError("hpgl.bad-address", address=address)
+        raise NoSuchController("hpgl.bad-address", address=address)
     netloc = url.netloc if port is not None else f"{url.netloc}:{PORT}"
     query = f"?{urlencode(options)}" if options else ""
     return f"{url.scheme}://{netloc}{url.path}{query}", int(buffer)

@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from urllib.parse import SplitResult, parse_qsl, urlsplit
 
-from knifetip.errors import ControllerError
+from knifetip.errors import NoSuchController
 
 #: Port of linuxcncrsh.
 PORT = 5007
@@ -49,7 +49,7 @@ class LinuxcncAddress:
 
         Raises
         ------
-        ControllerError
+        NoSuchController
             The text is not the address of a LinuxCNC, or an option is unknown or invalid.
         """
         try:
@@ -62,7 +62,7 @@ class LinuxcncAddress:
         good = url.scheme in ("linuxcnc", "tcp") and host and 1 <= joints <= 16
         blank = any(character.isspace() for value in options.values() for character in value)
         if not good or host is None or blank or options.keys() != _DEFAULTS.keys():
-            raise ControllerError(
+            raise NoSuchController(
                 "linuxcnc.bad-address", address=address, options=sorted(_DEFAULTS)
             )
         return cls(

@@ -12,9 +12,14 @@ from __future__ import annotations
 import asyncio
 from contextlib import suppress
 
-from knifetip.errors import ControllerError, ControllerRejected, ControllerSilent
+from knifetip.errors import (
+    ControllerError,
+    ControllerRejected,
+    ControllerSilent,
+    NoSuchController,
+)
 from knifetip.gateway.linuxcnc.address import LinuxcncAddress
-from knifetip.gateway.transport import Transport, connect
+from knifetip.gateway.transport import Transport, connect, is_from_web_server
 from knifetip.messages import Message
 
 #: Longest reply (bytes); a longer one is not from linuxcncrsh.
@@ -58,6 +63,8 @@ class RemoteShell:
 
         Raises
         ------
+        NoSuchController
+            A web server answers.
         ControllerError
             There is no answer, or a password is wrong.
         """
@@ -196,6 +203,8 @@ class RemoteShell:
             reply = line.decode("utf-8", "replace").strip()
             if reply.startswith(f"{prefix} ") or reply == prefix:
                 return reply.removeprefix(prefix).strip()
+            if is_from_web_server(reply):
+                raise NoSuchController("controller.web-server", address=self.name)
 
 
 def _retrieve_error(conversation: asyncio.Task[str]) -> None:

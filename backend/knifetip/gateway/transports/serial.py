@@ -17,7 +17,7 @@ from urllib.parse import SplitResult, parse_qsl
 import serial
 from serial.tools.list_ports import comports
 
-from knifetip.errors import ControllerError
+from knifetip.errors import ControllerError, NoSuchController
 from knifetip.messages import Message
 
 #: Speed of a port whose address states none (bits per second), as in grbl.
@@ -108,9 +108,10 @@ async def open_transport(url: SplitResult) -> SerialPort:
 
     Raises
     ------
+    NoSuchController
+        The URL is invalid.
     ControllerError
-        The URL is invalid; or the port does not exist, is in use, is not permitted or cannot be
-        configured.
+        The port does not exist, is in use, is not permitted or cannot be configured.
     """
     name, baud, flow = _port_and_options(url)
     port = serial.Serial(
@@ -138,7 +139,7 @@ def _port_and_options(url: SplitResult) -> tuple[str, int, str]:
     name = url.netloc + url.path
     valid = baud.isdecimal() and int(baud) and flow in FLOWS
     if not name.strip("/") or options or not valid:
-        raise ControllerError("controller.bad-serial-address", address=url.geturl())
+        raise NoSuchController("controller.bad-serial-address", address=url.geturl())
     return name, int(baud), flow
 
 

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import asyncio
+import re
 import socket
 from contextlib import suppress
+from ipaddress import ip_address
 from urllib.parse import SplitResult
 
-from knifetip.errors import ControllerError
+from knifetip.errors import ControllerError, NoSuchController
 
 #: Most bytes that one ``read`` returns.
 CHUNK = 4096
@@ -15,6 +17,9 @@ CHUNK = 4096
 SEND_BUFFER = 1 << 14
 #: Longest time until a connection is open (s).
 PATIENCE = 5.0
+#: A part of the name of a host; letters of other alphabets are permitted.
+_LABEL = re.compile(r"(?!-)[\w-]{1,63}(?<!-)")
+_LONGEST_NAME = 253
 
 
 class Tcp:
@@ -73,16 +78,32 @@ def host_and_port(url: SplitResult, default: int = 0) -> tuple[str, int]:
 
     Raises
     ------
-    ControllerError
-        The URL has no host or no port.
+    NoSuchController
+        The URL has no valid host or no port.
     """
     try:
         host, port = url.hostname, url.port or default
     except ValueError:
         host, port = None, 0
     if not host or not port:
-        raise ControllerError("controller.no-host-and-port", address=url.geturl())
+        raise NoSuchController("controller.no-host-and-port", address=url.geturl())
+    if not is_host(host):
+        raise NoSuchController("controller.bad-host", address=url.geturl(), host=host)
     return host, port
+
+
+def is_host(text: str) -> bool:
+    """Return whether a text can be an IP address or the name of a host, which may be unknown."""
+    with suppress(ValueError):
+        ip_address(text)
+        return True
+    labels = text.removesuffix(".").split(".")
+    # A name does not end with a number, so that 192.168.1.300 is a wrong IP address.
+    return (
+        len(text) <= _LONGEST_NAME
+        and all(_LABEL.fullmatch(label) for label in labels)
+        and not labels[-1].isdecimal()
+    )
 
 
 async def connect_socket(host: str, port: int) -> tuple[asyncio.StreamReader, asyncio.StreamWriter]:
@@ -96,7 +117,7 @@ async def connect_socket(host: str, port: int) -> tuple[asyncio.StreamReader, as
     try:
         async with asyncio.timeout(PATIENCE):
             return await asyncio.open_connection(host, port)
-    except (OSError, TimeoutError) as error:
+    except (OSError, TimeoutError, UnicodeError) as error:  # UnicodeError: of a name
         raise unreachable(f"{host}:{port}", error) from error
 
 
@@ -110,8 +131,10 @@ async def open_transport(url: SplitResult) -> Tcp:
 
     Raises
     ------
+    NoSuchController
+        The URL has no valid host or no port.
     ControllerError
-        The URL has no host or no port, or there is no answer.
+        There is no answer.
     """
     host, port = host_and_port(url)
     reader, writer = await connect_socket(host, port)

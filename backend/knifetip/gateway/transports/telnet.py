@@ -95,8 +95,10 @@ async def open_transport(url: SplitResult) -> Telnet:
 
     Raises
     ------
+    NoSuchController
+        The URL has no valid host.
     ControllerError
-        The URL has no host, or there is no answer.
+        There is no answer.
     """
     host, port = host_and_port(url, PORT)
     return Telnet(f"telnet://{host}:{port}", *await connect_socket(host, port))

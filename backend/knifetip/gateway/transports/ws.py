@@ -5,14 +5,16 @@ from __future__ import annotations
 from urllib.parse import SplitResult
 
 from websockets.asyncio.client import ClientConnection, connect
-from websockets.exceptions import ConnectionClosed, InvalidURI, WebSocketException
+from websockets.exceptions import ConnectionClosed, InvalidStatus, InvalidURI, WebSocketException
 from websockets.typing import Subprotocol
 
-from knifetip.errors import ControllerError
-from knifetip.gateway.transports.tcp import PATIENCE, unreachable
+from knifetip.errors import ControllerError, NoSuchController
+from knifetip.gateway.transports.tcp import PATIENCE, is_host, unreachable
 
 #: Subprotocol with which grblHAL answers in binary frames.
 BINARY = Subprotocol("arduino")
+#: HTTP statuses with which a controller refuses a WebSocket for a time.
+_TEMPORARY = (408, 425, 429, *range(500, 600))
 
 
 class WebSocket:
@@ -57,10 +59,14 @@ async def open_transport(url: SplitResult) -> WebSocket:
 
     Raises
     ------
+    NoSuchController
+        The URL has no valid host, or a web server without this WebSocket answers there.
     ControllerError
-        The URL has no host, or no WebSocket answers there.
+        There is no answer.
     """
     address = url.geturl()
+    if url.hostname and not is_host(url.hostname):
+        raise NoSuchController("controller.bad-host", address=address, host=url.hostname)
     try:
         socket = await connect(
             address,
@@ -73,7 +79,11 @@ async def open_transport(url: SplitResult) -> WebSocket:
             ping_interval=None,
         )
     except InvalidURI as error:
-        raise ControllerError("controller.no-host-and-port", address=address) from error
+        raise NoSuchController("controller.no-host-and-port", address=address) from error
+    except InvalidStatus as error:
+        if error.response.status_code in _TEMPORARY:
+            raise unreachable(address, error) from error
+        raise NoSuchController("controller.web-server", address=address) from error
     except (OSError, TimeoutError, WebSocketException) as error:
         raise unreachable(address, error) from error
     return WebSocket(address, socket)

@@ -53,6 +53,13 @@ MESSAGES: Final[Entries] = {
         address="text",
         schemes="texts",
     ),
+    "controller.bad-host": entry(
+        "The address {address!r} of the controller cannot be right: {host!r} is neither an IP "
+        "address nor the name of a host.",
+        "Write the address as HOST:PORT, for example 127.0.0.1:2323.",
+        address="text",
+        host="text",
+    ),
     "controller.bad-serial-address": entry(
         "{address!r} is not the address of a serial port.",
         "Write it as serial:///dev/ttyUSB0 or serial://COM3; ?baud=250000 at its end sets another "
@@ -324,6 +331,11 @@ MESSAGES: Final[Entries] = {
         "{name} was reset.",
         "Check the table and home the machine before the next job.",
         name="text",
+    ),
+    "controller.web-server": entry(
+        "A web server answers at {address}, not a controller.",
+        "Correct the host or the port in the address of the controller.",
+        address="text",
     ),
     "folder.bad-address": entry(
         "{address!r} is not the address of a folder on this computer.",
