@@ -449,6 +449,52 @@ def test_a_tool_is_checked_above_a_point_and_its_offset_corrected_by_touch(
     expect(state).to_have_text("At rest")
 
 
+def test_outputs_are_switched_and_the_zero_is_set_by_hand(
+    tablet: tuple[Page, str], workshop: Workshop, screenshots: Path
+) -> None:
+    page, name = tablet
+    table = workshop.table.table
+    expect(page.get_by_test_id("station-state")).to_have_text("At rest", timeout=60_000)
+    page.get_by_test_id("tab-machine").tap()
+    output = page.get_by_test_id("output-1")
+    expect(output).to_have_attribute("aria-checked", "false")
+    output.tap()
+    assert_done(page, "Crease wheel on")
+    wait_until(lambda: bool(table.outputs[1]), "the output is off")
+    expect(output).to_have_attribute("aria-checked", "true")
+    assert_reachable(page)
+    output.scroll_into_view_if_needed()
+    page.screenshot(path=screenshots / f"{name}-13-output-on.png")
+    output.tap()
+    assert_done(page, "Crease wheel off")
+    expect(output).to_have_attribute("aria-checked", "false")
+    assert not table.outputs[1]
+
+    # Below the travel height nothing moves across the board, and no station is lowered.
+    page.get_by_test_id("jog-z0").tap()
+    expect(page.get_by_test_id("outcome")).to_contain_text("done")
+    expect(output).to_be_disabled()
+    expect(page.get_by_test_id("jog-x1")).to_have_attribute("aria-disabled", "true")
+    page.get_by_test_id("jog-z1").tap()
+    expect(output).to_be_enabled()
+
+    # The zero is set after a question, and every later position is counted from it.
+    page.get_by_test_id("jog-x1").tap()
+    position = page.get_by_test_id("station-position")
+    expect(position).not_to_contain_text(re.compile(r"X\s*0\.0"))
+    zero = page.get_by_test_id("operation-zero")
+    zero.tap()
+    page.get_by_test_id("question-no").tap()
+    expect(position).not_to_contain_text(re.compile(r"X\s*0\.0"))
+    zero.tap()
+    page.get_by_test_id("question-yes").tap()
+    assert_done(page, "Set X Y zero here")
+    expect(position).to_contain_text(re.compile(r"X\s*0\.0\s*Y\s*0\.0"))
+    page.screenshot(path=screenshots / f"{name}-14-zero.png")
+    page.get_by_test_id("operation-home").tap()
+    assert_done(page, "Home")
+
+
 def hold_arrow(page: Page, arrow: str, seconds: float) -> None:
     """Hold an arrow down with a finger."""
     target = page.get_by_test_id(arrow)
