@@ -114,7 +114,10 @@ class Stream:
         active = [row for row in waiting if row.stage == Stage.PREPARE]
         active += search(_ACTIVE_STATES, limit=500)
         progress: dict[str, tuple[object, ...]] = {
-            row.id: (row.state, row.stage, row.progress, row.line, row.position, row.copies_done)
+            row.id: (
+                *(row.state, row.stage, row.progress, row.line, row.position),
+                *(row.copies_done, row.phase),
+            )
             for row in active
         }
         messages += [

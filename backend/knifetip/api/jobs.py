@@ -15,7 +15,7 @@ from knifetip.api.overrides import merge_overrides
 from knifetip.api.parameters import Cursor, DataFormat, IdempotencyKey, JobId, Limit
 from knifetip.api.queue import queued
 from knifetip.api.revisions import check_revision
-from knifetip.api.schemas.jobs import ConfirmIn, JobEvent, JobOut, JobState
+from knifetip.api.schemas.jobs import ConfirmIn, JobEvent, JobOut, JobState, ResumeIn
 from knifetip.api.schemas.orders import ExceptionsIn, JobIn
 from knifetip.api.schemas.verdicts import EarlierExceptions, VerdictOut, VerdictSummary
 from knifetip.api.service import (
@@ -359,13 +359,16 @@ def hold_job(service: ServiceDep, id: JobId) -> JobOut:
 
 
 @router.post("/{id}/resume")
-def resume_job(service: ServiceDep, id: JobId) -> JobOut:
+def resume_job(service: ServiceDep, id: JobId, resume: ResumeIn | None = None) -> JobOut:
     """Request to resume a held job.
 
     A job can make several copies, each on a new sheet.  If the job is held between two copies,
-    the call also confirms that the sheet of the next copy is on the table.
+    the call also confirms that the sheet of the next copy is on the table.  If its machine does not
+    report the end of a program, the call confirms the end.  The status is 409 if the job went on
+    since the phase that the request names.
     """
-    return job_out(service.store, service.store.operators.resume(id))
+    phase = None if resume is None else resume.phase
+    return job_out(service.store, service.store.operators.resume(id, phase))
 
 
 @router.post("/{id}/cancel")

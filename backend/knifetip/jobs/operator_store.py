@@ -323,18 +323,25 @@ class OperatorStore:
         """
         return self._request(id, OperatorAction.HOLD)
 
-    def resume(self, id: str) -> Job:
+    def resume(self, id: str, phase: int | None = None) -> Job:
         """Store an operator's request to resume a job, and return the job.
 
         The gateway of the job carries out the request.  Between two copies, the request also
         confirms that a new sheet is on the table.
 
+        Parameters
+        ----------
+        id
+            Id of the job.
+        phase
+            Phase of the run for which the operator decided; None for the present one.
+
         Raises
         ------
         WrongState
-            The job cannot be resumed now.
+            The job cannot be resumed now, or is in another phase.
         """
-        return self._request(id, OperatorAction.RESUME)
+        return self._request(id, OperatorAction.RESUME, phase)
 
     def cancel(self, id: str) -> Job:
         """Cancel a job and return it.
@@ -363,7 +370,7 @@ class OperatorStore:
                 return self._transitions.lock(session, id)
         return self._request(id, OperatorAction.CANCEL)
 
-    def _request(self, id: str, action: OperatorAction) -> Job:
+    def _request(self, id: str, action: OperatorAction, phase: int | None = None) -> Job:
         """Store an operator's request for the gateway of a job; return the job.
 
         A repeated request has no effect.
@@ -374,16 +381,20 @@ class OperatorStore:
             Id of a job that is on a table.
         action
             Requested action: hold, resume or cancel.
+        phase
+            Phase of the run that the job must have; None for any.
 
         Raises
         ------
         WrongState
-            The job does not allow the action in its present state.
+            The job does not allow the action in its present state, or is in another phase.
         """
         with self._db.writing() as session:
             row = self._transitions.lock(session, id)
             if action not in allowed_actions(row, self._db.clock()):
                 raise _refused_request_error(row, action)
+            if phase not in (None, row.phase):
+                raise WrongState("job.other-phase", job=id)
             if row.requested_action == action:
                 return row
             changes = {"requested_action": action.value}

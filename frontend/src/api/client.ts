@@ -340,7 +340,8 @@ export const service = {
         body: { life, by: operatorName() },
       }),
     ),
-  command: (id: string, command: JobCommand): Promise<Job> =>
+  /** Send a command; a job is resumed only in the phase of its run that the user has seen. */
+  command: (id: string, command: JobCommand, phase: number | null = null): Promise<Job> =>
     command === "confirm"
       ? dataOf(
           api.POST("/api/jobs/{id}/confirm", {
@@ -348,7 +349,9 @@ export const service = {
             body: { changed: [], worn_reason: "", by: operatorName() },
           }),
         )
-      : dataOf(api.POST(`/api/jobs/{id}/${command}`, { params: byId(id) })),
+      : command === "resume"
+        ? dataOf(api.POST("/api/jobs/{id}/resume", { params: byId(id), body: { phase } }))
+        : dataOf(api.POST(`/api/jobs/{id}/${command}`, { params: byId(id) })),
   confirmation: (id: string, signal?: AbortSignal): Promise<Confirmation> =>
     dataOf(api.GET("/api/jobs/{id}/confirmation", { params: byId(id), ...uncached(signal) })),
   /** Confirm what the operator has checked: it is sent once, and never late. */
@@ -360,9 +363,11 @@ export const service = {
         ...nowOrNever(),
       }),
     ),
-  /** A command that starts motion: it is sent once, and never late. */
-  commandNow: (id: string, command: JobCommand): Promise<Job> =>
-    dataOf(api.POST(`/api/jobs/{id}/${command}`, { params: byId(id), ...nowOrNever() })),
+  /** Resume in the phase of the run that the user has seen: it is sent once, and never late. */
+  resumeNow: (id: string, phase: number | null): Promise<Job> =>
+    dataOf(
+      api.POST("/api/jobs/{id}/resume", { params: byId(id), body: { phase }, ...nowOrNever() }),
+    ),
   tracks: (id: string, signal?: AbortSignal): Promise<readonly Track[]> =>
     dataOf(api.GET("/api/jobs/{id}/tracks", { params: byId(id), ...uncached(signal) })),
   continueJob: (id: string, choice: RestChoice): Promise<Job> =>

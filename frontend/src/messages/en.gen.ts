@@ -2447,6 +2447,10 @@ export const TEXTS = {
     "text": "Job {job} needs the board {board}, but the confirmation names the board {given}.",
     "hint": "Put a sheet of {board} on the table, then confirm the job again."
   },
+  "job.other-phase": {
+    "text": "Job {job} went on in the meantime, so it now waits for something else than the request was for.",
+    "hint": "Look at what the job waits for, then resume it if the machine may go on."
+  },
   "job.outdated": {
     "text": "The program of job {job} is out of date: {changes:; }.",
     "hint": "Compile the job again. Its program is then made and verified for the present machine and board."

@@ -33,7 +33,7 @@ import {
 } from "./history";
 import { notifyError } from "./notifications";
 import { useProfileDraft } from "./profileDraft";
-import { queries, queryClient, upsertJob } from "./queries";
+import { phaseOf, queries, queryClient, upsertJob } from "./queries";
 import { hasLeastLift } from "./sheet";
 import { useUiStore } from "./store";
 import type { ToolDecision } from "./wornTools";
@@ -233,7 +233,8 @@ export function continueJob(job: string, choice: RestChoice): Promise<void> {
 }
 
 export function command(job: string, word: JobCommand): Promise<void> {
-  return enqueue(async () => upsertJob(await service.command(job, word)));
+  const phase = phaseOf(job);
+  return enqueue(async () => upsertJob(await service.command(job, word, phase)));
 }
 
 /** Confirm a job whose tools are all good, or for which a decision was made. */

@@ -90,6 +90,19 @@ test("a stop that the machine does not carry out points to the emergency stop", 
   expect(last()?.state).toBe("done");
 });
 
+test("a job is resumed in the phase that the person has seen", async () => {
+  queryClient.setQueryData(queries.job("j").queryKey, job({ state: "held", phase: 3 }));
+  const resume = vi.spyOn(service, "resumeNow").mockResolvedValue(job({ updated: 2 }));
+  const result = commandJob("j", "Resume", "resume");
+  // What is reported after the press does not count.
+  upsertJob(job({ state: "held", phase: 4, updated: 3 }));
+  await vi.advanceTimersByTimeAsync(100);
+  expect(resume).toHaveBeenCalledWith("j", 3);
+  upsertJob(job({ state: "running", requested_action: "", updated: 4 }));
+  await vi.advanceTimersByTimeAsync(500);
+  await result;
+});
+
 test("a command is carried out when the job has changed, not when it was taken", () => {
   expect(isCarriedOut("hold", job({ requested_action: "hold" }))).toBe(false);
   expect(isCarriedOut("hold", job({ state: "held", requested_action: "" }))).toBe(true);

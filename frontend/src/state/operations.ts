@@ -13,7 +13,7 @@ import {
   service,
 } from "../api/client";
 import { renderHint, renderText } from "../messages/render";
-import { queries, queryClient, upsertJob } from "./queries";
+import { phaseOf, queries, queryClient, upsertJob } from "./queries";
 import { type Outcome, outcomeOf } from "./station";
 import type { ToolDecision } from "./wornTools";
 
@@ -123,10 +123,12 @@ export const startJob = (job: string, { board, stations, tools }: Checked): Prom
   );
 
 /** Send a command of a job, and follow it until the machine has carried it out. */
-export const commandJob = (job: string, label: string, word: JobCommand): Promise<void> =>
-  followCommand(job, label, word, () =>
-    STARTS.has(word) ? service.commandNow(job, word) : service.command(job, word),
+export function commandJob(job: string, label: string, word: JobCommand): Promise<void> {
+  const phase = phaseOf(job);
+  return followCommand(job, label, word, () =>
+    word === "resume" ? service.resumeNow(job, phase) : service.command(job, word, phase),
   );
+}
 
 async function followCommand(
   job: string,

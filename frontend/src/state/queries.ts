@@ -287,6 +287,10 @@ export function useTimeline() {
   });
 }
 
+/** Phase of the run of a job that the user sees; null if the job is not known. */
+export const phaseOf = (job: string): number | null =>
+  queryClient.getQueryData(queries.job(job).queryKey)?.phase ?? null;
+
 /** Insert or update a job in the cache, unless the cached one is newer. */
 export function upsertJob(job: Job): void {
   const known = queryClient.getQueryData(queries.job(job.id).queryKey);

@@ -306,6 +306,16 @@ def test_a_resume_that_withdrew_a_hold_does_not_confirm_the_end(store: Store) ->
     assert store.gateways.heartbeat(job.id, job.epoch, at_end) == "continue"
 
 
+def test_a_request_for_another_phase_is_refused(store: Store) -> None:
+    job = fed(store)
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, held=True, phase=1))
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, held=True, phase=2))
+    with pytest.raises(WrongState, match="in the meantime"):
+        store.operators.resume(job.id, phase=1)
+    assert store.jobs.get(job.id).requested_action == ""
+    assert store.operators.resume(job.id, phase=2).requested_action == "resume"
+
+
 def test_a_new_claim_begins_with_the_first_phase(store: Store) -> None:
     job = fed(store)
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, held=True, phase=4))

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field, computed_field
 
-from knifetip.api.schemas.common import Name, QuestionOut, Strict
+from knifetip.api.schemas.common import Count, Name, QuestionOut, Strict
 from knifetip.api.schemas.messages import MessageOut
 from knifetip.api.schemas.orders import Corners, Lift, Sheet
 from knifetip.api.schemas.verdicts import VerdictSummary
@@ -61,6 +61,16 @@ class ConfirmIn(Strict):
         default="",
         max_length=100,
         description="Name of the operator, for the record of job events; empty if it is not known",
+    )
+
+
+class ResumeIn(Strict):
+    """Request to resume a held job."""
+
+    phase: Count | None = Field(
+        default=None,
+        description="`phase` of the job for which the operator decided; the request is refused if "
+        "the job is in another one. Null for no check",
     )
 
 
@@ -189,6 +199,11 @@ class JobOut(BaseModel):
     )
     line: int = Field(description="Number of executed program lines of the present copy")
     lines: int = Field(description="Number of program lines; 0 before the job is compiled")
+    phase: int = Field(
+        default=0,
+        description="Number of the phase of the run: it increases whenever the machine goes on "
+        "after a hold, and whenever the job begins to wait for something else",
+    )
     position: tuple[float, float, float, float] | None = Field(
         description="Position on the sheet: X, Y of the head axis, Z of the tip (mm), C "
         "(degrees); null if it is not known"

@@ -227,6 +227,12 @@ MESSAGES: Final[Entries] = {
         board="text",
         given="text",
     ),
+    "job.other-phase": entry(
+        "Job {job} went on in the meantime, so it now waits for something else than the request "
+        "was for.",
+        "Look at what the job waits for, then resume it if the machine may go on.",
+        job="text",
+    ),
     "job.outdated": entry(
         "The program of job {job} is out of date: {changes:; }.",
         "Compile the job again. Its program is then made and verified for the present machine and "
