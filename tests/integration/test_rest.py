@@ -45,6 +45,7 @@ MACHINES = [
     ("two-carriage-table", "linuxcnc", "e-flute"),
     ("router-table", "linuxcnc", "e-flute"),
     ("laser-table", "grblhal", "e-flute"),
+    ("v-groove-table", "mcx314", "e-flute"),
 ]
 every_machine = pytest.mark.parametrize(("name", "language", "board"), MACHINES)
 

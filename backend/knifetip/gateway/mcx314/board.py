@@ -317,13 +317,11 @@ class Board:
                 self._program.done = piece.stretch.line
         if self._alarm:
             return
-        if self._feeder.driving:
-            if self._feeder.can_write():
-                self._continue()
-        else:
+        if not self._feeder.driving:
             self._begin_next()
-        while self._load_stretch():
-            pass
+        self._load_stretches()
+        if self._feeder.driving and self._feeder.can_write():
+            self._continue()
 
     def _begin_next(self) -> None:
         """Begin the next instruction, with the machine at rest."""
@@ -344,6 +342,7 @@ class Board:
             if instruction.name in MOTIONS:
                 if not self._load_stretch():
                     return
+                self._load_stretches()
                 break
             self._items.popleft()
             self._act(instruction)
@@ -385,6 +384,11 @@ class Board:
         if piece.completes:
             self._stretches.popleft()
             self._step = 0
+
+    def _load_stretches(self) -> None:
+        """Take all motions of the queue that can follow without a stop."""
+        while self._load_stretch():
+            pass
 
     def _load_stretch(self) -> bool:
         """Take the next motion of the queue to the stretches; return whether there is one.

@@ -106,6 +106,12 @@ class Chip:
         """Return the logical position of an axis (pulses)."""
         return self._axes[axis].position
 
+    def lose(self, axis: int, pulses: int) -> None:
+        """Add pulses to the position of an axis, as if its motor had lost steps."""
+        self._axes[axis].position += pulses
+        if self._drive is not None and axis in self._drive.axes:
+            self._origin[self._drive.axes.index(axis)] += pulses
+
     @property
     def due(self) -> float | None:
         """Time until the present segment ends (s); None if the chip is at rest."""

@@ -18,6 +18,9 @@ WATCH = 0.5
 #: Seconds without a request after which the board stops a program by itself.
 PATIENCE = 3.0
 
+#: Code with which the board refuses lines of a program that it does not execute.
+NO_PROGRAM = "program"
+
 _STATES = {
     "IDLE": State.IDLE,
     "RUN": State.RUN,
@@ -230,13 +233,18 @@ class BoardConnection:
         elif program is not None and fields["LOST"] == "1":
             self.fail(ControllerError("mcx314.gave-up", name=self.name, seconds=PATIENCE))
         elif program is not None and int(fields["PROGRAM"]) != program.number:
-            self.fail(ControllerError("mcx314.stopped", name=self.name, line=program.line))
+            self.fail(self.discarded())
         elif (
             self.observer is not None
             and program is not None
             and (error := self.observer.observe(status)) is not None
         ):
             self.fail(error)
+
+    def discarded(self) -> ControllerError:
+        """Return the error for a program that the board has discarded."""
+        line = 0 if self.program is None else self.program.line
+        return ControllerError("mcx314.stopped", name=self.name, line=line)
 
     def fail(self, error: ControllerError) -> ControllerError:
         """Record an error as the fault, unless there is a fault already; return the fault."""

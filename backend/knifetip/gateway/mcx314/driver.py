@@ -15,7 +15,7 @@ from collections.abc import Iterable
 from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected
 from knifetip.gateway.controller import Observer, SafeState, State, Status
 from knifetip.gateway.mcx314 import recovery
-from knifetip.gateway.mcx314.connection import BoardConnection, RunningProgram
+from knifetip.gateway.mcx314.connection import NO_PROGRAM, BoardConnection, RunningProgram
 from knifetip.gateway.mcx314.frames import LONGEST
 from knifetip.gateway.mcx314.instructions import AXES, BadLine, Name, parse
 from knifetip.gateway.mcx314.interpreter import Mcx314Interpreter
@@ -223,6 +223,8 @@ class Mcx314(Mcx314Operations):
             # The reason why the board refuses is in its status.
             if isinstance(error, ControllerRejected) and not self._connection.recovering:
                 await self._connection.report()
+                if error.message.arguments.get("code") == NO_PROGRAM:
+                    error = self._connection.discarded()
             raise self._connection.fail(error) from None
 
     async def _next_report(self) -> None:
