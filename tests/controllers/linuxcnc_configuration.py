@@ -1,8 +1,10 @@
 """The configuration of a LinuxCNC without hardware for a machine of the library.
 
-Its joints follow their commands at once.  ``sampler`` records the joints, the digital outputs and
-the spindle in every servo period.  ``emergency-stop.in1`` is the emergency stop button: 1 is
-released.
+Its joints follow their commands at once.  ``emergency-stop.in1`` is the emergency stop button: 1 is
+released.  ``valve-N.out`` is what the valve of station output N gets: off while the machine is off,
+and then until the program has switched the output off, as docs/howto/connect-linuxcnc.md advises.
+``sampler`` records the joints, the digital outputs, the spindle and the valves in every servo
+period.
 """
 
 from __future__ import annotations
@@ -71,16 +73,17 @@ def _axes(machine: Machine) -> Iterable[tuple[str, list[str]]]:
 def hal(machine: Machine) -> str:
     """Return the HAL file."""
     outputs = range(max(machine.outputs) + 1)
+    recorded = "f" * len(JOINTS) + "b" * len(outputs) + "b" + "b" * len(outputs)
     lines = [
         f"loadrt trivkins coordinates={JOINTS}",
         f"loadrt motmod servo_period_nsec={SERVO_PERIOD} num_joints={len(JOINTS)}"
         f" num_dio={len(outputs)} num_spindles=1",
-        f"loadrt sampler depth={_KEPT} cfg={'f' * len(JOINTS)}{'b' * len(outputs)}b",
-        "loadrt and2 names=emergency-stop",
+        f"loadrt sampler depth={_KEPT} cfg={recorded}",
+        f"loadrt and2 names=emergency-stop,{','.join(f'valve-{n}' for n in outputs)}",
+        f"loadrt lut5 names={','.join(f'allow-{n}' for n in outputs)}",
         "addf motion-command-handler servo-thread",
         "addf motion-controller servo-thread",
         "addf emergency-stop servo-thread",
-        "addf sampler.0 servo-thread",
         "net may-run iocontrol.0.user-enable-out => emergency-stop.in0",
         "net enabled emergency-stop.out => iocontrol.0.emc-enable-in",
         "setp emergency-stop.in1 1",
@@ -91,9 +94,27 @@ def hal(machine: Machine) -> str:
         motor = f"joint.{number}.motor-pos"
         lines.append(f"net motor-{number} {motor}-cmd => {motor}-fb")
         lines.append(f"net joint-{number} joint.{number}.pos-fb => sampler.0.pin.{number}")
+    spindle = len(JOINTS) + len(outputs)
+    lines.append(f"net spindle spindle.0.on => spindle.0.at-speed sampler.0.pin.{spindle}")
     for number in outputs:
-        pin = f"sampler.0.pin.{len(JOINTS) + number}"
-        lines.append(f"net output-{number} motion.digital-out-{number:02} => {pin}")
-    spindle = f"sampler.0.pin.{len(JOINTS) + len(outputs)}"
-    lines.append(f"net spindle spindle.0.on => spindle.0.at-speed {spindle}")
+        output, valve = len(JOINTS) + number, spindle + 1 + number
+        lines += [
+            f"net output-{number} motion.digital-out-{number:02} => sampler.0.pin.{output}",
+            *valve_lines(number),
+            f"net valve-{number} => sampler.0.pin.{valve}",
+        ]
+    lines.append("addf sampler.0 servo-thread")
     return "\n".join(lines) + "\n"
+
+
+def valve_lines(number: int) -> list[str]:
+    """Return the lines of the HAL file between the signal of an output and that of its valve."""
+    return [
+        f"setp allow-{number}.function 0xA2",
+        f"net machine-on motion.motion-enabled => allow-{number}.in-0",
+        f"net output-{number} => allow-{number}.in-1 valve-{number}.in0",
+        f"net allow-{number} allow-{number}.out => allow-{number}.in-2 valve-{number}.in1",
+        f"net valve-{number} valve-{number}.out",
+        f"addf allow-{number} servo-thread",
+        f"addf valve-{number} servo-thread",
+    ]

@@ -170,8 +170,8 @@ class Machine:
         Returns
         -------
         numpy.ndarray
-            Joints X, Y, Z, C (mm, degrees), then 0 or 1 for each digital output and the spindle,
-            shape (samples, columns).
+            Joints X, Y, Z, C (mm, degrees), then 0 or 1 for each digital output, the spindle and
+            the valve of each output, shape (samples, columns).
         """
         # A mark may lie within a line.
         with (self.directory / "samples.txt").open("rb") as file:

@@ -31,6 +31,8 @@ pytestmark = [
 
 
 SAFE = SafeState.of(TABLE)
+#: Columns of the samples with the valves: after joints, outputs 0 to 3 and spindle.
+VALVE = {output: 4 + 4 + 1 + output for output in TABLE.outputs}
 
 
 @pytest.fixture(scope="module")
@@ -171,6 +173,7 @@ async def test_an_emergency_stop_ends_the_job_and_unlock_raises_the_station(
         async with run(controller) as updates:
             await run_until_milling(updates)
 
+            mark = machine.mark()
             machine.press_emergency_stop()
             with pytest.raises(ControllerAlarm) as stopped:
                 [progress async for progress in updates]
@@ -188,6 +191,12 @@ async def test_an_emergency_stop_ends_the_job_and_unlock_raises_the_station(
     assert (await controller.status()).state is State.IDLE
     assert_safe(machine)
     await controller.close()
+    # HAL has raised the station at once, and unlock has not lowered it again.
+    assert machine.stands()
+    valve = machine.samples(mark)[:, VALVE[ROUTER]]
+    assert valve[0] == 1.0
+    assert valve[-1] == 0.0
+    assert (np.diff(valve) <= 0.0).all()
 
 
 async def test_a_tool_table_that_differs_from_the_machine_file_stops_the_job(
