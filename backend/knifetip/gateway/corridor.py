@@ -13,20 +13,15 @@ the whole move only: a tool that is turned to a heading between two others passe
 
 from __future__ import annotations
 
+import itertools
 import math
-import re
 from collections import deque
+from collections.abc import Iterator
 
 from knifetip.errors import ControllerError
 from knifetip.gateway.controller import State, Status
-from knifetip.gateway.interpreter import (
-    Interpreter,
-    LineInterpreter,
-    LineRefused,
-    strip_comments,
-)
+from knifetip.gateway.interpreter import Block
 from knifetip.gateway.motion import Move, Pose
-from knifetip.gateway.program_follower import lines_of
 
 #: Largest distance of a position from the path (mm), for a controller of unknown accuracy.
 OFF = 0.5
@@ -39,7 +34,6 @@ PLANNER = 128
 #: Surplus answers of the controller that may be counted before they are detected.
 MARGIN = 4
 
-_MACHINE_COORDINATES = re.compile(rb"G53(?!\d)")
 _STATES = (State.IDLE, State.RUN, State.HOLD)
 
 
@@ -48,31 +42,27 @@ class Corridor:
 
     Parameters
     ----------
-    text
-        Text of the program.
+    blocks
+        The effect of each program line, None for a line that is refused.
     start
         Status of the controller before the first program line is sent.
     capacity
         Number of blocks that the planner of the controller can hold; if None, ``PLANNER`` blocks
         are assumed.
-    interpreter
-        Interpreter of the program lines, at the position in ``start``; None for G-code.
     off
         Largest distance of a position from the path (mm).
     """
 
     def __init__(
         self,
-        text: bytes,
+        blocks: Iterator[Block | None],
         start: Status,
         capacity: int | None,
-        interpreter: LineInterpreter | None = None,
         *,
         off: float = OFF,
     ) -> None:
         self._greatest = off
-        self._lines = lines_of(text)
-        self._interpreter = interpreter or Interpreter(start.position)
+        self._blocks = blocks
         self._base = start.sent
         self._held = (capacity or PLANNER) + MARGIN
         self._moves: deque[tuple[int, Move]] = deque()
@@ -121,31 +111,28 @@ class Corridor:
         self._take(status.sent - self._base)
         if self._blind or not status.located:
             return
-        line, _ = self._moves[-1]
-        end = self._interpreter.position
+        line, move = self._moves[-1]
+        end = move.end
         distance = math.dist(status.position[:3], end[:3])
         turn = turned_off(Move(end, end), status.position[3])
         if distance > self._greatest or turn > TURNED:
             raise self._error(status.position, distance, turn, line)
 
     def _take(self, sent: int) -> None:
-        """Interpret the program lines sent since the last call, and store their moves.
+        """Read the program lines sent since the last call, and store their moves.
 
         Parameters
         ----------
         sent
             Number of program lines sent so far.
         """
-        while self._read < sent and (line := next(self._lines, None)) is not None:
+        for block in itertools.islice(self._blocks, max(sent - self._read, 0)):
             self._read += 1
-            try:
-                move = self._interpreter.read(line).move
-            except LineRefused:
+            if block is None:
                 self._blind = True
-                continue
-            if move is not None:
-                self._blind = self._blind or bool(_MACHINE_COORDINATES.search(strip_comments(line)))
-                self._moves.append((self._read, move))
+            elif block.move is not None:
+                self._blind = self._blind or block.in_machine_coordinates
+                self._moves.append((self._read, block.move))
 
     def _forget(self, answered: int) -> None:
         """Delete the oldest stored moves that the machine has certainly executed.

@@ -25,7 +25,7 @@ from knifetip.gateway.interpreter import (
     tool_offsets,
 )
 from knifetip.gateway.motion import Move, Pose
-from knifetip.gateway.program_follower import lines_of
+from knifetip.gateway.program_blocks import lines_of
 from knifetip.model.machine import Machine, Station
 
 #: Modes of a program of this module; see ``post.rs274.program.HEADER``.

@@ -107,6 +107,7 @@ class Block:
     move: Move | None = None
     pause: bool = False  #: M0
     end: bool = False  #: M2, M30
+    in_machine_coordinates: bool = False  #: G53: the move is not in the coordinates of the program
 
     @property
     def waits(self) -> bool:
@@ -240,6 +241,7 @@ class Interpreter:
             move=move,
             pause=program == 0.0,
             end=program in (2.0, 30.0),
+            in_machine_coordinates=groups.get("offset") == 53.0,
         )
 
     def _read_tool(self, words: dict[str, float], groups: dict[str, float]) -> tuple[int, Pose]:

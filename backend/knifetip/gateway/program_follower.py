@@ -16,19 +16,15 @@ stored, so memory does not grow with the program.
 
 from __future__ import annotations
 
+import itertools
 from collections import deque
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 from knifetip.gateway.controller import Status
-from knifetip.gateway.interpreter import (
-    EMPTY_BLOCK,
-    Block,
-    Interpreter,
-    LineInterpreter,
-    LineRefused,
-)
+from knifetip.gateway.interpreter import EMPTY_BLOCK, Block
 from knifetip.gateway.motion import NOTHING, Limits
+from knifetip.gateway.program_blocks import seconds_of
 
 #: Largest distance of a reported position from its move (mm and degrees): steps, chords, rounding.
 NEAR = 0.05
@@ -38,44 +34,10 @@ CLEARLY = 0.002
 AHEAD = 1
 
 
-def lines_of(text: bytes) -> Iterator[bytes]:
-    """Yield the lines of a program without newlines, without copying the whole program."""
-    at = 0
-    while at < len(text):
-        end = text.find(b"\n", at)
-        if end < 0:
-            end = len(text)
-        yield text[at:end]
-        at = end + 1
-
-
 @dataclass(frozen=True, slots=True)
 class _Line:
     block: Block
     seconds: float
-
-
-def blocks_of(text: bytes, interpreter: LineInterpreter | None = None) -> Iterator[Block]:
-    """Yield the effect of each line of a program; an empty block for a line that is refused.
-
-    Parameters
-    ----------
-    text
-        The program.
-    interpreter
-        Interpreter of its lines; None for G-code that begins at the origin.
-    """
-    interpreter = interpreter or Interpreter()
-    for line in lines_of(text):
-        try:
-            yield interpreter.read(line)
-        except LineRefused:
-            yield EMPTY_BLOCK
-
-
-def seconds_of(block: Block, limits: Limits) -> float:
-    """Return the nominal duration of a block (s): its dwell plus the duration of its move."""
-    return (block.dwell or 0.0) + (block.move.seconds(limits) if block.move else 0.0)
 
 
 class ProgramFollower:
@@ -83,21 +45,14 @@ class ProgramFollower:
 
     Parameters
     ----------
-    text
-        The program.
+    blocks
+        The effect of each program line, None for a line that is refused.
     limits
         Limits of the axes, from which the nominal durations of the lines are computed.
-    interpreter
-        Interpreter of the program lines; None for G-code that begins at the origin.
     """
 
-    def __init__(
-        self,
-        text: bytes,
-        limits: Limits,
-        interpreter: LineInterpreter | None = None,
-    ) -> None:
-        self._blocks = blocks_of(text, interpreter)
+    def __init__(self, blocks: Iterator[Block | None], limits: Limits) -> None:
+        self._blocks = blocks
         self._limits = limits
         self._window: deque[_Line] = (
             deque()
@@ -171,7 +126,7 @@ class ProgramFollower:
         return executing
 
     def _take(self, acknowledged: int) -> None:
-        """Interpret the program lines that the controller has answered since the last call.
+        """Read the program lines that the controller has answered since the last call.
 
         The lines are stored until they are known to be executed.  Some lines, such as a dwell, are
         answered only when all earlier motion has ended.  The answer to such a line proves that the
@@ -182,7 +137,8 @@ class ProgramFollower:
         acknowledged
             Number of lines of this program that the controller has answered.
         """
-        while self._read < acknowledged and (block := next(self._blocks, None)) is not None:
+        for read in itertools.islice(self._blocks, max(acknowledged - self._read, 0)):
+            block = read or EMPTY_BLOCK
             self._window.append(_Line(block, seconds_of(block, self._limits)))
             self._moves += _moves(block)
             self._read += 1

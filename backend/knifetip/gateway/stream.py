@@ -30,12 +30,11 @@ from knifetip.gateway.controller import (
 from knifetip.gateway.corridor import Corridor
 from knifetip.gateway.interpreter import Interpreter, LineInterpreter, switches_output
 from knifetip.gateway.motion import Limits, Pose
-from knifetip.gateway.program_follower import ProgramFollower, blocks_of, lines_of, seconds_of
+from knifetip.gateway.program_blocks import ProgramBlocks, lines_of
+from knifetip.gateway.program_follower import ProgramFollower
 from knifetip.messages import Message
 from knifetip.model.program import Program
 
-#: Number of lines that are processed before other tasks can run.
-TURN = 500
 #: Nominal seconds after which the measured pace is used.
 PACE = 1.0
 #: Default limits of the axes: 1 m/s, 5 m/s², two turns per second.
@@ -119,9 +118,11 @@ async def stream(
             return controller.interpreter(status.position)
         return Interpreter(status.position, tools)
 
-    lines, total = await _measure(text, limits, interpreter())
-    follower = ProgramFollower(text, limits, interpreter())
-    corridor = Corridor(text, status, controller.capacity, interpreter(), off=controller.accuracy)
+    blocks = ProgramBlocks(text, interpreter)
+    lines, total = await blocks.measure(limits)
+    followed, expected = blocks.readers()
+    follower = ProgramFollower(followed, limits)
+    corridor = Corridor(expected, status, controller.capacity, off=controller.accuracy)
     clock = _Clock(total)
     base = status
     controller.observer = corridor
@@ -227,29 +228,6 @@ def _progress_message(executed: int, sent: int, lines: int) -> Message:
     if rest <= 0:
         return Message("run.executed", executed=executed, lines=lines)
     return Message("run.in-buffer", executed=executed, lines=lines, rest=rest)
-
-
-async def _measure(text: bytes, limits: Limits, interpreter: LineInterpreter) -> tuple[int, float]:
-    """Return the number of lines of a program and its nominal duration (s).
-
-    Gives other tasks a turn after every ``TURN`` lines.
-
-    Parameters
-    ----------
-    text
-        The program.
-    limits
-        Limits of the axes.
-    interpreter
-        Interpreter of the program lines.
-    """
-    lines, total = 0, 0.0
-    for block in blocks_of(text, interpreter):
-        lines += 1
-        total += seconds_of(block, limits)
-        if lines % TURN == 0:
-            await asyncio.sleep(0)
-    return lines, total
 
 
 async def _feed(text: bytes, controller: Controller, corridor: Corridor, check: bool) -> None:

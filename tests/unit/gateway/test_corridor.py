@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import pytest
 
 from knifetip.errors import ControllerError
 from knifetip.gateway.controller import State, Status
 from knifetip.gateway.corridor import REPORTS, Corridor, distance_to
+from knifetip.gateway.interpreter import Block, Interpreter
 from knifetip.gateway.motion import Move
+from knifetip.gateway.program_blocks import read_blocks
 
 PROGRAM = b"G21 G90\nG0 Z20\nG0 X100 Y100\nG1 Z-1 F600\nG1 X200\nG3 X200 Y120 J10 F900\nG1 X100\n"
 START = Status(State.IDLE, (0.0, 0.0, 20.0, 0.0), 40, True, sent=40)
@@ -39,19 +42,23 @@ def verdict(corridor: Corridor, status: Status, reports: int = REPORTS) -> Contr
     return corridor.observe(status)
 
 
+def lines(program: bytes) -> Iterator[Block | None]:
+    return read_blocks(program, Interpreter(START.position))
+
+
 @pytest.mark.parametrize(
     "place",
     [(0, 0, 20), (50, 50, 20), (100, 100, 5), (150, 100.4, -1), (210, 110, -1), (150, 120, -1)],
 )
 def test_a_position_on_any_move_that_was_sent_is_right(place: tuple[int, float, int]) -> None:
-    assert verdict(Corridor(PROGRAM, START, 15), report(*place)) is None
+    assert verdict(Corridor(lines(PROGRAM), START, 15), report(*place)) is None
 
 
 @pytest.mark.parametrize("place", [(50, 51, 20), (150, 100.6, -1), (205, 105, -1), (150, 100, 0)])
 def test_a_position_off_the_path_is_a_fault_if_a_second_report_confirms_it(
     place: tuple[int, float, int],
 ) -> None:
-    error = verdict(Corridor(PROGRAM, START, 15), report(*place))
+    error = verdict(Corridor(lines(PROGRAM), START, 15), report(*place))
     assert error is not None
     assert "away from the path of the program near program line" in error.text
     assert "home the machine" in error.hint
@@ -59,7 +66,7 @@ def test_a_position_off_the_path_is_a_fault_if_a_second_report_confirms_it(
 
 @pytest.mark.parametrize(("y", "error"), [(100.09, False), (100.12, True)])
 def test_the_accuracy_of_the_controller_is_the_width_of_the_corridor(y: float, error: bool) -> None:
-    corridor = Corridor(PROGRAM, START, 15, off=0.1)
+    corridor = Corridor(lines(PROGRAM), START, 15, off=0.1)
     assert (verdict(corridor, report(150.0, y, -1.0)) is not None) is error
 
 
@@ -84,7 +91,10 @@ def test_a_heading_of_the_program_is_right_modulo_a_turn(
     pose: tuple[float, float, float, float],
 ) -> None:
     x, y, z, c = pose
-    assert verdict(Corridor(TURNING, START, 15), report(x, y, z, c=c, sent=8, answered=8)) is None
+    assert (
+        verdict(Corridor(lines(TURNING), START, 15), report(x, y, z, c=c, sent=8, answered=8))
+        is None
+    )
 
 
 @pytest.mark.parametrize(
@@ -95,20 +105,20 @@ def test_another_heading_is_a_fault(
     pose: tuple[float, float, float, float], line: int, turn: float
 ) -> None:
     x, y, z, c = pose
-    error = verdict(Corridor(TURNING, START, 15), report(x, y, z, c=c, sent=8, answered=8))
+    error = verdict(Corridor(lines(TURNING), START, 15), report(x, y, z, c=c, sent=8, answered=8))
     assert error is not None
     assert f"{turn:.1f} degrees away from the program near program line {line}" in error.text
 
 
 def test_at_rest_the_heading_is_that_of_the_last_line() -> None:
-    corridor = Corridor(TURNING, START, 15)
+    corridor = Corridor(lines(TURNING), START, 15)
     corridor.check_rest(report(0, 220, -1, c=0.4, sent=8, answered=8))
     with pytest.raises(ControllerError, match="degrees away"):
         corridor.check_rest(report(0, 220, -1, c=340.0, sent=8, answered=8))
 
 
 def test_a_single_wrong_report_is_borne_and_another_one_is_wanted_at_once() -> None:
-    corridor = Corridor(PROGRAM, START, 15)
+    corridor = Corridor(lines(PROGRAM), START, 15)
     for _ in range(5):
         assert corridor.observe(report(900, 0, 20)) is None
         assert corridor.doubtful
@@ -117,13 +127,13 @@ def test_a_single_wrong_report_is_borne_and_another_one_is_wanted_at_once() -> N
 
 
 def test_a_move_that_was_not_sent_yet_is_off_the_path() -> None:
-    assert verdict(Corridor(PROGRAM, START, 15), report(150, 120, -1, sent=6, answered=6))
-    assert verdict(Corridor(PROGRAM, START, 15), report(150, 120, -1)) is None
+    assert verdict(Corridor(lines(PROGRAM), START, 15), report(150, 120, -1, sent=6, answered=6))
+    assert verdict(Corridor(lines(PROGRAM), START, 15), report(150, 120, -1)) is None
 
 
 def test_a_move_that_must_be_done_is_off_the_path() -> None:
     rows = b"".join(b"G1 X%d Y%d F900\n" % (100 * (row % 2), row) for row in range(200))
-    corridor = Corridor(rows, START, 4)
+    corridor = Corridor(lines(rows), START, 4)
     # Of 150 answered lines, 4 can be in the planner; some more are kept for excess answers.
     on_row = [
         verdict(corridor, report(50, row - 0.5, 20, sent=155, answered=150)) is None
@@ -138,21 +148,21 @@ def test_a_move_that_must_be_done_is_off_the_path() -> None:
     ids=["machine coordinates", "unknown word"],
 )
 def test_a_program_that_cannot_be_followed_is_not_checked(program: bytes) -> None:
-    assert verdict(Corridor(program, START, 15), report(900, 900, 20)) is None
+    assert verdict(Corridor(lines(program), START, 15), report(900, 900, 20)) is None
 
 
 def test_positions_without_a_known_work_offset_are_not_checked() -> None:
-    corridor = Corridor(PROGRAM, START, 15)
+    corridor = Corridor(lines(PROGRAM), START, 15)
     assert verdict(corridor, report(900, 900, 20, located=False)) is None
 
 
 @pytest.mark.parametrize("state", [State.CHECK, State.ALARM, State.JOG])
 def test_only_a_machine_that_carries_out_the_program_is_checked(state: State) -> None:
-    assert verdict(Corridor(PROGRAM, START, 15), report(900, 900, 20, state=state)) is None
+    assert verdict(Corridor(lines(PROGRAM), START, 15), report(900, 900, 20, state=state)) is None
 
 
 def test_at_rest_the_position_is_the_end_of_the_last_line() -> None:
-    corridor = Corridor(PROGRAM, START, 15)
+    corridor = Corridor(lines(PROGRAM), START, 15)
     corridor.check_rest(report(100, 120, -1, state=State.IDLE))
     with pytest.raises(ControllerError, match=r"10\.0 mm away .* near program line 7"):
         corridor.check_rest(report(110, 120, -1, state=State.IDLE))

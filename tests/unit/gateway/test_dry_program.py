@@ -20,7 +20,7 @@ from knifetip.gateway.dry_program import (
 )
 from knifetip.gateway.interpreter import Interpreter, tool_offsets
 from knifetip.gateway.motion import Pose
-from knifetip.gateway.program_follower import lines_of
+from knifetip.gateway.program_blocks import lines_of
 from knifetip.library import load
 
 MACHINE = load.machine("demo-table")

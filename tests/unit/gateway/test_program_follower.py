@@ -7,8 +7,10 @@ import math
 import pytest
 
 from knifetip.gateway.controller import State, Status
+from knifetip.gateway.interpreter import Interpreter
 from knifetip.gateway.motion import Limits
-from knifetip.gateway.program_follower import ProgramFollower, lines_of
+from knifetip.gateway.program_blocks import read_blocks
+from knifetip.gateway.program_follower import ProgramFollower
 
 LIMITS = Limits((1000.0,) * 4, (1000.0,) * 4, (-math.inf,) * 4, (math.inf,) * 4)
 
@@ -38,12 +40,7 @@ def at(
 
 
 def followed(text: bytes = GROOVE) -> ProgramFollower:
-    return ProgramFollower(text, LIMITS)
-
-
-def test_lines_come_one_by_one_with_or_without_a_last_newline() -> None:
-    assert list(lines_of(b"G0\nG1\n")) == list(lines_of(b"G0\nG1")) == [b"G0", b"G1"]
-    assert list(lines_of(b"")) == []
+    return ProgramFollower(read_blocks(text, Interpreter()), LIMITS)
 
 
 def test_nothing_is_executed_before_it_is_answered() -> None:

@@ -21,7 +21,7 @@ from urllib.parse import parse_qsl, urlencode, urlsplit
 from knifetip.errors import ControllerError, NoSuchController, ProgramError
 from knifetip.gateway.controller import SafeState
 from knifetip.gateway.open_loop import OpenLoop
-from knifetip.gateway.program_follower import lines_of
+from knifetip.gateway.program_blocks import lines_of
 from knifetip.gateway.transport import Transport, connect
 
 #: TCP port on which plotters and print servers take raw data.

@@ -21,7 +21,7 @@ from knifetip.gateway.mcx314.instructions import AXES, BadLine, Name, parse
 from knifetip.gateway.mcx314.interpreter import Mcx314Interpreter
 from knifetip.gateway.mcx314.operating import Mcx314Operations
 from knifetip.gateway.motion import Pose
-from knifetip.gateway.program_follower import lines_of
+from knifetip.gateway.program_blocks import lines_of
 
 #: Program lines in one request, and the bytes that a request needs besides them.
 _BATCH = 16
