@@ -16,6 +16,7 @@ import sys
 from pathlib import Path
 
 from tests.attack.campaign import Tally, run
+from tests.attack.rests import rests
 from tests.attack.subjects import subjects
 from tests.support.campaign import keep_file, until_interrupted
 
@@ -28,7 +29,7 @@ def main() -> int:
     parser.add_argument("--only", default="", help="attack only subjects whose names contain this")
     parser.add_argument("--keep", type=Path, help="folder for the programs that escaped")
     options = parser.parse_args()
-    chosen = [subject for subject in subjects() if options.only in subject.name]
+    chosen = [subject for subject in (*subjects(), *rests()) if options.only in subject.name]
     tally = Tally()
     with until_interrupted():
         for escape in run(chosen, options.mutants, options.seed, tally):

@@ -76,6 +76,8 @@ def run(subjects: Sequence[Subject], count: int, seed: int, tally: Tally) -> Ite
         assert oracle.base.contacts
     pools: dict[str, list[tuple[str, bytes]]] = defaultdict(list)
     others = [subject.text for subject in subjects]
+    # The work of an earlier program must not be done again.
+    others += [work.text for subject in subjects for work in subject.earlier]
     number = 0
     while number < count:
         subject = rng.choice(subjects)

@@ -66,6 +66,25 @@ class Oracle:
             return plot(text, machine)
         return effect(self.run_of(text), machine, self.subject.board, tooled=self.tooled)
 
+    @cached_property
+    def _before(self) -> list[Contact]:
+        """The contacts that earlier programs have made, also those that are made again."""
+        before: list[Contact] = []
+        for work in self.subject.earlier:
+            start = 1 + max((each.track for each in before), default=0)
+            before += [
+                replace(each, track=start + each.track)
+                for each in self.effect_of(work.text).contacts
+                if any(low <= each.line <= high for low, high in work.lines + work.repeated)
+            ]
+        return before
+
+    def _whole(self, run: Effect) -> Effect:
+        """Return what a program does after the earlier ones, as the effect of one program."""
+        start = 1 + max((each.track for each in self._before), default=-1)
+        own = [replace(each, track=start + each.track) for each in run.contacts]
+        return replace(run, contacts=[*self._before, *own])
+
     @property
     def _tolerance(self) -> float:
         """Greatest distance from the path of the correct program (mm).
@@ -240,10 +259,11 @@ class Oracle:
         keys = [[each.points.tobytes() for each in run.contacts] for run in (self.base, mutant)]
         if keys[0] == keys[1]:
             return ""
+        whole = self._whole(mutant)
         for part, contours in self._parts:
-            done = [self._completion(points, mutant) for points in contours]
+            done = [self._completion(points, whole) for points in contours]
             released = min((track for track in done if track >= 0), default=math.inf)
-            for contact in mutant.contacts:
+            for contact in whole.contacts[len(self._before) :]:
                 reach = self._milling.get(contact.station, 0.0)
                 way = shapely.linestrings(_way(contact))
                 if contact.track > released and part.buffer(-_MARGIN - reach).intersects(way):
@@ -252,7 +272,7 @@ class Oracle:
 
     def _completion(self, points: F64, run: Effect) -> int:
         """Return the track that completes a contour as far as the correct program cuts it."""
-        wanted = self._cut_at(points, self.base) >= 0
+        wanted = self._cut_at(points, self._whole(self.base)) >= 0
         tracks = self._cut_at(points, run)[wanted]
         return -1 if not len(tracks) or (tracks < 0).any() else int(tracks.max())
 

@@ -9,6 +9,7 @@ from knifetip import compensate, pipeline, plan, process, sequence
 from knifetip.library import load
 from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.earlier_work import EarlierWork
 from knifetip.model.machine import Machine, Zone
 from knifetip.model.verdict import Severity
 from knifetip.verification.verify import verify
@@ -31,6 +32,7 @@ class Subject:
     placement: tuple[float, float]
     machine: Machine
     board: Board
+    earlier: tuple[EarlierWork, ...] = ()  #: the programs whose sheet this one continues
 
     @property
     def language(self) -> str:
@@ -49,7 +51,9 @@ class Subject:
         )
 
     def _refusals(self, text: bytes) -> list[tuple[Severity, str, int]]:
-        verdict = verify(text, self.dieline, self.placement, self.machine, self.board)
+        verdict = verify(
+            text, self.dieline, self.placement, self.machine, self.board, earlier=self.earlier
+        )
         return [
             (found.severity, found.message.code, found.edge)
             for found in verdict.findings

@@ -5,10 +5,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from tests.attack.campaign import Tally, run
 from tests.attack.harm import Oracle
+from tests.attack.rests import rests
 from tests.attack.subjects import Subject, subjects
 
 
@@ -22,8 +25,29 @@ def test_no_harmful_mutant_is_accepted(seed: int) -> None:
     assert fates["refused"] > 150
 
 
+def test_no_harmful_mutant_of_a_rest_is_accepted() -> None:
+    tally = Tally()
+    assert [str(escape) for escape in run(rests(), 200, 21, tally)] == []
+    fates = sum((fates for fates in tally.fates.values()), start=tally.kinds["none"])
+    assert fates["harmless"] > 5
+    assert fates["refused"] > 100
+
+
 def _named(name: str) -> Subject:
     return next(subject for subject in subjects() if subject.name == name)
+
+
+def test_a_rest_is_measured_with_what_earlier_programs_have_cut() -> None:
+    subject = next(each for each in rests() if each.name == "rest half, demo-table, grblhal")
+    oracle, (work,) = Oracle(subject), subject.earlier
+    assert oracle.harm(subject.text) == ""
+    # The part whose outline was cut before must not be worked any more.
+    cut = replace(subject, earlier=(replace(work, text=subject.text, repeated=((1, 999),)),))
+    window = subject.text.index(b"G1 X100.0000")
+    turned = subject.text[:window] + b"G1 X100.0001" + subject.text[window + 12 :]
+    assert oracle.harm(turned) == ""
+    assert "works on a part after its outline" in Oracle(cut).harm(turned)
+    assert not cut.accepts(subject.text)
 
 
 @pytest.mark.parametrize(
