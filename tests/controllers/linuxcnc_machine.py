@@ -117,8 +117,19 @@ class Machine:
     def kill_shell(self) -> None:
         """End the remote shell, as a fault in it does; LinuxCNC then ends, too."""
         self.killed = True
-        for process in _processes(self.process.pid, _SHELL):
-            os.kill(process, signal.SIGSEGV)
+        self._signal_shell(signal.SIGSEGV)
+
+    def stop_shell(self) -> None:
+        """Let the remote shell hang until ``continue_shell``; the machine goes on."""
+        self._signal_shell(signal.SIGSTOP)
+
+    def continue_shell(self) -> None:
+        """Let the remote shell continue."""
+        self._signal_shell(signal.SIGCONT)
+
+    def _signal_shell(self, signal_number: signal.Signals) -> None:
+        (shell,) = _processes(self.process.pid, _SHELL)
+        os.kill(shell, signal_number)
 
     def _request(self, pin: str, done: Callable[[], bool]) -> None:
         self._halcmd("setp", pin, "1")

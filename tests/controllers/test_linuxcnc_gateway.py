@@ -11,7 +11,12 @@ import numpy as np
 import pytest
 
 from knifetip import compensate, plan, process, sequence
-from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected
+from knifetip.errors import (
+    ControllerAlarm,
+    ControllerError,
+    ControllerRejected,
+    ControllerSilent,
+)
 from knifetip.gateway.controller import SafeState, State
 from knifetip.gateway.interpreter import tool_offsets
 from knifetip.gateway.linuxcnc.driver import Linuxcnc, dial
@@ -164,6 +169,37 @@ async def test_a_machine_that_still_runs_is_taken_over_only_on_request(machine: 
     second = await dial(machine.address, SAFE, stop_motion=True)
     assert_safe(machine)
     await second.close()
+
+
+async def test_a_remote_shell_that_hangs_is_noticed_and_the_machine_stopped(
+    machine: Machine,
+) -> None:
+    controller = await dial(machine.address, SAFE, silence=0.5)
+    async with run(controller) as updates:
+        await run_until_milling(updates)
+        machine.override_feed(10)  # the program does not end meanwhile
+        machine.stop_shell()
+        asyncio.get_running_loop().call_later(1.5, machine.continue_shell)
+        with pytest.raises(ControllerSilent) as silent:
+            [progress async for progress in updates]
+    assert "was lifted" in silent.value.text
+    assert_safe(machine)
+    await controller.close()
+
+
+async def test_a_remote_shell_that_ends_is_noticed_and_the_unknown_state_reported(
+    machine: Machine,
+) -> None:
+    controller = await dial(machine.address, SAFE, silence=0.2)
+    async with run(controller) as updates:
+        await run_until_milling(updates)
+        machine.kill_shell()
+        with pytest.raises(ControllerError) as lost:
+            [progress async for progress in updates]
+    assert "connection to LinuxCNC" in lost.value.text
+    assert "No controller responds" in lost.value.text
+    assert controller.fault is not None
+    await controller.close()
 
 
 async def test_an_emergency_stop_ends_the_job_and_unlock_raises_the_station(
