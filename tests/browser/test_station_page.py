@@ -107,12 +107,35 @@ def workshop(built: None, tmp_path_factory: pytest.TempPathFactory) -> Iterator[
             yield Workshop(url, table, server)
         finally:
             for process in reversed(processes):
-                process.send_signal(signal.SIGINT)
-                try:
-                    process.wait(20)
-                except subprocess.TimeoutExpired:
-                    process.kill()
-                    process.wait()
+                end(process)
+            table.close()
+
+
+def end(process: subprocess.Popen[bytes]) -> None:
+    process.send_signal(signal.SIGINT)
+    try:
+        process.wait(20)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.wait()
+
+
+@pytest.fixture
+def own_machine(workshop: Workshop, api: httpx.Client, tmp_path: Path) -> Iterator[SimulatedTable]:
+    """Run a gateway for a machine of a user, a copy of the demo table."""
+    fields = api.get(f"/api/machines/{MACHINE}/definition").json()["fields"]
+    assert api.put("/api/machines/mine", json=fields | {"title": "My table"}).status_code == 201
+    table = SimulatedTable()
+    command = [sys.executable, "-m", "knifetip.cli", "gateway", "--server", workshop.url]
+    command += ["--machine", "mine", "--controller", f"tcp://{table.server.address}"]
+    with (tmp_path / "log").open("wb") as log:
+        gateway = subprocess.Popen(
+            [*command, "--journal", str(tmp_path / "j")], stdout=log, stderr=log
+        )
+        try:
+            yield table
+        finally:
+            end(gateway)
             table.close()
 
 
@@ -145,11 +168,11 @@ def tablet(
     assert errors == []
 
 
-def send_job(api: httpx.Client, copies: int) -> str:
+def send_job(api: httpx.Client, copies: int, machine: str = MACHINE) -> str:
     """Send a job of a sample drawing to the machine, and return its id."""
     name = "rigid-box-blank.dxf"
     drawing = api.post("/api/drawings", files={"file": (name, samples()[name])}).json()["id"]
-    order = {"drawing": drawing, "machine": MACHINE, "board": "greyboard-2.0", "copies": copies}
+    order = {"drawing": drawing, "machine": machine, "board": "greyboard-2.0", "copies": copies}
     answer = api.post("/api/jobs", json={**order, "release": True})
     assert answer.status_code in (201, 202), answer.text
     job = str(answer.json()["id"])
@@ -493,6 +516,54 @@ def test_outputs_are_switched_and_the_zero_is_set_by_hand(
     page.screenshot(path=screenshots / f"{name}-14-zero.png")
     page.get_by_test_id("operation-home").tap()
     assert_done(page, "Home")
+
+
+def test_a_corrected_offset_becomes_a_new_version_for_which_the_job_is_compiled_again(
+    browser: Browser,
+    workshop: Workshop,
+    api: httpx.Client,
+    own_machine: SimulatedTable,
+    screenshots: Path,
+) -> None:
+    context = browser.new_context(viewport={"width": 1024, "height": 768}, has_touch=True)
+    page = context.new_page()
+    expect.set_options(timeout=60_000)
+    page.goto(f"{workshop.url}/#/station/mine")
+    state = page.get_by_test_id("station-state")
+    expect(state).to_have_text("At rest")
+    job = send_job(api, 1, "mine")
+    expect(state).to_have_text("Waiting for operator")
+    page.get_by_test_id("check-tool-3").tap()
+    page.get_by_test_id("shift-Y-more").tap()
+    page.get_by_test_id("tool-check-move").tap()
+    table = own_machine.table
+    wait_until(
+        lambda: table.position == pytest.approx((-40.0, 20.2, 4.0, 0.0), abs=1e-3),
+        "the correction is not tried",
+        60.0,
+    )
+    expect(page.get_by_test_id("tool-check-move")).to_be_enabled()
+    page.get_by_test_id("tool-check-save").tap()
+    assert_done(page, "Save the offset of V-cutter")
+    saved = api.get("/api/machines/mine/definition").json()
+    assert saved["version"] == 2
+    datum = next(one["datum"] for one in saved["fields"]["station"] if one["number"] == 3)
+    assert datum == {"x": -60.0, "y": 0.2, "z": 0.0, "c": 0.0}
+    expect(state).to_have_text("Out of date")
+    again = page.get_by_test_id("station-recompile")
+    again.scroll_into_view_if_needed()
+    page.screenshot(path=screenshots / "station-1024-13-out-of-date.png")
+    again.tap()
+    # The gateway loads the new version by itself, and takes the job again.
+    expect(state).to_have_text("Waiting for operator")
+    assert api.get(f"/api/jobs/{job}").json()["machine_version"] == 2
+    assert table.position[2] == pytest.approx(20.0)
+    tick_all(page)
+    page.get_by_test_id("station-start").tap()
+    expect(state).to_have_text("Running")
+    api.post(f"/api/jobs/{job}/cancel")
+    wait_until(lambda: api.get(f"/api/jobs/{job}").json()["state"] == "cancelled", "not stopped")
+    context.close()
 
 
 def hold_arrow(page: Page, arrow: str, seconds: float) -> None:

@@ -2,14 +2,35 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Mapping
 from dataclasses import replace
 from urllib.parse import quote
 
-from knifetip.errors import JobError
+from knifetip.cli.terminal import print_stderr
+from knifetip.errors import JobError, KnifetipError
 from knifetip.library import load
 from knifetip.messages import from_json
 from knifetip.model.machine import Machine
+
+#: Time before a machine is loaded again, and between two attempts (s).
+_PAUSE = 2.0
+
+
+def reload_machine(name: str, server: str, headers: Mapping[str, str]) -> Machine:
+    """Return the newest version of a machine; wait until the server returns one.
+
+    Parameters
+    ----------
+    name, server, headers
+        As for ``find_machine``.
+    """
+    while True:
+        time.sleep(_PAUSE)
+        try:
+            return find_machine(name, server, headers)
+        except KnifetipError as error:
+            print_stderr(str(error))
 
 
 def find_machine(name: str, server: str, headers: Mapping[str, str]) -> Machine:

@@ -8,15 +8,19 @@ import threading
 from collections.abc import Coroutine
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from knifetip.cli.options import expand
 from knifetip.cli.terminal import print_stderr
-from knifetip.errors import StoreError
+from knifetip.errors import StaleVersion, StoreError
 from knifetip.library import load
+
+if TYPE_CHECKING:
+    from knifetip.gateway.controller import Controller, Driver, SafeState
 
 Database = Annotated[str, typer.Option(help="SQLAlchemy URL of an SQLite or PostgreSQL database.")]
 Host = Annotated[
@@ -199,23 +203,32 @@ def gateway(
     Ctrl-C or SIGTERM stops the machine, then the gateway.  An address at which there can be no
     controller ends it at once; a controller that is switched off is waited for.
     """
-    from knifetip.cli.served_machine import find_machine
+    from knifetip.cli.served_machine import find_machine, reload_machine
     from knifetip.gateway import claim
     from knifetip.gateway.hot_folder import find_driver
     from knifetip.gateway.job_server import GatewaySettings
     from knifetip.gateway.journal import default_path
 
     headers = {"Authorization": f"Bearer {key}"} if key else {}
-    table = find_machine(machine, server, headers)
-    dial = find_driver(table, controller)
-    print_stderr(f"{table.title}: controller {controller}, server {server}")
     record = journal or default_path(machine, server)
-    _run_until_terminated(
-        claim.run_gateway(
-            GatewaySettings(server, table, name, headers=headers, journal=record),
-            lambda safe, stop_motion: dial(controller, safe, stop_motion=stop_motion),
-        )
-    )
+    table = find_machine(machine, server, headers)
+    while True:
+        dial = find_driver(table, controller)
+        print_stderr(f"{table.title}: controller {controller}, server {server}")
+        settings = GatewaySettings(server, table, name, headers=headers, journal=record)
+        connect = partial(_connect, dial, controller)
+        try:
+            _run_until_terminated(claim.run_gateway(settings, connect))
+        except StaleVersion as changed:
+            # No job is on the machine: the next one is made for the newest version.
+            print_stderr(str(changed))
+            table = reload_machine(machine, server, headers)
+
+
+def _connect(
+    dial: Driver, address: str, safe: SafeState, stop_motion: bool
+) -> Coroutine[Any, Any, Controller]:
+    return dial(address, safe, stop_motion=stop_motion)
 
 
 def _run_until_terminated(work: Coroutine[Any, Any, None]) -> None:

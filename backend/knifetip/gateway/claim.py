@@ -438,6 +438,8 @@ async def run_gateway(
     ------
     NoSuchController
         The address of the controller is wrong, and was so from the start.
+    StaleVersion
+        The server has a newer version of the machine.  No job is on the machine.
     """
     http = httpx.AsyncClient() if client is None else client
     http.headers.update({"X-Knifetip": "gateway", **settings.headers})

@@ -16,7 +16,7 @@ from urllib.parse import urljoin
 
 import httpx
 
-from knifetip.errors import ProgramError
+from knifetip.errors import ProgramError, StaleVersion
 from knifetip.gateway.job_run import JobEnd, JobRun, Lease
 from knifetip.gateway.journal import Journal
 from knifetip.gateway.operations import EXPIRY
@@ -65,6 +65,11 @@ class JobServer:
 
         Returns None if the server has no job for the machine or does not answer.  The server waits
         for a new job for at most ``GatewaySettings.wait`` seconds.
+
+        Raises
+        ------
+        StaleVersion
+            The server has a newer version of the machine.
         """
         body = {
             "gateway": self._settings.name,
@@ -83,6 +88,11 @@ class JobServer:
             if answer.status_code == 200:
                 self._complaint = ""
                 return Lease.of(answer.json())
+            if answer.status_code == 412 and self._settings.machine.version:
+                machine = self._settings.machine
+                raise StaleVersion(
+                    "gateway.machine-changed", machine=machine.name, version=machine.version
+                )
             reason = f"{answer.status_code} {answer.text[:200]}"
         except (httpx.HTTPError, ValueError, KeyError, TypeError) as error:
             reason = repr(error)

@@ -1267,6 +1267,10 @@ export const TEXTS = {
     "text": "The server withdrew the job from the gateway before the job was started. Nothing was sent to the machine.",
     "hint": ""
   },
+  "gateway.machine-changed": {
+    "text": "Version {version} of the machine {machine} is not the newest any more.",
+    "hint": "Load the definition of the machine again."
+  },
   "gateway.no-reason": {
     "text": "The gateway (the program that sends jobs to the machine) ended the job without stating a reason.",
     "hint": "Look for the cause in the log of the gateway."

@@ -10,6 +10,7 @@ import { type Confirmation, confirmationBefore, isOnTable, needsOperator } from 
 import { commandJob } from "../state/operations";
 import { useBoards } from "../state/queries";
 import { canContinue } from "../state/rest";
+import { recompileNote } from "../state/toolCheck";
 import type { WornToolsState } from "../state/wornTools";
 import { AskOnce } from "./AskOnce";
 import { DryRunPanel } from "./DryRunPanel";
@@ -60,6 +61,20 @@ export function StationJob(props: Props) {
           <DryRunPanel job={job} machine={machine} station={station} reached={reached} />
           {checks !== null && <ToolCheckPanel {...props} checks={checks} />}
         </>
+      )}
+      {job.waiting_for === "compile" && (
+        <div className={css.way}>
+          <button
+            type="button"
+            className={css.button}
+            disabled={!reached || !job.actions.includes("recompile")}
+            onClick={() => void commandJob(job.id, "Compile again", "recompile")}
+            data-testid="station-recompile"
+          >
+            Compile the job again
+          </button>
+          <small>{recompileNote(machine)}</small>
+        </div>
       )}
       {(job.state === "interrupted" || job.state === "cancelled") && (
         <AfterInterruption job={job} reached={reached} />

@@ -1,14 +1,13 @@
 /** Check of the tools of a waiting job, one by one: move above a point, look, correct or confirm. */
 
 import { useState } from "react";
-import { type Job, type Machine, type Station, service } from "../api/client";
+import type { Job, Machine, Station } from "../api/client";
 import { renderText } from "../messages/render";
 import type { Check } from "../state/checks";
-import { commandJob, operate, reportAction } from "../state/operations";
+import { operate, reportAction } from "../state/operations";
 import { useDrawing } from "../state/queries";
 import { AXES, type Axis, reasonAgainst, runAboveBoard } from "../state/station";
 import {
-  afterCorrection,
   isShifted,
   NO_SHIFT,
   placesOf,
@@ -195,15 +194,12 @@ interface CorrectionProps extends OneProps {
 }
 
 function Correction(props: CorrectionProps) {
-  const { machine, job, mounted, reached, shift, right, onShift, onRight } = props;
+  const { machine, mounted, reached, shift, right, onShift, onRight } = props;
   const [step, setStep] = useState<number>(0.2);
-  const [saved, setSaved] = useState(false);
   const save = () =>
     reportAction(`Save the offset of ${mounted.name}`, async () => {
       await saveCorrection(machine, mounted.number, shift);
       onShift(NO_SHIFT);
-      setSaved(true);
-      await service.job(job.id);
     });
   return (
     <>
@@ -270,19 +266,6 @@ function Correction(props: CorrectionProps) {
           {right ? "Tool is right \u2713" : "Tool is right"}
         </button>
       </div>
-      {saved && (
-        <div className={css.message} data-tone="amber" data-testid="tool-check-saved">
-          <p>The offset is saved as a new version of the machine. {afterCorrection(machine)}</p>
-          <button
-            type="button"
-            className={css.button}
-            disabled={!reached}
-            onClick={() => void commandJob(job.id, "Compile again", "recompile")}
-          >
-            Compile the job again
-          </button>
-        </div>
-      )}
     </>
   );
 }

@@ -50,6 +50,10 @@ describe("title", () => {
   test("a finished job leaves the state of the controller", () => {
     expect(titleOf(station({ state: "jog" }), job({ state: "done" })).title).toBe("Moving by hand");
   });
+  test("a job that is out of date asks for the person", () => {
+    const outdated = job({ state: "queued", waiting_for: "compile" });
+    expect(titleOf(station({}), outdated).title).toBe("Out of date");
+  });
   test("a silent gateway is not at rest", () => {
     expect(titleOf(station({ gateway: "", state: "" }), undefined).title).toBe(
       "Machine not connected",

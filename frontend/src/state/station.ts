@@ -58,7 +58,8 @@ export function titleOf(station: Station | undefined, job: Job | undefined): Sta
       ? { title: `${title} paused`, tone: "amber" }
       : { title, tone: "blue" };
   }
-  if (occupies(job) && (isOnTable(job) || needsOperator(job) || job.state === "interrupted")) {
+  const waits = (one: Job) => needsOperator(one) || one.waiting_for === "compile";
+  if (occupies(job) && (isOnTable(job) || waits(job) || job.state === "interrupted")) {
     return stateStyleOf(job);
   }
   return STATES[station.state];

@@ -63,11 +63,11 @@ export function withCorrection(fields: Fields, station: number, shift: Shift): F
   return { ...fields, station: stations };
 }
 
-/** What remains to be done after a correction, by the language of the controller. */
-export const afterCorrection = ({ language }: Machine): string =>
+/** What to know before a job is compiled again, by the language of the controller. */
+export const recompileNote = ({ language }: Machine): string =>
   language === "linuxcnc"
-    ? "Copy the new tool table to LinuxCNC, start the gateway again, and compile the job again."
-    : "Start the gateway again if it does not take the new version, and compile the job again.";
+    ? "If the offset of a station was corrected, copy the new tool table to LinuxCNC first."
+    : "For the newest version of machine and board.";
 
 /**
  * Save a corrected datum as a new version of the machine.

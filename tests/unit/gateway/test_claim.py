@@ -14,7 +14,7 @@ from typing import Any
 import httpx
 import pytest
 
-from knifetip.errors import ControllerError
+from knifetip.errors import ControllerError, StaleVersion
 from knifetip.gateway import simulator
 from knifetip.gateway.claim import run_gateway
 from knifetip.gateway.controller import Controller, SafeState, State, Status
@@ -133,8 +133,9 @@ async def gateway(office: Office, server: simulator.Server, **options: Any) -> N
                     server.address, safe, stop_motion=stop_motion, silence=0.5, poll=0.02
                 ),
             )
+            machine = options.pop("machine", MACHINE)
             settings = GatewaySettings(
-                "http://office", MACHINE, "table-7", wait=0.1, beat=0.01, **options
+                "http://office", machine, "table-7", wait=0.1, beat=0.01, **options
             )
             await run_gateway(settings, connect, client=client, jobs=1)
 
@@ -598,3 +599,17 @@ async def test_a_withdrawal_after_the_last_line_does_not_make_a_finished_cut_int
         await gateway(office, server)
     assert office.beats[-1]["line"] == 5
     assert office.finished[0]["outcome"] == "done"
+
+
+async def test_a_gateway_whose_machine_has_changed_ends_so_that_it_can_be_loaded_again() -> None:
+    class Changed(Office):
+        async def __call__(self, request: httpx.Request) -> httpx.Response:
+            if request.url.path == "/api/gateway/claim":
+                return httpx.Response(412, json={"title": "stale"})
+            return await super().__call__(request)
+
+    async with table() as server:
+        with pytest.raises(StaleVersion) as changed:
+            await gateway(Changed(), server, machine=replace(MACHINE, version=3))
+        assert changed.value.message.arguments["version"] == 3
+        assert server.table.position == (0.0, 0.0, 20.0, 0.0)

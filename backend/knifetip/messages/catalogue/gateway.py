@@ -35,6 +35,12 @@ MESSAGES: Final[Entries] = {
         "The server withdrew the job from the gateway before the job was started. Nothing was "
         "sent to the machine.",
     ),
+    "gateway.machine-changed": entry(
+        "Version {version} of the machine {machine} is not the newest any more.",
+        "Load the definition of the machine again.",
+        machine="text",
+        version="count",
+    ),
     "gateway.no-reason": entry(
         "The gateway (the program that sends jobs to the machine) ended the job without "
         "stating a reason.",
