@@ -109,7 +109,7 @@ def _descendants(session: Session, ids: Collection[str]) -> dict[str, list[_Orde
 
 
 def _remaining(batch: _Order, children: dict[str, list[_Order]]) -> int:
-    if batch.state not in _STOPPED or not batch.was_run:
+    if batch.copies == 1 or batch.state not in _STOPPED or not batch.was_run:
         return 0
     ordered = sum(
         again.copies_done if again.state in _GIVEN_UP else again.copies

@@ -218,8 +218,10 @@ def test_a_sheet_that_is_lost_after_all_remains(store: Store) -> None:
 
 
 def test_one_copy_or_a_running_batch_leaves_no_copies(store: Store) -> None:
-    assert remaining(store, interrupted(store).id) == 0
-    store.operators.scrap(store.machines.jobs_on_tables()["table"])
+    single = interrupted(store)
+    sheet = compiled(store, rest(store, single))
+    store.operators.cancel(sheet.id)
+    assert [remaining(store, id) for id in (single.id, sheet.id)] == [0, 0]
     assert remaining(store, running(store, copies=5).id) == 0
 
 
