@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import gc
+import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -11,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from knifetip.errors import ControllerAlarm, ControllerError, ControllerSilent
-from knifetip.gateway.controller import SafeState, State
+from knifetip.gateway.controller import SafeState, State, Status
 from knifetip.gateway.interpreter import Interpreter, LineRefused
 from knifetip.gateway.linuxcnc.address import LinuxcncAddress
 from knifetip.gateway.linuxcnc.connection import RunningProgram
@@ -33,6 +34,7 @@ class Shell:
             "rel_act_pos": "1.0 2.0 -0.3 0.0 0.0 45.0",
             "error": "OK",
             "mode": "MANUAL",
+            "optional_stop": "0",
         }
         self.commands: list[str] = []
         self.deaf = False
@@ -169,6 +171,57 @@ async def test_silence_is_a_fault_soon() -> None:
         shell.deaf = False
         await controller.stop()
         assert controller.fault is None
+
+
+async def test_a_gateway_that_is_held_up_itself_does_not_take_linuxcnc_for_silent() -> None:
+    shell = Shell()
+    async with dialled(shell) as controller:
+        asking = asyncio.create_task(controller.status())
+        await asyncio.sleep(0)
+        await asyncio.sleep(0)
+        time.sleep(0.5)  # longer than the limit of silence; nothing is read meanwhile
+        assert (await asking).position[0] == 1.0
+
+
+async def test_all_who_wait_for_a_reply_learn_that_there_was_silence() -> None:
+    shell = Shell()
+    async with dialled(shell) as controller:
+        shell.deaf = True
+        shell_of = controller._connection.shell
+        both = await asyncio.gather(
+            shell_of.get("mode"), shell_of.get("mode"), return_exceptions=True
+        )
+        assert [type(error) for error in both] == [ControllerSilent] * 2
+
+
+class Counter:
+    """An observer that counts the reports it gets, and finds nothing wrong."""
+
+    doubtful = True
+
+    def __init__(self) -> None:
+        self.count = 0
+
+    def observe(self, status: Status) -> None:
+        self.count += 1
+
+
+async def test_a_position_that_has_not_changed_is_soon_no_second_evidence() -> None:
+    shell = Shell()
+    async with dialled(shell) as controller:
+        shell.values |= {"program_status": "RUNNING", "mode": "AUTO"}
+        controller._connection.program = RunningProgram(0, 9)
+        controller.observer = observer = Counter()
+        for _ in range(3):
+            await controller.status()
+        assert observer.count == 1
+        shell.values["rel_act_pos"] = "1.5 2.0 -0.3 0.0 0.0 45.0"
+        await controller.status()
+        assert observer.count == 2
+        # A machine that stands at the wrong place is found nevertheless.
+        async with asyncio.timeout(5.0):
+            while observer.count == 2:
+                await controller.status()
 
 
 @pytest.mark.parametrize("reply", ["1.0 2.0 20", "1.0 2.0 20.0 0.0 0.0 4x", ""])

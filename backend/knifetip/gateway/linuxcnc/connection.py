@@ -30,6 +30,11 @@ _UNCHANGED = 0.5
 _AXES = (0, 1, 2, 5)
 #: Least time between two positions that are compared (s); LinuxCNC updates them every 1 ms.
 _APART = 0.01
+#: Time for which a position off the path is not counted again if it has not changed (s).
+#:
+#: The task controller copies the line into its status one cycle before the position.  If a cycle is
+#: late, on a computer with other work, the position is ahead of the line until the next one.
+_SAME = 1.0
 #: Change of a position that counts as motion (mm or degrees): positions have 6 decimals.
 _MOTION = 2e-6
 
@@ -82,6 +87,7 @@ class LinuxcncConnection:
         self._changed = 0.0
         self._reference: tuple[float, Pose] | None = None  # time and position of an earlier report
         self._still = False
+        self._observed: tuple[float, Pose] | None = None  # time and position last compared
         self._watching: asyncio.Task[None] | None = None
 
     @property
@@ -258,9 +264,20 @@ class LinuxcncConnection:
         elif (
             self.observer is not None
             and self.program is not None
+            and not self._is_same(status)
             and (error := self.observer.observe(status)) is not None
         ):
             self.fail(error)
+
+    def _is_same(self, status: Status) -> bool:
+        """Return whether the position was compared with the program already, and is not old."""
+        now = asyncio.get_running_loop().time()
+        if self._observed is not None:
+            since, position = self._observed
+            if position == status.position and now - since < _SAME:
+                return True
+        self._observed = now, status.position
+        return False
 
     # -- single commands --------------------------------------------------------------------------
 

@@ -26,6 +26,9 @@ from knifetip.messages import Message
 _LONGEST_REPLY = 65536
 #: Most messages of LinuxCNC that are read at a time.
 _MOST_MESSAGES = 20
+#: Parts of the time to wait for a reply.  If the gateway itself is held up, only one of them passes
+#: unnoticed, so this does not count as silence of LinuxCNC.
+_PARTS = 3
 #: Reply to ``get error`` if there is no message.
 _NO_ERROR = "OK"
 
@@ -47,6 +50,7 @@ class RemoteShell:
         self._transport: Transport | None = None
         self._rest = b""
         self._lock = asyncio.Lock()
+        self._loss: ControllerError | None = None  # why the connection was closed
 
     @property
     def name(self) -> str:
@@ -69,7 +73,7 @@ class RemoteShell:
             There is no answer, or a password is wrong.
         """
         self._transport = await connect(f"tcp://{self.name}")
-        self._rest = b""
+        self._rest, self._loss = b"", None
         try:
             await self._greet()
             await self.enable()
@@ -177,20 +181,26 @@ class RemoteShell:
     async def _converse(self, text: str, prefix: str, patience: float) -> str:
         async with self._lock:
             if self._transport is None:
-                raise ControllerError("linuxcnc.lost", name=self.name)
+                raise self._loss or ControllerError("linuxcnc.lost", name=self.name)
+            exchange = asyncio.create_task(self._exchange(self._transport, text, prefix))
             try:
-                async with asyncio.timeout(patience):
-                    await self._transport.write(f"{text}\r\n".encode())
-                    return await self._reply(self._transport, prefix)
-            except TimeoutError:
-                await self.close()
-                raise ControllerSilent(
-                    "linuxcnc.silent", name=self.name, seconds=patience
-                ) from None
-            except ControllerError:
+                for _ in range(_PARTS):
+                    done, _ = await asyncio.wait({exchange}, timeout=patience / _PARTS)
+                    if done:
+                        return exchange.result()
+                raise ControllerSilent("linuxcnc.silent", name=self.name, seconds=patience)
+            except ControllerError as error:
+                self._loss = error
                 with suppress(ControllerError):
                     await self.close()
                 raise
+            finally:
+                exchange.cancel()
+                await asyncio.gather(exchange, return_exceptions=True)
+
+    async def _exchange(self, transport: Transport, text: str, prefix: str) -> str:
+        await transport.write(f"{text}\r\n".encode())
+        return await self._reply(transport, prefix)
 
     async def _reply(self, transport: Transport, prefix: str) -> str:
         while True:
