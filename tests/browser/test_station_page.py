@@ -516,6 +516,10 @@ def test_outputs_are_switched_and_the_zero_is_set_by_hand(
     page.screenshot(path=screenshots / f"{name}-14-zero.png")
     page.get_by_test_id("operation-home").tap()
     assert_done(page, "Home")
+    # The zero of the other tests is where the machine is homed.
+    zero.tap()
+    page.get_by_test_id("question-yes").tap()
+    assert_done(page, "Set X Y zero here")
 
 
 def test_a_corrected_offset_becomes_a_new_version_for_which_the_job_is_compiled_again(
