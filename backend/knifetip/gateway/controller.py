@@ -110,6 +110,8 @@ class Controller(Protocol):
     #: Largest distance (mm) of a reported position from the path of a program that is executed as
     #: it was sent.
     accuracy: float
+    #: Most moves that have left the planner, as a report counts it, and are not executed yet.
+    ahead: int
 
     @property
     def name(self) -> str:

@@ -51,6 +51,8 @@ class Corridor:
         are assumed.
     off
         Largest distance of a position from the path (mm).
+    ahead
+        Moves that have left the planner and may not be executed yet.
     """
 
     def __init__(
@@ -60,11 +62,12 @@ class Corridor:
         capacity: int | None,
         *,
         off: float = OFF,
+        ahead: int = 0,
     ) -> None:
         self._greatest = off
         self._blocks = blocks
         self._base = start.sent
-        self._held = (capacity or PLANNER) + MARGIN
+        self._held = (capacity or PLANNER) + ahead + MARGIN
         self._moves: deque[tuple[int, Move]] = deque()
         self._moves.append((0, Move(start.position, start.position)))
         self._read = 0
@@ -138,7 +141,8 @@ class Corridor:
         """Delete the oldest stored moves that the machine has certainly executed.
 
         The planner of the controller holds a limited number of moves.  A move is certainly executed
-        when at least that number of moves after it have been answered.
+        when at least that number of moves after it have been answered, and the machine was seen on
+        a later one: some controllers execute their steps later than their planner states.
 
         Parameters
         ----------
@@ -146,6 +150,8 @@ class Corridor:
             Number of program lines answered so far.
         """
         while len(self._moves) > self._held and self._moves[self._held][0] <= answered:
+            if not (self._near or self._blind):
+                break
             self._moves.popleft()
             self._near = max(self._near - 1, 0)
 

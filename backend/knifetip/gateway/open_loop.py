@@ -30,6 +30,7 @@ class OpenLoop:
     observer: Observer | None = None
     capacity: int | None = None
     accuracy: float = math.inf  # no position is reported
+    ahead: int = 0
 
     def __init__(self, name: str) -> None:
         self.name = name

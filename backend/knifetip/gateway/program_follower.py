@@ -6,7 +6,7 @@ reliable by itself:
 
 - The controller answers a line with G4, M3, M5 or M30 only when all lines before it are executed.
 - The field ``Bf`` of a report shows how many moves are still in the planner.  The answered moves
-  that have left the planner are executed.
+  that have left the planner are executed, except the last ones, whose steps are prepared.
 - The first answered move that passes through the reported position is being executed.
 
 If a program does have N words and the controller reports the field ``Ln``, this field is the number
@@ -30,7 +30,7 @@ from knifetip.gateway.program_blocks import seconds_of
 NEAR = 0.05
 #: A later move is preferred only if it is nearer by more than this (mm and degrees).
 CLEARLY = 0.002
-#: Blocks that the planner has released although their steps are still being executed.
+#: Least number of moves that have left the planner although their steps are still being executed.
 AHEAD = 1
 
 
@@ -49,9 +49,12 @@ class ProgramFollower:
         The effect of each program line, None for a line that is refused.
     limits
         Limits of the axes, from which the nominal durations of the lines are computed.
+    ahead
+        Moves that have left the planner and may not be executed yet.
     """
 
-    def __init__(self, blocks: Iterator[Block | None], limits: Limits) -> None:
+    def __init__(self, blocks: Iterator[Block | None], limits: Limits, ahead: int = AHEAD) -> None:
+        self._ahead = max(ahead, AHEAD)
         self._blocks = blocks
         self._limits = limits
         self._window: deque[_Line] = (
@@ -79,7 +82,7 @@ class ProgramFollower:
         """
         self._take(acknowledged)
         if capacity is not None and status.free is not None:
-            self._release(capacity - status.free + AHEAD)
+            self._release(capacity - status.free + self._ahead)
         row, fraction = self._find(status)
         self._drop(row)
         self._fraction = fraction if row else max(fraction, self._fraction)

@@ -121,8 +121,10 @@ async def stream(
     blocks = ProgramBlocks(text, interpreter)
     lines, total = await blocks.measure(limits)
     followed, expected = blocks.readers()
-    follower = ProgramFollower(followed, limits)
-    corridor = Corridor(expected, status, controller.capacity, off=controller.accuracy)
+    follower = ProgramFollower(followed, limits, controller.ahead)
+    corridor = Corridor(
+        expected, status, controller.capacity, off=controller.accuracy, ahead=controller.ahead
+    )
     clock = _Clock(total)
     base = status
     controller.observer = corridor

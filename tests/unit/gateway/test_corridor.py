@@ -70,6 +70,19 @@ def test_the_accuracy_of_the_controller_is_the_width_of_the_corridor(y: float, e
     assert (verdict(corridor, report(150.0, y, -1.0)) is not None) is error
 
 
+def test_moves_whose_steps_are_prepared_belong_to_the_path() -> None:
+    rows = b"".join(b"G1 X%d Y%d F900\n" % (100 * (row % 2), row) for row in range(200))
+    # 150 lines are answered: 100 moves are in the planner, 9 more are prepared, 4 are a margin.
+    corridors = [Corridor(lines(rows), START, 100, ahead=ahead) for ahead in (0, 9)]
+    # As long as the machine was not seen on a later move, it may be slow.
+    slow = Corridor(lines(rows), START, 100)
+    assert verdict(slow, report(50, 19.5, 20, sent=150, answered=150)) is None
+    for one in corridors:
+        assert verdict(one, report(50, 148.5, 20, sent=150, answered=150)) is None
+    late = [verdict(one, report(50, 150 - 107.5, 20, sent=150, answered=150)) for one in corridors]
+    assert [error is None for error in late] == [False, True]
+
+
 TURNING = (
     b"G21 G90\nG0 Z20\nG0 X100 Y100 C90\nG1 Z-1 F600\nG1 Y200\nG3 X80 Y220 I-20 C180 F900\n"
     b"G1 C360\nG1 X0 C360\n"

@@ -97,6 +97,14 @@ def test_blocks_free_in_the_planner_say_how_much_must_be_done() -> None:
     assert follower.update(at(y=500.0, free=14), 8, 15) == 6
 
 
+def test_moves_whose_steps_are_prepared_do_not_count_as_executed() -> None:
+    # 21 moves, all answered; the planner holds 10 blocks, of which none is free.  The position says
+    # nothing, since it is off the path.
+    text = b"G90\n" + b"".join(b"G1 X%d F900\n" % x for x in range(1, 22))
+    follower = ProgramFollower(read_blocks(text, Interpreter()), LIMITS, ahead=9)
+    assert follower.update(at(y=500.0, free=0), 22, 10) == 22 - 10 - 9
+
+
 def test_a_line_number_that_is_reported_names_the_line() -> None:
     text = b"N10 G1 X10 F600\nN20 G1 X20\nN30 G1 X30\n"
     assert followed(text).update(at(y=500.0, number=30), 3, None) == 2

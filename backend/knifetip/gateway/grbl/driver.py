@@ -65,8 +65,11 @@ class Grbl(GrblOperations):
         unanswered, status requests are sent at intervals of ``silence / 5`` if that is longer.
     """
 
-    #: grblHAL reports the positions of its steps, and its chords of an arc deviate by a few µm.
-    accuracy: float = 0.1
+    #: Reports are exact to a step: 0.06 mm were measured on grblHAL with 20 steps per millimetre.
+    accuracy: float = 0.2
+    #: The steps of up to 9 moves are prepared in advance: grblHAL has 10 segments (grbl 1.1 has 6),
+    #: which are used by at most one move less.
+    ahead: int = 9
 
     def __init__(
         self,

@@ -51,6 +51,7 @@ class Linuxcnc(LinuxcncOperations):
     capacity: int | None = 1
     #: The reported positions are those of the joints, which lag behind the commanded ones.
     accuracy: float = 0.5
+    ahead: int = 0
 
     def __init__(
         self,

@@ -52,6 +52,7 @@ class Mcx314(Mcx314Operations):
     capacity: int | None = 1
     #: The board reports the pulses of the chip, whose lines and arcs deviate by two at most.
     accuracy: float = 0.1
+    ahead: int = 0
 
     def __init__(
         self,
