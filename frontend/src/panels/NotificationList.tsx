@@ -1,50 +1,69 @@
-/** Notifications of errors and events, each with its hint, until dismissed. */
+/** Notifications of errors and events, each with its hint; they go by themselves, or when closed. */
 
 import { Button, CloseButton } from "@mantine/core";
 import { IconAlertTriangleFilled, IconInfoCircleFilled } from "@tabler/icons-react";
+import { useEffect, useState } from "react";
 import { pluralize } from "../state/format";
-import { useNotifications } from "../state/notifications";
+import { type Notification, useNotifications } from "../state/notifications";
 import { useEdges } from "../state/queries";
 import { rowsOfHandles } from "../state/rows";
 import { useUiStore } from "../state/store";
 import notificationCss from "./notifications.module.css";
 import css from "./panels.module.css";
 
+/** Time for which a notification is shown (ms): enough to read it twice. */
+const SHOWN = 15_000;
+
 export function NotificationList() {
   const list = useNotifications((notifications) => notifications.list);
+  return (
+    <div className={notificationCss.reports} role="alert" aria-live="assertive">
+      {list.map((notification) => (
+        <Report key={notification.id} notification={notification} />
+      ))}
+    </div>
+  );
+}
+
+function Report({ notification }: { notification: Notification }) {
+  const { id, title, detail, hint, source, notice } = notification;
   const dismiss = useNotifications((notifications) => notifications.dismiss);
   const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
   const { data: edges } = useEdges();
+  // It stays while somebody points at it or has chosen something in it.
+  const [kept, setKept] = useState(false);
+  useEffect(() => {
+    if (kept) return;
+    const timer = setTimeout(() => dismiss(id), SHOWN);
+    return () => clearTimeout(timer);
+  }, [kept, id, dismiss]);
+  const rows = edges === undefined ? [] : rowsOfHandles(edges, source);
   return (
-    <div className={notificationCss.reports} role="alert" aria-live="assertive">
-      {list.map(({ id, title, detail, hint, source, notice }) => {
-        const rows = edges === undefined ? [] : rowsOfHandles(edges, source);
-        return (
-          <div key={id} className={notificationCss.report} data-testid="report">
-            {notice === true ? (
-              <IconInfoCircleFilled size={18} color="var(--accent)" aria-hidden />
-            ) : (
-              <IconAlertTriangleFilled size={18} color="var(--bad)" aria-hidden />
-            )}
-            <div>
-              <div style={{ color: "var(--ink-0)", fontWeight: 600 }}>{title}</div>
-              {detail !== "" && <div>{detail}</div>}
-              {hint !== "" && <div className={css.hint}>{hint}</div>}
-              {rows.length > 0 && (
-                <Button
-                  mt={8}
-                  size="compact-xs"
-                  variant="default"
-                  onClick={() => zoomToEdges(rows)}
-                >
-                  Show {pluralize(rows.length, "edge")} in the drawing
-                </Button>
-              )}
-            </div>
-            <CloseButton size="sm" aria-label="Close this message" onClick={() => dismiss(id)} />
-          </div>
-        );
-      })}
+    // biome-ignore lint/a11y/noStaticElementInteractions: it is only kept in view, nothing is done
+    <div
+      className={notificationCss.report}
+      onPointerEnter={() => setKept(true)}
+      onPointerLeave={() => setKept(false)}
+      onFocus={() => setKept(true)}
+      onBlur={() => setKept(false)}
+      data-testid="report"
+    >
+      {notice === true ? (
+        <IconInfoCircleFilled size={18} color="var(--accent)" aria-hidden />
+      ) : (
+        <IconAlertTriangleFilled size={18} color="var(--bad)" aria-hidden />
+      )}
+      <div>
+        <div style={{ color: "var(--ink-0)", fontWeight: 600 }}>{title}</div>
+        {detail !== "" && <div>{detail}</div>}
+        {hint !== "" && <div className={css.hint}>{hint}</div>}
+        {rows.length > 0 && (
+          <Button mt={8} size="compact-xs" variant="default" onClick={() => zoomToEdges(rows)}>
+            Show {pluralize(rows.length, "edge")} in the drawing
+          </Button>
+        )}
+      </div>
+      <CloseButton size="sm" aria-label="Close this message" onClick={() => dismiss(id)} />
     </div>
   );
 }

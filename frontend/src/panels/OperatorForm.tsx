@@ -78,7 +78,7 @@ export function OperatorButton({ className = "" }: { className?: string }) {
       data-testid="operator"
     >
       <IconUser size={18} stroke={1.6} aria-hidden />
-      <span className={css.name}>{name || "No operator name"}</span>
+      <span className={css.name}>{name || "No name"}</span>
     </button>
   );
 }

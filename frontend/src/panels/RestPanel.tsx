@@ -68,7 +68,8 @@ export function RestPanel({ job }: { job: Job }) {
         label="Or begin at a program line"
         description="The new job begins with the track of this line."
         placeholder="Line"
-        size="md"
+        size="lg"
+        hideControls
         min={1}
         max={job.lines}
         allowDecimal={false}

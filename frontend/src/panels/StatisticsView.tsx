@@ -45,6 +45,7 @@ export function StatisticsView({ machine }: { machine: string }) {
     <>
       <div className={css.filters}>
         <SegmentedControl
+          style={{ gridColumn: "1 / -1" }}
           value={step}
           onChange={(value) => setStep(value as Step)}
           data={[...STEPS]}

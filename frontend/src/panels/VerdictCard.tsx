@@ -71,7 +71,7 @@ export function VerdictCard({ job }: { job: Job }) {
           <dd>{formatLength(verdict.setback_total)}</dd>
         </div>
         <div>
-          <dt>Time on the machine</dt>
+          <dt>Machine time</dt>
           <dd>{formatDuration(verdict.seconds)}</dd>
         </div>
       </dl>
