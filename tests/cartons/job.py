@@ -25,7 +25,6 @@ MACHINES: Final = (
     "router-table",
     "laser-table",
     "flat-cutter-hpgl",
-    "v-groove-table",
 )
 BOARDS: Final = ("fbb-0.4", "e-flute", "b-flute", "greyboard-1.5", "greyboard-2.0", "greyboard-3.0")
 

@@ -119,6 +119,7 @@ def verify(
         dieline.fit_error,
         moves.programmed,
         moves.resolution,
+        moves.height_resolution,
         area,
         work.lines_before,
     )

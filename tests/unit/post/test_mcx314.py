@@ -138,12 +138,12 @@ def test_an_arc_with_heading_becomes_chords_within_the_tolerance() -> None:
     assert points[-1].tolist() == [6000.0, 6000.0, 9000.0]
     middles = (points[1:] + points[:-1]) / 2.0 / (200.0, 200.0, 100.0)
     radius = np.hypot(middles[:, 0], middles[:, 1] - 30.0)
-    # 0.4 of the tolerance, and half the diagonal of a pulse.
-    assert np.abs(radius - 30.0).max() < 0.4 * 0.01 + 0.0036
+    # 0.001 mm, and half the diagonal of a pulse.
+    assert np.abs(radius - 30.0).max() < 0.001 + 0.0036
     heading = np.degrees(np.arctan2(middles[:, 1] - 30.0, middles[:, 0])) + 90.0
     assert np.abs(heading - middles[:, 2]).max() < 0.05
-    # 0.98 mm each.
-    assert len(chords) < 50
+    # 0.49 mm each.
+    assert 90 < len(chords) < 100
 
 
 def test_rounding_errors_do_not_add_up() -> None:

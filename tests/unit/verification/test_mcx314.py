@@ -152,3 +152,8 @@ def test_a_machine_without_an_mcx314_and_too_many_lines_are_refused() -> None:
         READER.read(b"", replace(TABLE, controller=None), BOARD)
     with pytest.raises(ProgramUnreadable):
         READER.read(b"\n" * (MAX_LINES + 1), TABLE, BOARD)
+
+
+def test_heights_are_rounded_to_pulses() -> None:
+    moves, _ = READER.read(PROGRAM.encode(), TABLE, BOARD)
+    assert moves.height_resolution == 0.5 / 400.0

@@ -25,9 +25,13 @@ from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.post.check import describe_row
 from knifetip.post.chords import split_moves
 
-#: Fraction of the tolerance by which chords may deviate from their arc, and merged lines from the
-#: chords.
-CHORD_FRACTION: Final = 0.4
+#: Fraction of the tolerance by which merged lines may deviate from the path.
+MERGE_FRACTION: Final = 0.4
+#: Deviation of chords from their arc that is aimed at (mm).  C turns along a chord, but the chord
+#: does not; the verifier takes longer chords for turns in the board.
+CHORD_DEVIATION: Final = 0.001
+#: A chord lasts this many times as long as the writing of the next one takes: rounding to pulses.
+LASTING: Final = 1.05
 #: Motions that may join; all others begin and end at rest.
 _JOINING: Final = (Motion.LEAD_IN, Motion.FEED, Motion.LEAD_OUT)
 #: A smaller bulge is straight, and a smaller change of Z or C is none.
@@ -91,17 +95,24 @@ def encode(
         A move needs four axes at once, more pulses or another speed than the chip has, or is too
         short to be followed without a stop.
     """
-    pieces = _split(toolpath, first, last, datum, wiring, CHORD_FRACTION * tolerance)
+    deviation = MERGE_FRACTION * tolerance
+    pieces = _split(toolpath, first, last, datum, machine, wiring, deviation)
     pieces = _drop_empty(pieces, toolpath)
     seconds = _durations(pieces, toolpath, machine, wiring)
-    kept = _merge(pieces, seconds, toolpath, wiring, CHORD_FRACTION * tolerance)
+    kept = _merge(pieces, seconds, toolpath, wiring, deviation)
     pieces = pieces.select(kept, _joined_after(pieces.joined, kept))
     seconds = _durations(pieces, toolpath, machine, wiring)
     return _segments(pieces, seconds, toolpath, wiring)
 
 
 def _split(
-    toolpath: Toolpath, first: int, last: int, datum: F64, wiring: Wiring, deviation: float
+    toolpath: Toolpath,
+    first: int,
+    last: int,
+    datum: F64,
+    machine: Machine,
+    wiring: Wiring,
+    deviation: float,
 ) -> _Pieces:
     """Return the pieces of rows of a toolpath, with chords for arcs along which C or Z move."""
     pose = toolpath.pose[first : last + 1] + datum
@@ -110,7 +121,11 @@ def _split(
     turning = (np.abs(np.diff(pose[:, 2:], axis=0)) > _NOTHING).any(axis=1)
     flattened = (bulge != 0.0) & (turning | (wiring.pulses[0] != wiring.pulses[1]))
     bow = np.abs(bulge) * np.hypot(*np.diff(pose[:, :2], axis=0).T) / 2.0
-    count = np.where(flattened, np.ceil(np.sqrt(bow / deviation)), 1.0).astype(np.int64).clip(1)
+    count = np.ceil(np.sqrt(bow / min(CHORD_DEVIATION, deviation)))
+    # Not so many that they must be merged again, unless the tolerance needs them.
+    lasting = np.floor(_spans(toolpath, first, last, machine) / (LASTING * wiring.refill))
+    count = np.maximum(np.minimum(count, lasting), np.ceil(np.sqrt(bow / deviation)))
+    count = np.where(flattened, count, 1.0).astype(np.int64).clip(1)
     joins = np.isin(motion, _JOINING)
     follows = np.zeros(last - first, np.bool_)
     follows[1:] = joins[1:] & joins[:-1] & (_turns(pose, bulge)[1:] <= wiring.corner)
@@ -119,6 +134,16 @@ def _split(
     point = np.rint(pose * wiring.pulses).astype(np.int64)
     straight = np.where(flattened, 0.0, bulge)[row]
     return _Pieces(pose, point, straight, inside | follows[row], row + first)
+
+
+def _spans(toolpath: Toolpath, first: int, last: int, machine: Machine) -> F64:
+    """Return the time of each of some rows at its feed, (n,) s; 0 for rapids."""
+    pose, bulge = toolpath.pose[first : last + 1], toolpath.bulge[first:last]
+    length = arc.length(pose[:-1, :2], pose[1:, :2], bulge)
+    feed = toolpath.feed[first:last] / 60.0
+    seconds = np.divide(length, feed, out=np.zeros(len(length)), where=feed > 0.0)
+    result: F64 = np.maximum(seconds, np.abs(np.diff(pose[:, 3])) / machine.c.velocity)
+    return result
 
 
 def _turns(pose: F64, bulge: F64) -> F64:

@@ -22,7 +22,6 @@ from knifetip.messages import Message
 from knifetip.model.tool import CreaseWheel, Knife, VCutter
 from knifetip.model.verdict import Severity
 from knifetip.verification.checks.check_context import (
-    DEPTH_TOLERANCE,
     MIN_SLACK,
     PRINT_TURN,
     CheckContext,
@@ -81,7 +80,7 @@ class StationCheck(ABC):
         self.size = edges.curve[:, 5]
         self.low, self.high = np.zeros(len(edges)), self.size.copy()
         self.depth = np.zeros(len(edges))
-        self.depth_tolerance = np.full(len(edges), DEPTH_TOLERANCE)
+        self.depth_tolerance = np.full(len(edges), self.context.depth_tolerance)
         #: (n,) mm of each curve before the start of the drawn edge
         self.before = np.zeros(len(edges))
         #: (n, 2) mm at start and end where a tip path is allowed but not required

@@ -107,6 +107,7 @@ class CheckContext:
     fit_error: F64  #: (n,) mm, distance of each edge of the dieline from the curve of the file
     programmed: str = "XYZC"  #: the axes that the program moves
     resolution: float = 0.0  #: greatest shift of a printed point by rounding (mm)
+    height_resolution: float = 0.0  #: greatest shift of a printed height by rounding (mm)
     sheet: SheetArea | None = None  #: the sheet if it was cut to size
     #: program lines of earlier programs for the same sheet, which have the lowest numbers
     lines_before: int = 0
@@ -115,3 +116,8 @@ class CheckContext:
     unreached: list[Unreached] = field(
         default_factory=list
     )  #: areas of each cutter, in sheet coordinates
+
+    @property
+    def depth_tolerance(self) -> float:
+        """Greatest error of a depth (mm), including the rounding of printed heights."""
+        return DEPTH_TOLERANCE + self.height_resolution

@@ -80,7 +80,8 @@ class CreaseCheck(StationCheck):
         self.set_edges(single)
         expected = expected_creases(self.edges, self.context.board, wheel, all_creases, parts)
         self.low, self.high, self.depth = expected.low, expected.high, expected.press_depth
-        self.depth_tolerance[self.edges.curve[:, 0] != 0.0] = CURVED_DEPTH_TOLERANCE
+        curved = self.edges.curve[:, 0] != 0.0
+        self.depth_tolerance[curved] = CURVED_DEPTH_TOLERANCE + self.context.height_resolution
         self._report_short_creases(expected.refused, wheel)
         self._note_stops(parts)
         overlaps = self._without_crossed(self.match_edges(), expected.pressed)

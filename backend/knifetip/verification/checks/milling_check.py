@@ -22,7 +22,7 @@ from knifetip.messages import Message
 from knifetip.model.machine import Station
 from knifetip.model.verdict import Severity
 from knifetip.verification.checks.bridge_check import check_bridges, order_bridges
-from knifetip.verification.checks.check_context import DEPTH_TOLERANCE, CheckContext
+from knifetip.verification.checks.check_context import CheckContext
 from knifetip.verification.checks.milling_geometry import spans_near_points
 from knifetip.verification.checks.milling_paths import check_centre_paths, open_cut_mask
 from knifetip.verification.checks.milling_shortfalls import (
@@ -96,7 +96,7 @@ class _MillingCheck(MillingWork):
         wrong = deep - planned_depth
         if self.tool.step == 0.0:
             wrong = np.abs(wrong)
-        for row in np.flatnonzero(wrong > DEPTH_TOLERANCE)[:MAX_FINDINGS]:
+        for row in np.flatnonzero(wrong > self.context.depth_tolerance)[:MAX_FINDINGS]:
             self.add_finding(
                 "depth",
                 -1,
@@ -107,7 +107,7 @@ class _MillingCheck(MillingWork):
                 row,
             )
         self._check_pass_steps(deep)
-        is_through = deep >= planned_depth - DEPTH_TOLERANCE
+        is_through = deep >= planned_depth - self.context.depth_tolerance
         self._check_unfinished(deep, is_through)
         pieces = cutter_paths(self.bounds, self.reach)
         gap_edge, begin, end = self._untouched_stretches(pieces, is_through)

@@ -10,7 +10,7 @@ import numpy as np
 
 from knifetip.kernels import F64_1, I64_1, Bool_1, kernel
 from knifetip.model.machine import Station
-from knifetip.verification.checks.check_context import DEPTH_TOLERANCE, CheckContext
+from knifetip.verification.checks.check_context import CheckContext
 from knifetip.verification.checks.cut_faces import GAP_LENGTH, CutFaces
 from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.curves.intervals import add_interval
@@ -141,7 +141,7 @@ def _milled_stretches(
     )
     return _Stretches(
         parts.owner[part], low + parts.begin[part], high + parts.begin[part],
-        parts.bounds.edges.curve[part, 5], path, deep >= planned - DEPTH_TOLERANCE,
+        parts.bounds.edges.curve[part, 5], path, deep >= planned - context.depth_tolerance,
     )  # fmt: skip
 
 

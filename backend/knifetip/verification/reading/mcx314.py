@@ -410,4 +410,5 @@ class _Interpretation:
             axes_start=first,
             axes_end=last,
             resolution=math.hypot(0.5 / pulses[0], 0.5 / pulses[1]),
+            height_resolution=0.5 / pulses[2],
         )

@@ -61,6 +61,8 @@ class Moves:
     programmed: str = "XYZC"
     #: greatest shift of a point by the rounding of coordinates (mm); 0 if it is negligible
     resolution: float = 0.0
+    #: greatest shift of a height by the rounding of coordinates (mm); 0 if it is negligible
+    height_resolution: float = 0.0
 
 
 class ProgramReader(Protocol):
