@@ -91,9 +91,14 @@ async def run_to_end(
         return [progress async for progress in updates]
 
 
-async def run_until_milling(updates: AsyncGenerator[Progress, None]) -> None:
+async def run_until_milling(updates: AsyncGenerator[Progress, None], machine: Machine) -> None:
+    """Run a program until it mills, slowed down, so that it mills on for a while."""
+    slow = False
     async for progress in updates:
-        if is_milling(progress):
+        if not slow and progress.output == ROUTER:
+            machine.override_feed(20)
+            slow = True
+        elif is_milling(progress):
             return
     raise AssertionError("the program ended without milling")
 
@@ -128,12 +133,13 @@ async def test_a_program_runs_to_its_end_and_every_line_is_followed(machine: Mac
 
 async def test_a_hold_stops_and_a_step_and_resume_continue(machine: Machine) -> None:
     async with driver(machine) as controller, run(controller) as updates:
-        await run_until_milling(updates)
+        await run_until_milling(updates, machine)
         await controller.hold()
         await wait_until_still(controller, State.HOLD)
         assert await asyncio.to_thread(machine.stands)
         before = machine.position()
         assert machine.lowered() == [ROUTER]
+        machine.override_feed(100)
         # The first step ends the line in which the machine was held, the second one a whole line.
         for _ in range(2):
             await step(controller)
@@ -147,7 +153,7 @@ async def test_a_hold_stops_and_a_step_and_resume_continue(machine: Machine) -> 
 async def test_an_abort_lifts_the_tool_and_raises_the_stations(machine: Machine) -> None:
     async with driver(machine) as controller:
         async with run(controller) as updates:
-            await run_until_milling(updates)
+            await run_until_milling(updates, machine)
             assert machine.lowered() == [ROUTER]
             assert machine.spins()
         assert_safe(machine)
@@ -176,8 +182,7 @@ async def test_a_remote_shell_that_hangs_is_noticed_and_the_machine_stopped(
 ) -> None:
     controller = await dial(machine.address, SAFE, silence=0.5)
     async with run(controller) as updates:
-        await run_until_milling(updates)
-        machine.override_feed(10)  # the program does not end meanwhile
+        await run_until_milling(updates, machine)
         machine.stop_shell()
         asyncio.get_running_loop().call_later(1.5, machine.continue_shell)
         with pytest.raises(ControllerSilent) as silent:
@@ -192,7 +197,7 @@ async def test_a_remote_shell_that_ends_is_noticed_and_the_unknown_state_reporte
 ) -> None:
     controller = await dial(machine.address, SAFE, silence=0.2)
     async with run(controller) as updates:
-        await run_until_milling(updates)
+        await run_until_milling(updates, machine)
         machine.kill_shell()
         with pytest.raises(ControllerError) as lost:
             [progress async for progress in updates]
@@ -207,7 +212,7 @@ async def test_an_emergency_stop_ends_the_job_and_unlock_raises_the_station(
 ) -> None:
     async with driver(machine) as controller:
         async with run(controller) as updates:
-            await run_until_milling(updates)
+            await run_until_milling(updates, machine)
 
             mark = machine.mark()
             machine.press_emergency_stop()

@@ -157,13 +157,19 @@ class Shop:
     def program(self, job: str) -> str:
         return self.client.get(f"/api/jobs/{job}/program").text
 
-    def wait_until_milling(self) -> None:
-        """Wait until the router is deep in the board."""
+    def wait_until_milling(self, percent: int = 10) -> None:
+        """Wait until the router is deep in the board, with the machine slowed down.
+
+        So it is still there when a test does the next thing, also on a busy computer.
+        """
         machine = self.machine
-        wait_until(lambda: machine.lowered() == [ROUTER] and machine.position()[2] < 0.0)
+        wait_until(lambda: machine.lowered() == [ROUTER])
+        machine.override_feed(percent)
+        wait_until(lambda: machine.position()[2] < 0.0)
 
     def wait_until_milling_the_outline(self, job: str) -> None:
         """Wait until the server knows that the last track has begun."""
+        self.wait_until_milling(40)
         wait_until(lambda: self.get(f"jobs/{job}/tracks")[-1]["state"] == "begun", 30.0)
         self.wait_until_milling()
 
@@ -283,10 +289,11 @@ def test_a_job_is_held_resumed_and_done(shop: Shop) -> None:
     mark = shop.machine.mark()
     shop.start(job)
     shop.wait_until_milling()
-    shop.post(f"jobs/{job}/hold")  # during 6 s of milling
+    shop.post(f"jobs/{job}/hold")
     shop.wait_for(job, "held")
     assert shop.machine.stands()
     assert shop.machine.lowered() == [ROUTER]
+    shop.machine.override_feed(100)
     shop.post(f"jobs/{job}/resume")
     done = shop.wait_for(job, "done")
     assert done["line"] == done["lines"]
@@ -312,6 +319,7 @@ def test_a_cancelled_job_is_continued_from_a_contour(shop: Shop) -> None:
     # The place is where the router has left the board.
     np.testing.assert_allclose(stop["position"][:2], before[-1, :2], atol=1e-3)
 
+    shop.machine.override_feed(100)
     contour = shop.get(f"jobs/{job}/tracks")[-1]["number"]
     rest = shop.post(f"jobs/{job}/rest", from_track=contour, release=True)["id"]
     mark = shop.machine.mark()
@@ -365,7 +373,6 @@ def test_a_gateway_killed_in_a_cut_takes_its_machine_back(shop: Shop) -> None:
     mark = shop.machine.mark()
     shop.start(job)
     shop.wait_until_milling()
-    shop.machine.override_feed(10)  # the program does not end before the gateway is back
     shop.kill_gateway()
     assert not shop.machine.stands()  # LinuxCNC goes on by itself
     assert shop.machine.lowered() == [ROUTER]
