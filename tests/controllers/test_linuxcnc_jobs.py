@@ -133,11 +133,11 @@ class Shop:
         assert answer.is_success, answer.text
         return answer.json()
 
-    def operate(self, operation: str, **fields: object) -> None:
+    def operate(self, operation: str) -> None:
         """Do an operation of the station page and wait for its end."""
         wait_until(lambda: self.get(f"machines/{NAME}/station")["connected"])
         path = f"machines/{NAME}/operations"
-        id = self.post(path, operation=operation, **fields)["id"]
+        id = self.post(path, operation=operation)["id"]
         wait_until(lambda: self.get(f"{path}/{id}")["state"] != "waiting")
         done = self.get(f"{path}/{id}")
         assert done["state"] == "done", done
@@ -334,25 +334,6 @@ def test_a_cancelled_job_is_continued_from_a_contour(shop: Shop) -> None:
     assert made(after, WHEEL, 0.4, program).is_empty
     assert not made(after, ROUTER, 2.0 * RADIUS, program).intersects(WINDOW)
     assert_lowered_in_the_mat(np.concatenate([before, after]))
-
-
-def test_a_dry_run_moves_above_the_board_and_lowers_nothing(shop: Shop) -> None:
-    job = shop.order()
-    wait_for_state(shop.client, job, "ready")
-    shop.post(f"jobs/{job}/release")
-    wait_until(lambda: shop.get(f"jobs/{job}")["waiting_for"] == "confirmation")
-    mark = shop.machine.mark()
-    shop.operate("dry_run", share=1.0)
-    station = f"machines/{NAME}/station"
-    wait_until(lambda: shop.get(station)["activity"]["state"] not in ("running", "held"), 30.0)
-    assert shop.get(station)["activity"]["state"] == "done"
-    shop.assert_safe()
-    samples = shop.machine.samples(mark)
-    assert samples[:, 2].min() >= TABLE.travel_z - 1e-3
-    assert not samples[:, 4:].any()
-    router = samples[:, :2] - placement(shop.program(job))
-    assert LineString(router).buffer(2.0 * RADIUS).covers(BLANK.exterior)
-    assert shop.get(f"jobs/{job}")["waiting_for"] == "confirmation"
 
 
 def test_a_gateway_that_is_stopped_in_a_cut_stops_its_machine(shop: Shop) -> None:
