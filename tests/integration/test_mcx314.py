@@ -213,6 +213,11 @@ class Shop:
                 lambda safe, stop: driver(server.address, safe, stop_motion=stop),
             )
 
+    def do(self, action: Callable[[], None]) -> None:
+        """Do something with the board in the thread that simulates it."""
+        assert self._loop is not None
+        self._loop.call_soon_threadsafe(action)
+
     def __enter__(self) -> Shop:
         self._thread.start()
         return self
@@ -288,10 +293,10 @@ def test_an_interrupted_job_is_continued_from_a_contour_through_the_service(
         board = table.board
         assert board is not None
         until(lambda: board.position[2] < 0.0 and board.position[0] > 60.0)
-        board.press_stop()
+        table.do(board.press_stop)
         wait_for_state(client, job, "interrupted")
         assert board.outputs == set()
-        board.release_stop()
+        table.do(board.release_stop)
         for name in ("unlock", "home"):
             answer = client.post(
                 "/api/machines/v-groove-table/operations", json={"operation": name}
