@@ -2544,7 +2544,7 @@ export const TEXTS = {
     "hint": "Use other outputs, or set `output_count` to the number that the controller is configured for."
   },
   "language.few-outputs": {
-    "text": "the controller has {count:# digital output|# digital outputs}, numbered from 0. It has no output {outputs:, }",
+    "text": "the {language} controller has {count:# digital output|# digital outputs}, numbered from 0. It has no output {outputs:, }",
     "hint": "Use other outputs, or correct `output_count`."
   },
   "language.no-driver": {

@@ -29,6 +29,7 @@ JOB = {
         "code": "waiting.for-start",
         "arguments": {
             "machine": "Demo table",
+            "unfinished": None,
             "board": "E-flute 1.6 mm",
             "sheet": None,
             "tools": None,

@@ -238,8 +238,8 @@ MESSAGES: Final[Entries] = {
         language="text",
     ),
     "language.few-outputs": entry(
-        "the controller has {count:# digital output|# digital outputs}, numbered from 0. It has no "
-        "output {outputs:, }",
+        "the {language} controller has {count:# digital output|# digital outputs}, numbered from "
+        "0. It has no output {outputs:, }",
         "Use other outputs, or correct `output_count`.",
         outputs="texts",
         count="count",
