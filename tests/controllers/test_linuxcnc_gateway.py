@@ -180,11 +180,11 @@ async def test_a_machine_that_still_runs_is_taken_over_only_on_request(machine: 
 async def test_a_remote_shell_that_hangs_is_noticed_and_the_machine_stopped(
     machine: Machine,
 ) -> None:
-    controller = await dial(machine.address, SAFE, silence=0.5)
+    controller = await dial(machine.address, SAFE, silence=0.8)
     async with run(controller) as updates:
         await run_until_milling(updates, machine)
         machine.stop_shell()
-        asyncio.get_running_loop().call_later(1.5, machine.continue_shell)
+        asyncio.get_running_loop().call_later(2.0, machine.continue_shell)
         with pytest.raises(ControllerSilent) as silent:
             [progress async for progress in updates]
     assert "was lifted" in silent.value.text
@@ -195,7 +195,7 @@ async def test_a_remote_shell_that_hangs_is_noticed_and_the_machine_stopped(
 async def test_a_remote_shell_that_ends_is_noticed_and_the_unknown_state_reported(
     machine: Machine,
 ) -> None:
-    controller = await dial(machine.address, SAFE, silence=0.2)
+    controller = await dial(machine.address, SAFE, silence=0.8)
     async with run(controller) as updates:
         await run_until_milling(updates, machine)
         machine.kill_shell()
