@@ -1,7 +1,8 @@
 """Changes of jobs, drawings and stations as server-sent events.
 
-The events are ``job`` with a JobOut, ``drawing`` with a DrawingSummary, ``deleted`` with
-``{"drawing": id}`` and ``station`` with a StationOut.  The id of an event is the number of the
+The first event is ``connected``: changes are sent from now on, so a client that lists jobs after it
+misses none.  The others are ``job`` with a JobOut, ``drawing`` with a DrawingSummary, ``deleted``
+with ``{"drawing": id}`` and ``station`` with a StationOut.  The id of an event is the number of the
 change.  Events about stations, and events that report only the progress of a job or only a new
 reason why a job waits, have no id.  A client that reconnects sends the last id that it received
 (``Last-Event-ID``) and gets one event for each job and drawing that has changed since then.
@@ -215,7 +216,8 @@ class Stream:
             self._listeners.add(queue)
             self._has_listeners.set()
         try:
-            yield ServerSentEvent(retry=_RETRY)
+            # The headers are sent before this client is a listener, so they prove nothing.
+            yield ServerSentEvent(event="connected", raw_data="{}", retry=_RETRY)
             for message in missed:
                 yield message
             while (news := await queue.get()) is not None:
@@ -254,7 +256,8 @@ async def get_events(
     """Stream changes of jobs and drawings as server-sent events.
 
     ``Last-Event-ID`` or ``after`` is the id of the last event that the client received; the changes
-    since then are sent first.  If neither is given, only new changes are sent.
+    since then are sent first.  If neither is given, only new changes are sent.  The first event is
+    ``connected``: a client that lists jobs after it misses no change.
     """
     stream: Stream = request.app.state.stream
     # An id that is not a number is not from this server; past events are not replayed.

@@ -757,7 +757,8 @@ export interface paths {
          * @description Stream changes of jobs and drawings as server-sent events.
          *
          *     ``Last-Event-ID`` or ``after`` is the id of the last event that the client received; the changes
-         *     since then are sent first.  If neither is given, only new changes are sent.
+         *     since then are sent first.  If neither is given, only new changes are sent.  The first event is
+         *     ``connected``: a client that lists jobs after it misses no change.
          */
         get: operations["get_events"];
         put?: never;

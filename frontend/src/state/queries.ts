@@ -343,6 +343,8 @@ function dropInactive(id: string): void {
     queryClient.removeQueries({ queryKey, type: "inactive" });
 }
 
+const EVENTS = ["connected", "job", "drawing", "deleted", "station"];
+
 /**
  * Subscribe to server events until the returned function is called.
  *
@@ -352,9 +354,17 @@ export function subscribeToEvents(
   onDrawing: (drawing: Pick<DrawingSummary, "id" | "revision"> | null) => void,
 ): () => void {
   let broken = false;
-  return openEventStream("/api/events", ["job", "drawing", "deleted", "station"], {
+  return openEventStream("/api/events", EVENTS, {
     onEvent: (name, data) => {
-      if (name === "job" && isJob(data)) upsertJob(data);
+      if (name === "connected") {
+        // What changed between the first requests, or the last event, and now was not sent.
+        void queryClient.invalidateQueries({
+          predicate: ({ queryKey }) => queryKey[0] !== "drawing" && queryKey[0] !== "edges",
+        });
+        // The open drawing is compared before it is replaced.
+        if (broken) onDrawing(null);
+        broken = false;
+      } else if (name === "job" && isJob(data)) upsertJob(data);
       else if (name === "station") {
         if (isStation(data)) showStation(data);
       } else {
@@ -369,14 +379,6 @@ export function subscribeToEvents(
     onConnection: (connection) => {
       useUiStore.getState().set({ connection });
       if (connection === "broken") broken = true;
-      else if (connection === "open" && broken) {
-        broken = false;
-        // Events were missed; the open drawing is compared before it is replaced.
-        void queryClient.invalidateQueries({
-          predicate: ({ queryKey }) => queryKey[0] !== "drawing" && queryKey[0] !== "edges",
-        });
-        onDrawing(null);
-      }
     },
   });
 }

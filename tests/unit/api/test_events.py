@@ -44,8 +44,9 @@ def event_queue(client: httpx.Client, last: int | None = None) -> Iterator[queue
                     key, _, value = line.partition(": ")
                     fields[key] = value
                     continue
-                opened.set()
-                if "event" in fields:
+                if fields.get("event") == "connected":
+                    opened.set()
+                elif "event" in fields:
                     number = int(fields["id"]) if "id" in fields else None
                     heard.put(Heard(fields["event"], number, json.loads(fields["data"])))
                 fields = {}
@@ -77,6 +78,13 @@ def test_a_new_drawing_and_the_states_of_a_job_are_events(client: httpx.Client) 
         assert event.kind == "job"
         assert event.number is not None
         assert event.data == client.get(f"/api/jobs/{job}").json()
+
+
+def test_the_first_event_states_that_changes_are_sent_from_now_on(client: httpx.Client) -> None:
+    with client.stream("GET", "/api/events") as answer:
+        lines = answer.iter_lines()
+        first = [next(lines) for _ in range(3)]
+    assert sorted(first) == ["data: {}", "event: connected", "retry: 2000"]
 
 
 def test_a_client_that_reconnects_receives_only_missed_events(client: httpx.Client) -> None:

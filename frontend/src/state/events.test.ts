@@ -1,0 +1,55 @@
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { queryClient, subscribeToEvents } from "./queries";
+
+class FakeSource {
+  static last: FakeSource;
+  readyState = 1;
+  onopen: ((event: Event) => void) | null = null;
+  onerror: ((event: Event) => void) | null = null;
+  private readonly listeners = new Map<string, (event: MessageEvent<string>) => void>();
+
+  constructor() {
+    FakeSource.last = this;
+  }
+  addEventListener(name: string, listener: (event: MessageEvent<string>) => void) {
+    this.listeners.set(name, listener);
+  }
+  close() {}
+  emit(name: string, data: string) {
+    this.listeners.get(name)?.({ data } as MessageEvent<string>);
+  }
+}
+
+const onDrawing = vi.fn();
+const isStale = (key: string) => queryClient.getQueryState([key])?.isInvalidated;
+
+beforeEach(() => {
+  vi.stubGlobal("EventSource", FakeSource);
+  onDrawing.mockClear();
+  for (const key of ["jobs", "edges"]) queryClient.setQueryData([key], []);
+});
+afterEach(() => {
+  vi.unstubAllGlobals();
+  queryClient.clear();
+});
+
+test("lists that were fetched before the stream began are fetched again", () => {
+  const end = subscribeToEvents(onDrawing);
+  FakeSource.last.onopen?.(new Event("open"));
+  expect(isStale("jobs")).toBe(false);
+  FakeSource.last.emit("connected", "{}");
+  expect(isStale("jobs")).toBe(true);
+  expect(isStale("edges")).toBe(false);
+  expect(onDrawing).not.toHaveBeenCalled();
+  end();
+});
+
+test("after a lost connection the open drawing is compared, once", () => {
+  const end = subscribeToEvents(onDrawing);
+  FakeSource.last.emit("connected", "{}");
+  FakeSource.last.onerror?.(new Event("error"));
+  FakeSource.last.emit("connected", "{}");
+  FakeSource.last.emit("connected", "{}");
+  expect(onDrawing.mock.calls).toEqual([[null]]);
+  end();
+});
