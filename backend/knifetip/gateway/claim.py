@@ -128,13 +128,13 @@ class _GatewayLoop:
         await self._server.finish(end)
 
     async def _recover(self) -> None:
-        """Stop the machine if the journal contains an unfinished job.
+        """Stop the machine if it may still execute a job of the journal.
 
         If the gateway was killed while a job ran, the machine may still execute that job.  The
         method connects to the controller, which stops the machine.  If the controller cannot be
         reached, a warning is logged, and the machine is stopped when the gateway next connects.
         """
-        if self._journal.unfinished() is None:
+        if self._journal.unfinished() is None and not self._journal.is_abandoned():
             return
         self._link.abandoned = True
         try:
@@ -166,6 +166,8 @@ class _GatewayLoop:
                 status = await self._link.status()
                 if status.state is State.IDLE:
                     self._complaint = ""
+                    # Only now: a gateway that is killed while it stops the machine leaves it held.
+                    self._journal.rest()
                     return
                 complaint = str(self._not_idle(status.state))
             except (ControllerError, OSError) as error:

@@ -7,10 +7,12 @@ the gateway is switched off before the server has answered.
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import re
 import time
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -63,6 +65,7 @@ class Journal:
     def __init__(self, path: Path | None) -> None:
         self._path = path
         self._last: tuple[object, ...] = ()
+        self._abandoned: bool | None = None  # None: not read yet
         if path is not None:
             path.parent.mkdir(parents=True, exist_ok=True)
             if path.exists():
@@ -85,6 +88,7 @@ class Journal:
         copies
             Number of copies to make.
         """
+        self._abandoned = True
         if self._path is not None and self._path.exists() and self._path.stat().st_size > LONG:
             self._path.replace(self._path.with_name(self._path.name + ".1"))
         self._append(
@@ -184,22 +188,50 @@ class Journal:
             safe=True,
         )
 
+    def rest(self) -> None:
+        """Record that the controller is idle: it executes no line of the last job any more."""
+        if self.is_abandoned():
+            self._append({"event": "rest"}, safe=True)
+        self._abandoned = False
+
+    def is_abandoned(self) -> bool:
+        """Return whether the controller was not seen idle since the last job of the journal began.
+
+        It may still execute lines of this job, or be held in them, also if the server knows that
+        the job has ended.
+        """
+        if self._abandoned is None:
+            self._abandoned = False
+            for row in self._rows():
+                self._abandoned = row["event"] == "begin" or (
+                    self._abandoned and row["event"] != "rest"
+                )
+        return self._abandoned
+
     def unfinished(self) -> Unfinished | None:
         """Return the last job of the journal if the server has not acknowledged its end.
 
         Returns None if the server has acknowledged the end of this job, or if the journal contains
         no job.
         """
-        if self._path is None or not self._path.exists():
-            return None
         unfinished: Unfinished | None = None
+        for row in self._rows():
+            with contextlib.suppress(ValueError, KeyError, TypeError):
+                unfinished = _apply(unfinished, row)
+        return unfinished
+
+    def _rows(self) -> Iterator[dict[str, Any]]:
+        """Yield the events of the journal; incomplete ones are skipped."""
+        if self._path is None or not self._path.exists():
+            return
         with self._path.open("rb") as file:
             for raw in file:
                 try:
-                    unfinished = _apply(unfinished, json.loads(raw))
-                except (ValueError, KeyError, TypeError):
+                    row = json.loads(raw)
+                except ValueError:
                     continue  # the line is incomplete after a power failure
-        return unfinished
+                if isinstance(row, dict) and "event" in row:
+                    yield row
 
     def _append(self, row: dict[str, object], *, safe: bool = False) -> None:
         if self._path is None:

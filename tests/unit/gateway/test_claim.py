@@ -417,6 +417,31 @@ async def test_a_job_cut_off_by_the_power_is_told_at_the_next_start(tmp_path: Pa
     assert journal.unfinished() is None
 
 
+async def test_a_gateway_killed_while_it_stopped_the_machine_stops_it_at_the_next_start(
+    tmp_path: Path,
+) -> None:
+    path = tmp_path / "journal"
+    journal = Journal(path)
+    journal.begin("job-0", 9, "00", 40)
+    # The server knows the end already; the controller was held, and nothing else was sent to it.
+    journal.end("job-0", 9, "interrupted", None)
+    office = Office()
+    async with table() as server:
+        host, _, port = server.address.rpartition(":")
+        _, writer = await asyncio.open_connection(host, int(port))
+        async with asyncio.timeout(10.0):
+            writer.write(b"M64 P0\nG1 X500 F600\n")
+            while not (server.table.state == "Run" and server.table.outputs.get(0)):
+                await asyncio.sleep(0.01)
+            writer.write(b"!")
+            while not server.table.state.startswith("Hold"):
+                await asyncio.sleep(0.01)
+            writer.close()
+        await gateway(office, server, journal=path)
+        assert not any(server.table.outputs.values())
+    assert office.finished[0]["outcome"] == "done"
+
+
 # Start by the operator
 
 

@@ -30,6 +30,23 @@ def test_a_job_that_ended_is_not_unfinished(tmp_path: Path) -> None:
     assert journal.unfinished() is None
 
 
+def test_a_job_is_abandoned_until_the_controller_was_seen_idle(tmp_path: Path) -> None:
+    path = tmp_path / "journal"
+    journal = Journal(path)
+    assert not journal.is_abandoned()
+    journal.begin("a", 1, "00", 50)
+    journal.end("a", 1, "interrupted", None)
+    assert journal.is_abandoned()
+    assert Journal(path).is_abandoned()
+    journal.rest()
+    journal.rest()
+    assert not journal.is_abandoned()
+    assert not Journal(path).is_abandoned()
+    assert path.read_text().count('"rest"') == 1
+    journal.begin("b", 2, "00", 50)
+    assert Journal(path).is_abandoned()
+
+
 def test_a_line_cut_short_by_the_power_does_not_hide_the_rest(tmp_path: Path) -> None:
     path = tmp_path / "journal"
     journal = Journal(path)
