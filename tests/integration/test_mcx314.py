@@ -297,6 +297,8 @@ def test_an_interrupted_job_is_continued_from_a_contour_through_the_service(
         wait_for_state(client, job, "interrupted")
         assert board.outputs == set()
         table.do(board.release_stop)
+        station = "/api/machines/v-groove-table/station"
+        until(lambda: client.get(station).json()["connected"])
         for name in ("unlock", "home"):
             answer = client.post(
                 "/api/machines/v-groove-table/operations", json={"operation": name}
