@@ -33,7 +33,7 @@ from knifetip.geometry.path import Paths
 from knifetip.geometry.run_out import corner_run_outs
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import GAP
-from knifetip.planning.creases import inner_crossings
+from knifetip.planning.cut_crossings import inner_crossings
 from knifetip.planning.cut_sides import CutSides, cut_sides
 from knifetip.topology.noding import split_at_crossings
 

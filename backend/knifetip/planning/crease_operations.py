@@ -17,10 +17,11 @@ from knifetip.geometry.tolerance import ANGLE, GAP, POINT
 from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.operation import End, Operation
-from knifetip.planning.creases import double_creases, split_at_cuts
 from knifetip.planning.dashes import merge_dashes
+from knifetip.planning.double_creases import double_creases
 from knifetip.planning.path_ends import close_joints, end_directions, end_points
 from knifetip.planning.setup import Setup
+from knifetip.planning.split_at_cuts import split_at_cuts
 
 #: Greatest difference between the depth of a curved crease and the depth of the board's rule (mm).
 _DEPTH_ERROR: Final = 0.004

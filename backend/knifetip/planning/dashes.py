@@ -22,7 +22,7 @@ from knifetip.geometry.tolerance import BULGE, COLLINEAR, GAP, JOIN
 from knifetip.geometry.unique_rows import unique_rows
 from knifetip.geometry.vertices import number_vertices
 from knifetip.kernels import F64_1, I64_1, Bool_1, kernel
-from knifetip.planning.creases import find_cut_crossings
+from knifetip.planning.cut_crossings import find_cut_crossings
 
 #: Greatest gap between dashes: in mm, and as a multiple of the mean length of the dashes.
 _GREATEST_GAP = 12.0

@@ -31,7 +31,7 @@ from knifetip.model.drawing import extents
 from knifetip.model.machine import Machine
 from knifetip.model.sheet import Sheet
 from knifetip.planning.boundary import BoardOutline, find_contacts
-from knifetip.planning.creases import inner_crossings
+from knifetip.planning.cut_crossings import inner_crossings
 from knifetip.topology.subdivision import subdivide
 
 #: A groove that meets the sheet's edge at a smaller angle is not extended (sine).
