@@ -13,9 +13,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from knifetip.classification.decision.classifier import Classifier, Decision
+from knifetip.classification.decision.by_evidence import decide_by_evidence
+from knifetip.classification.decision.by_rule import decide_by_rule
 from knifetip.classification.decision.connectivity import find_separating_cuts
 from knifetip.classification.decision.conventions import FOLD_TYPES, find_fitting_conventions
+from knifetip.classification.decision.decision import Decision
 from knifetip.classification.decision.open_corners import find_open_corner_folds
 from knifetip.classification.decision.profile_rules import (
     LAYER,
@@ -24,6 +26,7 @@ from knifetip.classification.decision.profile_rules import (
     match_rules,
     tabulate_styles,
 )
+from knifetip.classification.decision.style_evidence import StyleEvidence
 from knifetip.classification.decision.style_totals import (
     FLAG_COUNT,
     MIXED_ROLES,
@@ -76,11 +79,11 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
     features = _relevant_features(drawing, styles, matches)
     totals = StyleTotals.sum(styles.row, len(styles), features, lengths)
     fitting = find_fitting_conventions(styles, matches.rule < 0, totals, conventions)
-    classifier = Classifier.create(styles, rules, matches, totals, fitting)
-    edges = _decide_edges(classifier, totals.decision_keys(styles.row, features))
-    _restore_folds_on_cuts(edges, classifier, features)
+    evidence = StyleEvidence.create(styles, rules, matches, totals, fitting)
+    edges = _decide_edges(evidence, totals.decision_keys(styles.row, features))
+    _restore_folds_on_cuts(edges, evidence, features)
     _withdraw_contradicted(edges, drawing.ends, features, lengths)
-    _withdraw_open_corner_folds(edges, classifier, features)
+    _withdraw_open_corner_folds(edges, evidence, features)
     return Dieline(
         drawing.ends,
         drawing.bulge,
@@ -130,15 +133,15 @@ class _EdgeDecisions:
     reasons: _Reasons
 
 
-def _decide_edges(classifier: Classifier, keys: I64) -> _EdgeDecisions:
+def _decide_edges(evidence: StyleEvidence, keys: I64) -> _EdgeDecisions:
     """Return the decisions about n edges.
 
     ``keys`` (n,) are the decision keys of the edges.  A decision key is an integer that combines
     the style of an edge, its role, and flags such as whether a text is near it; edges with equal
-    keys get the same decision.  ``classifier`` has the evidence about all styles.
+    keys get the same decision.  ``evidence`` is the evidence about all styles.
     """
     first, row = unique_rows(keys)
-    decisions = [_decide(classifier, key) for key in keys[first].tolist()]
+    decisions = [_decide(evidence, key) for key in keys[first].tolist()]
     kinds = np.array([decision.kind for decision in decisions], np.uint8)
     undecided = np.array([decision.needs_answer for decision in decisions], np.bool_)
     confidence = np.array([decision.confidence for decision in decisions])
@@ -153,18 +156,18 @@ def _decide_edges(classifier: Classifier, keys: I64) -> _EdgeDecisions:
     return _EdgeDecisions(decided[row], kinds[row], confidence[row], index[row], reasons)
 
 
-def _decide(classifier: Classifier, key: int) -> Decision:
+def _decide(evidence: StyleEvidence, key: int) -> Decision:
     """Return the decision for all edges with the decision key ``key``.
 
     A decision key is an integer from ``StyleTotals.decision_keys`` that combines the style of an
-    edge, its role, and flags such as whether a text is near it.  ``classifier`` has the evidence
+    edge, its role, and flags such as whether a text is near it.  ``evidence`` is the evidence
     about all styles.
     """
     style_and_role, flags = divmod(key, FLAG_COUNT)
     style, role = divmod(style_and_role, len(Role))
-    decision = classifier.decide(style, Role(role), must_fold=bool(flags & MUST_FOLD))
-    if classifier.matches.rule[style] >= 0:
-        return decision
+    if evidence.matches.rule[style] >= 0:
+        return decide_by_rule(evidence, style, Role(role))
+    decision = decide_by_evidence(evidence, style, Role(role), bool(flags & MUST_FOLD))
     if flags & NEAR_TEXT and decision.kind == LineType.IGNORED:
         text = Message("classification.with-text", reason=decision.reason)
         confidence = 1.0 - 0.4 * (1.0 - decision.confidence)
@@ -176,7 +179,7 @@ def _decide(classifier: Classifier, key: int) -> Decision:
 
 
 def _restore_folds_on_cuts(
-    edges: _EdgeDecisions, classifier: Classifier, features: ShapeFeatures
+    edges: _EdgeDecisions, evidence: StyleEvidence, features: ShapeFeatures
 ) -> None:
     """Give unclassified edges on a cut the fold type that their profile rule states.
 
@@ -185,7 +188,7 @@ def _restore_folds_on_cuts(
     merges it with the cut.  Writes line types, confidences and reasons to ``edges``.  ``features``
     are the shape features of the edges.
     """
-    styles, matches = classifier.styles, classifier.matches
+    styles, matches = evidence.styles, evidence.matches
     on_edge = features.coincident
     rows = np.flatnonzero((edges.line_type == LineType.UNCLASSIFIED) & (on_edge >= 0))
     ruled = (matches.rule >= 0)[styles.row[rows]]
@@ -193,7 +196,7 @@ def _restore_folds_on_cuts(
     rows = rows[edges.line_type[on_edge[rows]] == LineType.CUT]
     for row in rows.tolist():
         style = styles.row[row]
-        name, conditions = classifier.profile.name, matches.conditions[style]
+        name, conditions = evidence.profile.name, matches.conditions[style]
         rule = Message("classification.rule", profile=name, rule=conditions)
         message = Message("classification.on-cut", rule=rule)
         edges.line_type[row] = edges.guess[row]
@@ -230,7 +233,7 @@ def _withdraw_contradicted(
 
 
 def _withdraw_open_corner_folds(
-    edges: _EdgeDecisions, classifier: Classifier, features: ShapeFeatures
+    edges: _EdgeDecisions, evidence: StyleEvidence, features: ShapeFeatures
 ) -> None:
     """Make creases of boxes without glue tabs unclassified if only shape or colour supports them.
 
@@ -238,13 +241,13 @@ def _withdraw_open_corner_folds(
     layer remain, and so do dashed creases.  If at least half of the creases of a style belong to
     such boxes, all creases of the style become unclassified.
 
-    Writes line types, confidences and reasons to ``edges``.  ``classifier`` has the evidence about
+    Writes line types, confidences and reasons to ``edges``.  ``evidence`` is the evidence about
     all styles, and ``features`` are the shape features of the edges.
     """
     creased = edges.line_type == LineType.CREASE
     uncut = edges.line_type != LineType.CUT
-    group = classifier.style_groups[classifier.styles.row]
-    open_to_doubt = creased & classifier.only_shape_and_colour()[classifier.styles.row]
+    group = evidence.style_groups[evidence.styles.row]
+    open_to_doubt = creased & evidence.only_shape_and_colour()[evidence.styles.row]
     for number in np.unique(group[open_to_doubt]).tolist():
         own = open_to_doubt & (group == number)
         without_tabs = find_open_corner_folds(features, own, uncut)

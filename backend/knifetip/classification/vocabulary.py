@@ -6,7 +6,7 @@ parts of words: the word ``cut`` is not found in ``Cutout``, nor ``Schnitt`` in 
 A negating word cancels the meaning, and so do two words that contradict each other.  Chinese,
 Japanese and Korean do not separate words, so names in these languages are searched for substrings.
 
-A name alone decides nothing; ``decision.classifier`` combines it with other evidence.
+A name alone decides nothing; ``decision.by_evidence`` combines it with other evidence.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
 """Decisions about the line type of each edge, from profile rules, shape, names and colours.
 
-The module ``classifier`` combines the evidence; ``connectivity`` and ``symmetry`` check decisions.
+``by_rule`` and ``by_evidence`` decide; ``connectivity`` and ``symmetry`` check decisions.
 """

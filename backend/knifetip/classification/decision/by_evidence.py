@@ -1,0 +1,227 @@
+"""by_evidence: decide the line type of edges whose style has no rule in the profile.
+
+Two independent kinds of evidence must agree (shape, colour conventions, names), or the shape must
+be certain.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final
+
+from knifetip.classification.decision.conventions import FOLD_TYPES
+from knifetip.classification.decision.decision import Decision
+from knifetip.classification.decision.profile_rules import display_name
+from knifetip.classification.decision.role_types import (
+    IGNORED_CONFIDENCE,
+    POSSIBLE_TYPES,
+    likeliest_type,
+)
+from knifetip.classification.decision.style_evidence import StyleEvidence
+from knifetip.classification.shape.roles import HOLES, NOT_CARTON, Role
+from knifetip.classification.vocabulary import is_dashed_linetype
+from knifetip.messages import Message
+from knifetip.model.dieline import LineType
+
+#: Line types of lines between panels.
+_DIVIDING: Final = (*FOLD_TYPES, LineType.HALF_CUT)
+#: Folds in other styles count if they are longer than this fraction of the main folds.
+_OTHER_FOLDS: Final = 0.05
+_LIKE_OUTLINE: Final = (Message("classification.like-outline"),)
+
+
+class _Guess:
+    """The likeliest line type of some edges, with confidence, reasons and alternatives.
+
+    Each kind of evidence, such as a layer name, may change the guess.
+    """
+
+    def __init__(self, kind: LineType, confidence: float) -> None:
+        self.kind = kind
+        self.confidence = confidence
+        self.votes: list[Message] = []
+        self.others: list[LineType] = []
+
+    def strengthen(self, factor: float) -> None:
+        """Raise the confidence: multiply 1 minus the confidence by ``factor``, which is below 1."""
+        self.confidence = 1.0 - (1.0 - self.confidence) * factor
+
+    def replace(self, kind: LineType, confidence: float) -> None:
+        """Replace the line type of the guess by ``kind``, and its confidence by ``confidence``."""
+        self.kind, self.confidence = kind, confidence
+
+    def weaken(self, limit: float, *others: LineType) -> None:
+        """Reduce the confidence to at most ``limit``, and add alternatives to the guess.
+
+        The alternatives, ``others``, are line types that are also possible.
+        """
+        self.confidence = min(self.confidence, limit)
+        self.others.extend(others)
+
+
+def decide_by_evidence(
+    evidence: StyleEvidence, style: int, role: Role, must_fold: bool
+) -> Decision:
+    """Return the decision that shape, conventions and names suggest for a style without a rule.
+
+    ``style`` is the index of the style, ``role`` is the role of the edges in the drawing's
+    shape, and ``must_fold`` is whether a panel is attached by these edges alone.
+    """
+    if role == Role.OPEN:
+        shape = Message(
+            "classification.no-rule-but-shape",
+            profile=evidence.profile.name,
+            shape=Message("classification.shape", parts=[role.message]),
+        )
+        return Decision(LineType.UNCLASSIFIED, 0.0, shape)
+    if not evidence.has_outline or role == Role.UNKNOWN:
+        reason = Message("classification.no-rule", profile=evidence.profile.name)
+        return Decision(LineType.UNCLASSIFIED, 0.0, reason)
+    kind, confidence, details = _guess_by_shape(evidence, style, role, must_fold)
+    guess = _Guess(kind, confidence)
+    guess.votes.append(Message("classification.shape", parts=[role.message, *details]))
+    guess.others.append(likeliest_type(role))
+    if role not in IGNORED_CONFIDENCE:
+        _weigh_conventions(evidence, guess, style, role)
+    _weigh_names(evidence, guess, style, role)
+    others = [kind for kind in dict.fromkeys(guess.others) if kind != guess.kind]
+    for kind in POSSIBLE_TYPES[role]:
+        if kind != guess.kind and kind not in others:
+            others.append(kind)
+    reason = Message("classification.votes", votes=guess.votes)
+    return Decision(guess.kind, guess.confidence, reason, tuple(others[:3]))
+
+
+def _weigh_conventions(evidence: StyleEvidence, guess: _Guess, style: int, role: Role) -> None:
+    """Change a guess by the line types that colour conventions give to the colour of a style.
+
+    Only the conventions that fit the drawing are used.  ``style`` and ``role`` are the style
+    and the role of the edges that ``guess`` is about.
+    """
+    types = {LineType(int(fit.line_type[style])) for fit in evidence.conventions}
+    types.discard(LineType.UNCLASSIFIED)
+    if len(types) > 1:
+        guess.weaken(0.75, *sorted(types))
+    if len(types) != 1:
+        return
+    (kind,) = types
+    fit = next(fit for fit in evidence.conventions if fit.line_type[style] == kind)
+    if kind == guess.kind:
+        # Solid lines are cuts in most conventions: weak evidence for holes and the like.
+        common = kind in (LineType.CUT, LineType.CREASE)
+        guess.strengthen(0.4 if common and role in (Role.OUTLINE, Role.DIVIDER) else 0.8)
+        guess.votes.append(fit.message)
+    elif role == Role.DIVIDER and guess.kind == LineType.CREASE and kind in _DIVIDING:
+        guess.replace(kind, 0.65)
+        guess.votes.append(fit.message)
+    elif role in NOT_CARTON:
+        guess.confidence *= 0.9
+    else:
+        guess.weaken(0.6, kind)
+
+
+def _weigh_names(evidence: StyleEvidence, guess: _Guess, style: int, role: Role) -> None:
+    """Change a guess by the meaning of a style's layer name or dash pattern name.
+
+    The name of the dash pattern is used only if the layer name has no meaning.  ``style`` and
+    ``role`` are the style and the role of the edges that ``guess`` is about.
+    """
+    meaning, by_layer = evidence.meaning(style)
+    if meaning.denied:
+        if by_layer:
+            guess.weaken(0.7)
+            layer = display_name(evidence.styles.layer[style])
+            guess.votes.append(Message("classification.layer-denies", layer=layer))
+        return
+    named = meaning.kind
+    if named is None:
+        return
+    divides = role in (Role.DIVIDER, Role.SLIT, Role.FREE, *HOLES) and named in _DIVIDING
+    ignores = named == LineType.IGNORED and role in (Role.FREE, Role.SLIT, Role.MARK, *HOLES)
+    if named == guess.kind:
+        guess.strengthen(0.25)
+    elif role == Role.DIVIDER and named in _DIVIDING:
+        guess.replace(named, 0.9)
+    elif divides or ignores:
+        guess.replace(named, 0.7)
+    else:
+        guess.weaken(0.5, named)
+    if by_layer:
+        guess.votes.append(Message("classification.layer-name", word=meaning.word))
+    else:
+        guess.votes.append(Message("classification.linetype-name", word=meaning.word))
+
+
+def _guess_by_shape(
+    evidence: StyleEvidence, style: int, role: Role, must_fold: bool
+) -> tuple[LineType, float, Sequence[Message]]:
+    """Return the line type that shape alone suggests, its confidence, and the reasons.
+
+    ``style`` and ``role`` are the style and the role of the edges; ``must_fold`` is whether a
+    panel is attached by them alone.
+    """
+    own, total = evidence.length[style], evidence.total
+    outlines = own[Role.OUTLINE] >= 0.3 * total[Role.OUTLINE]
+    # Only one style has the folds of a drawing.
+    folds_elsewhere = outlines and evidence.other_folds[style] > 1.4 * own[Role.DIVIDER]
+    if role == Role.OUTLINE:
+        # A style with dividers does not close the outline if another style closes most of it.
+        minor = own[Role.OUTLINE] < 0.5 * total[Role.OUTLINE]
+        if minor and own[Role.DIVIDER] > 0.25 * own[Role.OUTLINE]:
+            return LineType.CUT, 0.5, [Message("classification.other-style-closes")]
+        return LineType.CUT, 0.95, ()
+    if role in HOLES:
+        if outlines and evidence.other_folds[style]:
+            return LineType.CUT, 0.9, _LIKE_OUTLINE
+        if outlines and role == Role.SLOT:
+            return LineType.CUT, 0.85, _LIKE_OUTLINE
+        return LineType.CUT, 0.75 if outlines else 0.6, ()
+    if role == Role.DIVIDER:
+        if folds_elsewhere:
+            return LineType.CUT, 0.85, [Message("classification.like-outline-not-folds")]
+        return _guess_divider(evidence, style, must_fold, bool(outlines))
+    if role in (Role.SLIT, Role.FREE):
+        if folds_elsewhere:
+            return LineType.CUT, 0.85, _LIKE_OUTLINE
+        if evidence.only_divides[style]:
+            return LineType.CREASE, 0.6, ()
+        return LineType.CUT, 0.6 if outlines else 0.4, ()
+    if role in NOT_CARTON:
+        nothing_else = sum(own[part] for part in NOT_CARTON) >= 0.95 * own.sum()
+        if role == Role.BLEED and own[[Role.OUTLINE, *HOLES]].any():
+            # A window round another part is drawn like the cuts, and a bleed line seldom is.
+            return LineType.IGNORED, 0.6, ()
+        if role == Role.TABLE:
+            return LineType.IGNORED, 0.85 if nothing_else else 0.6, ()
+        confidence = IGNORED_CONFIDENCE.get(role, 0.65 if nothing_else else 0.5)
+        return LineType.IGNORED, confidence, ()
+    return LineType.CUT, 0.6 if outlines else 0.4, ()
+
+
+def _guess_divider(
+    evidence: StyleEvidence, style: int, must_fold: bool, outlines: bool
+) -> tuple[LineType, float, Sequence[Message]]:
+    """Return the line type that shape suggests for dividers, its confidence, and the reasons.
+
+    Dividers are the edges between two panels.  ``style`` is the style of the dividers, and
+    ``must_fold`` is whether a panel is attached by them alone.  ``outlines`` is whether edges
+    of this style make up at least 30 % of the length of all outlines.
+    """
+    own = evidence.length[style, Role.DIVIDER]
+    if evidence.only_divides[style]:
+        reasons = [Message("classification.as-its-style")]
+        if evidence.main_folds[style]:
+            reasons.append(Message("classification.panels-hang"))
+            # With folds in two styles, either style may be perforated.
+            two_styles = evidence.other_folds[style] > _OTHER_FOLDS * own
+            return LineType.CREASE, 0.75 if two_styles else 0.9, reasons
+        linetype = evidence.styles.linetype[style].casefold()
+        dashed = is_dashed_linetype(linetype) or evidence.dashed[style] > 0.5
+        if dashed:
+            reasons.append(Message("classification.dashed"))
+        if evidence.paired[style] > 0.1:
+            reasons.append(Message("classification.paired"))
+        return LineType.CREASE, 0.75 if dashed else 0.7, reasons
+    if must_fold and not (outlines and evidence.other_folds[style]):
+        return LineType.CREASE, 0.85, [Message("classification.panel-hangs")]
+    return LineType.CREASE, 0.55, ()

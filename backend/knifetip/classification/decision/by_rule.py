@@ -1,0 +1,97 @@
+"""by_rule: decide the line type of edges whose style has a rule in the profile.
+
+The rule decides unless the shape contradicts it: a crease cannot be the outline of a blank.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from knifetip.classification.decision.decision import Decision
+from knifetip.classification.decision.role_types import IGNORED_CONFIDENCE, likeliest_type
+from knifetip.classification.decision.style_evidence import StyleEvidence
+from knifetip.classification.shape.roles import HOLES, NOT_CARTON, Role
+from knifetip.messages import Message
+from knifetip.model.dieline import LineType
+
+#: Roles that are so certain that they override rules.
+_OVERRIDING_ROLES: Final = (Role.ARROW, Role.LEGEND)
+#: Line types that a closed line inside a panel may have, besides cut.
+_CLOSED_IN_PANEL: Final = (LineType.PERFORATION, LineType.COMBI, LineType.HALF_CUT)
+
+
+def decide_by_rule(evidence: StyleEvidence, style: int, role: Role) -> Decision:
+    """Return the decision that follows from a style's profile rule and the role of its edges.
+
+    If the shape contradicts the rule, the decision has a low confidence, or a different line
+    type with the line type of the rule as an alternative.  ``style`` is the index of the style,
+    and ``role`` the role of the edges in the drawing's shape.
+    """
+    kind = LineType(int(evidence.matches.line_type[style]))
+    confidence = float(evidence.matches.confidence[style])
+    rule = Message(
+        "classification.rule",
+        profile=evidence.profile.name,
+        rule=evidence.matches.conditions[style],
+    )
+    if kind == LineType.UNCLASSIFIED:
+        return Decision(kind, 0.0, rule)
+    if evidence.swapped and kind != LineType.IGNORED:
+        swapped = Message("classification.contradicted", rule=rule, reason=evidence.swapped)
+        if role in (Role.OUTLINE, *HOLES, Role.DIVIDER):
+            guess = likeliest_type(role)
+            others = tuple(one for one in (kind,) if one != guess)
+            return Decision(guess, 0.6, swapped, others)
+        return Decision(kind, 0.3, swapped)
+    if not evidence.has_outline or role in (Role.UNKNOWN, Role.OPEN):
+        return Decision(kind, confidence, rule, by_rule=True)
+    if role in _OVERRIDING_ROLES and kind != LineType.IGNORED:
+        reason = _contradiction_message(rule, role, None)
+        return Decision(LineType.IGNORED, IGNORED_CONFIDENCE[role], reason, (kind,))
+    against, instead = _contradiction(evidence, kind, confidence, style, role)
+    if against:
+        reason = _contradiction_message(rule, role, against)
+        return Decision(kind, min(confidence, 0.5), reason, instead)
+    return Decision(kind, confidence, rule, by_rule=True)
+
+
+def _contradiction(
+    evidence: StyleEvidence, kind: LineType, confidence: float, style: int, role: Role
+) -> tuple[Message | None, tuple[LineType, ...]]:
+    """Return why the shape contradicts a profile rule, and the other possible line types.
+
+    If nothing contradicts the rule, the message is None and the tuple of line types is empty.
+    ``kind`` and ``confidence`` are the line type that the rule gives and the confidence in the
+    rule; ``style`` and ``role`` are the style and the role of the edges.
+    """
+    weak = confidence < 0.9
+    if kind == LineType.IGNORED:
+        if role in (Role.OUTLINE, Role.DIVIDER):
+            kinds = (likeliest_type(role), LineType.CUT)
+            return Message("classification.must-be-processed"), kinds
+        return None, ()
+    if role in (Role.STRAY, Role.DEBRIS):
+        return Message("classification.closes-nothing"), (LineType.IGNORED,)
+    if role in NOT_CARTON:
+        return Message("classification.not-made"), (LineType.IGNORED,)
+    if kind == LineType.CUT:
+        if role == Role.DIVIDER and weak and evidence.only_divides[style]:
+            return Message("classification.none-closes"), (LineType.CREASE,)
+        return None, ()
+    if role == Role.OUTLINE or (role == Role.MARK and weak):
+        return Message("classification.board-ends"), (LineType.CUT,)
+    if role in (*HOLES, Role.INNER) and kind not in _CLOSED_IN_PANEL:
+        return Message("classification.divides-panels", type=kind.word), (LineType.CUT,)
+    if role in (Role.FREE, Role.SLIT) and weak and kind == LineType.CREASE:
+        return Message("classification.divides-panels", type=kind.word), (LineType.CUT,)
+    return None, ()
+
+
+def _contradiction_message(rule: Message, role: Role, against: Message | None) -> Message:
+    """Return the message that the role of edges contradicts a rule.
+
+    ``rule`` is the clause that names the rule.  ``against`` is the clause that explains why the
+    role contradicts it, or None.
+    """
+    reason = Message("classification.role-against", role=role.message, against=against)
+    return Message("classification.contradicted", rule=rule, reason=reason)
