@@ -16,14 +16,13 @@ from contextlib import suppress
 from dataclasses import dataclass
 
 from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected
-from knifetip.gateway.controller import Observer, State, Status
+from knifetip.gateway.controller import State, Status
 from knifetip.gateway.linuxcnc.address import LinuxcncAddress
 from knifetip.gateway.linuxcnc.remote_shell import RemoteShell
 from knifetip.gateway.motion import Pose
+from knifetip.gateway.whole_program.connection import ProgramConnection
 from knifetip.messages import Message
 
-#: Time between two reports while no program runs (s).
-WATCH = 0.5
 #: Time without any change after which the task controller must confirm a command (s).
 _UNCHANGED = 0.5
 #: Indices of X, Y, Z and C in the positions of linuxcncrsh: X Y Z A B C, and later U V W.
@@ -61,7 +60,7 @@ class RunningProgram:
             self.line = min(line, self.lines)
 
 
-class LinuxcncConnection:
+class LinuxcncConnection(ProgramConnection[RunningProgram]):
     """A connection to LinuxCNC, with its fault and its last status report.
 
     Parameters
@@ -72,28 +71,16 @@ class LinuxcncConnection:
         Seconds after which LinuxCNC counts as silent if a request has no reply.
     """
 
+    rest_seconds = 5.0
+
     def __init__(self, address: LinuxcncAddress, silence: float) -> None:
         self.shell = RemoteShell(address, silence)
-        self.silence = silence
-        self.fault: ControllerError | None = None
-        self.observer: Observer | None = None
-        self.recovering = False  #: reports are not compared with a program and set no fault
-        self.program: RunningProgram | None = None
-        self.executed = 0  #: lines of the programs that have ended
-        self.sent = 0  #: lines of all programs that LinuxCNC has begun to execute
-        self.status: Status | None = None  #: last report
-        self.alarm: Message | None = None  #: why the last report has the state ``ALARM``
+        super().__init__(self.shell, silence)
         self._joints = address.joints
         self._changed = 0.0
         self._reference: tuple[float, Pose] | None = None  # time and position of an earlier report
         self._still = False
         self._observed: tuple[float, Pose] | None = None  # time and position last compared
-        self._watching: asyncio.Task[None] | None = None
-
-    @property
-    def name(self) -> str:
-        """Host and port, for messages."""
-        return self.shell.name
 
     # -- opening and closing ----------------------------------------------------------------------
 
@@ -101,8 +88,7 @@ class LinuxcncConnection:
         """Connect to LinuxCNC; do nothing else."""
         await self.shell.open()
         await self.shell.messages()  # of earlier programs
-        if self._watching is None:
-            self._watching = asyncio.create_task(self._watch(), name="linuxcnc watch")
+        self._start_watch("linuxcnc watch")
 
     async def reach(self) -> None:
         """Clear the recorded fault; reconnect if the connection is lost.
@@ -119,22 +105,6 @@ class LinuxcncConnection:
             await self.open()
         await self.shell.messages()
         self.fault = None
-
-    async def close(self) -> None:
-        """Close the connection; LinuxCNC continues with what it does."""
-        watching, self._watching = self._watching, None
-        if watching is not None:
-            watching.cancel()
-            await asyncio.gather(watching, return_exceptions=True)
-        await self.shell.close()
-
-    async def _watch(self) -> None:
-        """Request a report from time to time, so that failures are noticed also between jobs."""
-        while True:
-            await asyncio.sleep(WATCH)
-            if self.shell.connected and not self.recovering:
-                with suppress(ControllerError):
-                    await self.report()
 
     # -- status reports ---------------------------------------------------------------------------
 
@@ -161,17 +131,6 @@ class LinuxcncConnection:
         if not self.recovering:
             self._check(status, messages)
         return status
-
-    def fail(self, error: ControllerError) -> ControllerError:
-        """Record an error as the fault, unless there is a fault already; return the fault."""
-        if self.fault is None:
-            self.fault = error
-        return self.fault
-
-    def raise_fault(self) -> None:
-        """Raise the fault if there is one."""
-        if self.fault is not None:
-            raise self.fault
 
     async def _read_status(self) -> Status:
         get, program = self.shell.get, self.program
@@ -279,7 +238,16 @@ class LinuxcncConnection:
         self._observed = now, status.position
         return False
 
+    def not_at_rest(self, seconds: float) -> ControllerError:
+        """Return the error for a machine that is not at rest after some seconds."""
+        return ControllerError("linuxcnc.not-at-rest", name=self.name, seconds=seconds)
+
     # -- single commands --------------------------------------------------------------------------
+
+    async def abort(self) -> None:
+        """Stop the motion and the spindle, and discard the program."""
+        with suppress(ControllerRejected):  # while the machine is off
+            await self.shell.set("abort")
 
     async def execute(self, lines: Iterable[str], patience: float = 0.0) -> None:
         """Execute lines of G-code (MDI) one after another; return when the machine is at rest.

@@ -15,18 +15,17 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Iterable
 
-from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected
-from knifetip.gateway.controller import Observer, SafeState, State, Status
+from knifetip.errors import ControllerError, ControllerRejected
+from knifetip.gateway.controller import SafeState, State, Status
 from knifetip.gateway.linuxcnc import recovery
 from knifetip.gateway.linuxcnc.address import LinuxcncAddress
 from knifetip.gateway.linuxcnc.connection import LinuxcncConnection, RunningProgram
 from knifetip.gateway.linuxcnc.operating import LinuxcncOperations
 from knifetip.gateway.linuxcnc.program_folder import ProgramFolder
+from knifetip.gateway.whole_program.controller import take_control
 
 #: Longest time until LinuxCNC begins a program (s).
 _START = 2.0
-#: Time until the next report after one that deviates from the program (s).
-_DOUBTFUL = 0.01
 #: Consecutive reports of rest after which a program has ended: an error message may come late.
 _ENDED = 2
 
@@ -38,20 +37,14 @@ class Linuxcnc(LinuxcncOperations):
     ----------
     address
         Address of the LinuxCNC.
-    safe
-        Safe state into which ``open`` and ``stop`` bring the machine.  If None, they only end the
-        running program.
     silence
         Seconds after which LinuxCNC counts as silent if a request has no reply.
-    poll
-        Time between two reports while a program runs (s).
+    safe, poll
+        As for ``WholeProgramController``.
     """
 
-    #: Moves that may be executed at the same time: LinuxCNC reports the line that it executes.
-    capacity: int | None = 1
     #: The reported positions are those of the joints, which lag behind the commanded ones.
     accuracy: float = 0.5
-    ahead: int = 0
 
     def __init__(
         self,
@@ -61,81 +54,21 @@ class Linuxcnc(LinuxcncOperations):
         silence: float = 1.5,
         poll: float = 0.05,
     ) -> None:
-        self._connection = LinuxcncConnection(address, silence)
+        super().__init__(LinuxcncConnection(address, silence), safe, poll)
         self._folder = ProgramFolder(address)
-        self._safe = safe
-        self._poll = poll
-
-    @property
-    def name(self) -> str:
-        """Address of the controller, for messages."""
-        return self._connection.name
-
-    @property
-    def fault(self) -> ControllerError | None:
-        """First failure since the machine was last in its safe state; None if there is none."""
-        return self._connection.fault
-
-    @property
-    def acknowledged(self) -> int:
-        """Number of program lines that LinuxCNC has begun since ``open``."""
-        return 0 if self._connection.status is None else self._connection.status.acknowledged
-
-    @property
-    def sent(self) -> int:
-        """Number of lines of the programs that LinuxCNC has begun since ``open``."""
-        return self._connection.sent
-
-    @property
-    def observer(self) -> Observer | None:
-        """Object that compares each status report with the program; None if no program runs."""
-        return self._connection.observer
-
-    @observer.setter
-    def observer(self, observer: Observer | None) -> None:
-        self._connection.observer = observer
 
     # -- opening and closing ----------------------------------------------------------------------
 
-    async def open(self, *, stop_motion: bool = False) -> None:
-        """Take control of the machine and bring it into its safe state.
-
-        Parameters
-        ----------
-        stop_motion
-            Whether to stop a machine that executes a program, because it is one of this gateway.
-            If False, such a machine is left as it is, and an error is raised.
-
-        Raises
-        ------
-        ControllerAlarm
-            The machine is off, in emergency stop or not homed; nothing has moved.
-        ControllerError
-            LinuxCNC is busy or does not answer, or refuses to raise Z or to switch an output off.
-        """
-        connection = self._connection
-        await connection.open()
+    async def _first_report(self) -> Status:
         # The first report cannot show whether an axis moves.
-        await connection.report()
+        await self._connection.report()
         await asyncio.sleep(self._poll)
-        status = await connection.report()
-        connection.raise_fault()
-        if status.state is State.IDLE:
-            await self._secure()
-        elif stop_motion:
-            await self.stop()
-        else:
-            raise ControllerError("controller.busy", name=self.name, state=status.state.value)
+        return await self._connection.report()
 
     async def close(self) -> None:
         """Close the connection; LinuxCNC continues with what it does."""
-        await self._connection.close()
+        await super().close()
         self._folder.remove()
-        self._connection.fail(ControllerError("controller.closed", name=self.name))
-
-    def lock(self, alarm: ControllerAlarm) -> None:
-        """Record an alarm as the fault of the controller, until ``unlock`` or ``home``."""
-        self._connection.fail(alarm)
 
     # -- programs ---------------------------------------------------------------------------------
 
@@ -216,21 +149,7 @@ class Linuxcnc(LinuxcncOperations):
         while idle < _ENDED:
             status = await self.status()
             idle = idle + 1 if status.state is State.IDLE else 0
-            doubtful = self.observer is not None and self.observer.doubtful
-            await asyncio.sleep(_DOUBTFUL if doubtful else self._poll)
-
-    async def status(self) -> Status:
-        """Request a status report and return it.
-
-        Raises
-        ------
-        ControllerError
-            The fault of the controller, if it has failed before or now.
-        """
-        self._connection.raise_fault()
-        status = await self._connection.report()
-        self._connection.raise_fault()
-        return status
+            await self._pause()
 
     async def hold(self) -> None:
         """Decelerate to a stop from which ``resume`` or ``step`` can continue."""
@@ -249,43 +168,6 @@ class Linuxcnc(LinuxcncOperations):
         if (await self.status()).state is State.HOLD and self._connection.program is not None:
             await self._connection.shell.set("step")
 
-    async def stop(self) -> Status:
-        """Discard the rest of the program and bring the machine into its safe state.
-
-        Clears earlier failures; reconnects if the connection is lost.
-
-        Returns
-        -------
-        Status
-            Status of the machine at rest, after Z was raised to its safe height.
-
-        Raises
-        ------
-        ControllerError
-            The machine is off, in emergency stop or not homed, LinuxCNC refuses to raise Z or to
-            switch an output off, or it cannot be reached.
-        """
-        connection = self._connection
-        connection.recovering = True
-        done = False
-        try:
-            status = await recovery.make_safe(connection, self._safe)
-            done = True
-            self._forget_switches()
-        except ControllerError as unsafe:
-            connection.fault = None  # the present fault matters more than the first one
-            raise connection.fail(unsafe) from None
-        finally:
-            connection.recovering = False
-            if not done:
-                connection.fail(ControllerError("controller.not-recovered", name=self.name))
-        connection.executed = connection.sent
-        return status
-
-    async def _secure(self) -> None:
-        await recovery.secure(self._connection, self._safe)
-        self._forget_switches()
-
 
 async def dial(
     address: str,
@@ -300,19 +182,7 @@ async def dial(
     A LinuxCNC that is switched off, in emergency stop or not homed is returned with this alarm as
     its ``fault``: a person at the machine can then call ``unlock`` or ``home``.
 
-    Parameters
-    ----------
-    address
-        Address of the LinuxCNC (see ``address``).
-    safe
-        Safe state of the machine; if None, the tool is not raised and no output is switched off.
-    stop_motion
-        Whether to stop a machine that executes a program, because it is one of this gateway.  If
-        False, such a machine is left as it is, and an error is raised.
-    silence
-        Seconds after which LinuxCNC counts as silent.
-    poll
-        Time between two reports while a program runs (s).
+    The parameters are those of ``controller.Driver`` and of ``Linuxcnc``.
 
     Raises
     ------
@@ -320,11 +190,4 @@ async def dial(
         LinuxCNC does not answer or is busy.
     """
     controller = Linuxcnc(LinuxcncAddress.of(address), safe=safe, silence=silence, poll=poll)
-    try:
-        await controller.open(stop_motion=stop_motion)
-    except ControllerAlarm as locked:
-        controller.lock(locked)
-    except BaseException:
-        await controller.close()
-        raise
-    return controller
+    return await take_control(controller, stop_motion=stop_motion)

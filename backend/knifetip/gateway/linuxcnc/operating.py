@@ -12,12 +12,12 @@ from __future__ import annotations
 
 import asyncio
 
-from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected
-from knifetip.gateway.controller import SafeState, Status
+from knifetip.errors import ControllerAlarm, ControllerRejected
+from knifetip.gateway.controller import Status
 from knifetip.gateway.linuxcnc import recovery
 from knifetip.gateway.linuxcnc.connection import LinuxcncConnection
 from knifetip.gateway.operations import AXES, OperationName
-from knifetip.messages import Message
+from knifetip.gateway.whole_program.controller import WholeProgramController
 from knifetip.model.machine import Station
 
 #: Longest time until all joints are homed (s).
@@ -28,43 +28,16 @@ PARK_FEED = 6000.0
 _POLL = 0.1
 
 
-class LinuxcncOperations:
+class LinuxcncOperations(WholeProgramController[LinuxcncConnection]):
     """The methods of ``operations.Operable`` for LinuxCNC."""
-
-    _connection: LinuxcncConnection
-    _safe: SafeState | None
-    _switched_on: frozenset[int] = frozenset()
-    _spinning: int = 0
 
     @property
     def operations(self) -> frozenset[str]:
         """Names of the operations that the controller can do: all."""
         return frozenset(OperationName)
 
-    @property
-    def connected(self) -> bool:
-        """Whether the connection to LinuxCNC is open."""
-        return self._connection.shell.connected
-
-    @property
-    def alarm(self) -> Message | None:
-        """Why LinuxCNC cannot move the machine, with what to do; None if it can."""
-        return self._connection.alarm
-
-    @property
-    def last_status(self) -> Status | None:
-        """Last status report, also after a failure; None if there is none since connecting."""
-        return self._connection.status
-
-    @property
-    def spinning(self) -> int:
-        """Number of the station whose spindle ``spin`` has switched on; 0 for none."""
-        return self._spinning
-
-    @property
-    def switched_on(self) -> frozenset[int]:
-        """Numbers of the digital outputs that ``switch`` has switched on."""
-        return self._switched_on
+    async def _secure(self) -> Status:
+        return await recovery.secure(self._connection, self._safe)
 
     async def unlock(self) -> None:
         """Reset the emergency stop and switch the machine on.
@@ -80,7 +53,7 @@ class LinuxcncOperations:
             await connection.report()
             self._require_power()
             if connection.alarm is None:
-                await recovery.secure(connection, self._safe)
+                await self._secure()
         finally:
             connection.recovering = False
         self._forget_switches()
@@ -98,7 +71,7 @@ class LinuxcncOperations:
             await connection.shell.set("teleop_enable off")
             await connection.shell.set("home -1")
             await self._wait_until_homed()
-            await recovery.secure(connection, self._safe)
+            await self._secure()
         finally:
             connection.recovering = False
         self._forget_switches()
@@ -121,7 +94,7 @@ class LinuxcncOperations:
             if connection.alarm is None and status.still:
                 return
             await asyncio.sleep(_POLL)
-        raise ControllerError("linuxcnc.not-at-rest", name=connection.name, seconds=HOMING_SECONDS)
+        raise connection.not_at_rest(HOMING_SECONDS)
 
     async def jog(self, axis: str, distance: float, feed: float) -> None:
         """Begin to move one axis by a distance (mm or degrees) at a feed (per minute)."""
@@ -142,15 +115,11 @@ class LinuxcncOperations:
 
     async def park(self) -> None:
         """Lift the tool, then begin to move X and Y to the park position of the machine."""
-        await recovery.secure(self._connection, self._safe)
+        await self._secure()
         self._forget_switches()
         if self._safe is not None:
             x, y = self._safe.park
             await self._begin(f"G1 X{x:.4f} Y{y:.4f} F{PARK_FEED:.0f}")
-
-    def _forget_switches(self) -> None:
-        """Record that all outputs and the spindle have been switched off."""
-        self._switched_on, self._spinning = frozenset(), 0
 
     async def spin(self, station: Station | None) -> None:
         """Switch the spindle of a station on, or switch it off."""
@@ -161,7 +130,7 @@ class LinuxcncOperations:
     async def switch(self, output: int, on: bool) -> None:
         """Switch a digital output on or off."""
         await self._connection.execute([f"M64 P{output}" if on else f"M65 P{output}"])
-        self._switched_on = self._switched_on | {output} if on else self._switched_on - {output}
+        self._record_switch(output, on)
 
     async def _begin(self, line: str) -> None:
         """Begin to execute a line of G-code; ``MODES`` must be in force."""

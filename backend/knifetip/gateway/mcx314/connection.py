@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import asyncio
-from contextlib import suppress
 from dataclasses import dataclass
 
 from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected, ControllerReset
-from knifetip.gateway.controller import Observer, SafeState, State, Status
+from knifetip.gateway.controller import SafeState, State, Status
 from knifetip.gateway.mcx314.instructions import AXES
 from knifetip.gateway.mcx314.link import Link
 from knifetip.gateway.motion import Pose
+from knifetip.gateway.whole_program.connection import ProgramConnection
 from knifetip.messages import Message
 
-#: Time between two reports while no program runs (s); it is less than the patience of the board.
-WATCH = 0.5
-#: Seconds without a request after which the board stops a program by itself.
+#: Seconds without a request after which the board stops a program by itself: more than ``WATCH``.
 PATIENCE = 3.0
 
 #: Code with which the board refuses lines of a program that it does not execute.
@@ -49,7 +46,7 @@ class RunningProgram:
     done: int = 0  #: lines executed
 
 
-class BoardConnection:
+class BoardConnection(ProgramConnection[RunningProgram]):
     """A connection to a board, with its fault and its last status report.
 
     Parameters
@@ -60,27 +57,15 @@ class BoardConnection:
         Seconds after which the board counts as silent.
     """
 
+    rest_seconds = 15.0
+
     def __init__(self, address: str, silence: float) -> None:
         self.link = Link(address, silence)
-        self.silence = silence
-        self.fault: ControllerError | None = None
-        self.observer: Observer | None = None
-        self.recovering = False  #: reports are not compared with a program and set no fault
-        self.program: RunningProgram | None = None
-        self.executed = 0  #: lines of the programs that have ended
-        self.sent = 0  #: lines of all programs that the board has begun to execute
-        self.status: Status | None = None  #: last report
+        super().__init__(self.link, silence)
         self.fields: dict[str, str] = {}  #: of the last report
-        self.alarm: Message | None = None  #: why the last report has the state ``ALARM``
         self.pulses: Pose = (1.0, 1.0, 1.0, 1.0)  #: per mm and degree, as the board states
         self.queue = 0  #: program lines that the board holds
         self._boot = ""
-        self._watching: asyncio.Task[None] | None = None
-
-    @property
-    def name(self) -> str:
-        """Address of the board, for messages."""
-        return self.link.name
 
     # -- opening and closing ----------------------------------------------------------------------
 
@@ -102,8 +87,7 @@ class BoardConnection:
         except (KeyError, ValueError):
             raise ControllerError("mcx314.unreadable", name=self.name, answer=answer) from None
         self._boot = boot
-        if self._watching is None:
-            self._watching = asyncio.create_task(self._watch(), name="mcx314 watch")
+        self._start_watch("mcx314 watch")
 
     async def reach(self) -> None:
         """Clear the recorded fault; reconnect if the connection is lost.
@@ -119,22 +103,6 @@ class BoardConnection:
         else:
             self._boot = _fields_of(await self.request("HELLO")).get("BOOT", self._boot)
         self.fault = None
-
-    async def close(self) -> None:
-        """Close the connection.  A program that runs is stopped by the board itself."""
-        watching, self._watching = self._watching, None
-        if watching is not None:
-            watching.cancel()
-            await asyncio.gather(watching, return_exceptions=True)
-        await self.link.close()
-
-    async def _watch(self) -> None:
-        """Request a report from time to time, so that failures are noticed also between jobs."""
-        while True:
-            await asyncio.sleep(WATCH)
-            if self.link.connected and not self.recovering:
-                with suppress(ControllerError):
-                    await self.report()
 
     async def guard(self, safe: SafeState | None) -> None:
         """Tell the board what to do if this gateway is gone while a program runs."""
@@ -163,6 +131,10 @@ class BoardConnection:
                 "mcx314.refused", name=self.name, request=shown, code=rest or result
             )
         return rest
+
+    async def abort(self) -> None:
+        """Decelerate to a stop and discard the program or the move."""
+        await self.request("ABORT")
 
     async def report(self) -> Status:
         """Request a status report and return it.
@@ -246,16 +218,9 @@ class BoardConnection:
         line = 0 if self.program is None else self.program.line
         return ControllerError("mcx314.stopped", name=self.name, line=line)
 
-    def fail(self, error: ControllerError) -> ControllerError:
-        """Record an error as the fault, unless there is a fault already; return the fault."""
-        if self.fault is None:
-            self.fault = error
-        return self.fault
-
-    def raise_fault(self) -> None:
-        """Raise the fault if there is one."""
-        if self.fault is not None:
-            raise self.fault
+    def not_at_rest(self, seconds: float) -> ControllerError:
+        """Return the error for a machine that is not at rest after some seconds."""
+        return ControllerError("mcx314.not-at-rest", name=self.name, seconds=seconds)
 
 
 def _fields_of(answer: str) -> dict[str, str]:

@@ -12,8 +12,8 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Iterable
 
-from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected
-from knifetip.gateway.controller import Observer, SafeState, State, Status
+from knifetip.errors import ControllerError, ControllerRejected
+from knifetip.gateway.controller import SafeState, State, Status
 from knifetip.gateway.mcx314 import recovery
 from knifetip.gateway.mcx314.connection import NO_PROGRAM, BoardConnection, RunningProgram
 from knifetip.gateway.mcx314.frames import LONGEST
@@ -22,12 +22,11 @@ from knifetip.gateway.mcx314.interpreter import Mcx314Interpreter
 from knifetip.gateway.mcx314.operating import Mcx314Operations
 from knifetip.gateway.motion import Pose
 from knifetip.gateway.program_blocks import lines_of
+from knifetip.gateway.whole_program.controller import take_control
 
 #: Program lines in one request, and the bytes that a request needs besides them.
 _BATCH = 16
 _MARGIN = 48
-#: Time between two reports after one that deviates from the program (s).
-_DOUBTFUL = 0.01
 #: Pulses that a program states may differ by this from those of the board.
 _EQUAL = 1e-5
 
@@ -39,20 +38,14 @@ class Mcx314(Mcx314Operations):
     ----------
     address
         Address of the board, as for ``transport.connect``.
-    safe
-        Safe state into which ``open`` and ``stop`` bring the machine.  If None, they only end the
-        running program.
     silence
         Seconds after which the board counts as silent if a request has no answer.
-    poll
-        Time between two reports while a program runs (s).
+    safe, poll
+        As for ``WholeProgramController``.
     """
 
-    #: Moves that may be executed at the same time: the board reports the line that it executes.
-    capacity: int | None = 1
     #: The board reports the pulses of the chip, whose lines and arcs deviate by two at most.
     accuracy: float = 0.1
-    ahead: int = 0
 
     def __init__(
         self,
@@ -62,80 +55,11 @@ class Mcx314(Mcx314Operations):
         silence: float = 1.5,
         poll: float = 0.05,
     ) -> None:
-        self._connection = BoardConnection(address, silence)
-        self._safe = safe
-        self._poll = poll
-
-    @property
-    def name(self) -> str:
-        """Address of the controller, for messages."""
-        return self._connection.name
-
-    @property
-    def fault(self) -> ControllerError | None:
-        """First failure since the machine was last in its safe state; None if there is none."""
-        return self._connection.fault
-
-    @property
-    def acknowledged(self) -> int:
-        """Number of program lines that the board has begun since ``open``."""
-        return 0 if self._connection.status is None else self._connection.status.acknowledged
-
-    @property
-    def sent(self) -> int:
-        """Number of lines of the programs that were begun since ``open``."""
-        return self._connection.sent
-
-    @property
-    def observer(self) -> Observer | None:
-        """Object that compares each status report with the program; None if no program runs."""
-        return self._connection.observer
-
-    @observer.setter
-    def observer(self, observer: Observer | None) -> None:
-        self._connection.observer = observer
+        super().__init__(BoardConnection(address, silence), safe, poll)
 
     def interpreter(self, start: Pose) -> Mcx314Interpreter:
         """Return an interpreter of the programs of this board, from a pose on."""
         return Mcx314Interpreter(self._connection.pulses, start)
-
-    # -- opening and closing ----------------------------------------------------------------------
-
-    async def open(self, *, stop_motion: bool = False) -> None:
-        """Take control of the machine and bring it into its safe state.
-
-        Parameters
-        ----------
-        stop_motion
-            Whether to stop a machine that executes a program, because it is one of this gateway.
-            If False, such a machine is left as it is, and an error is raised.
-
-        Raises
-        ------
-        ControllerAlarm
-            An alarm locks the board; nothing has moved.
-        ControllerError
-            The board is busy or does not answer, or refuses a step.
-        """
-        connection = self._connection
-        await connection.open()
-        status = await connection.report()
-        connection.raise_fault()
-        if status.state is State.IDLE and status.still:
-            await self._secure()
-        elif stop_motion:
-            await self.stop()
-        else:
-            raise ControllerError("controller.busy", name=self.name, state=status.state.value)
-
-    async def close(self) -> None:
-        """Close the connection; the board itself ends a program that runs."""
-        await self._connection.close()
-        self._connection.fail(ControllerError("controller.closed", name=self.name))
-
-    def lock(self, alarm: ControllerAlarm) -> None:
-        """Record an alarm as the fault of the controller, until ``unlock`` or ``home``."""
-        self._connection.fail(alarm)
 
     # -- programs ---------------------------------------------------------------------------------
 
@@ -229,22 +153,8 @@ class Mcx314(Mcx314Operations):
             raise self._connection.fail(error) from None
 
     async def _next_report(self) -> None:
-        doubtful = self.observer is not None and self.observer.doubtful
-        await asyncio.sleep(_DOUBTFUL if doubtful else self._poll)
+        await self._pause()
         await self.status()
-
-    async def status(self) -> Status:
-        """Request a status report and return it.
-
-        Raises
-        ------
-        ControllerError
-            The fault of the controller, if it has failed before or now.
-        """
-        self._connection.raise_fault()
-        status = await self._connection.report()
-        self._connection.raise_fault()
-        return status
 
     async def hold(self) -> None:
         """Decelerate to a stop from which ``resume`` can continue."""
@@ -256,42 +166,11 @@ class Mcx314(Mcx314Operations):
         self._connection.raise_fault()
         await self._guarded("RESUME")
 
-    async def stop(self) -> Status:
-        """Discard the rest of the program and bring the machine into its safe state.
-
-        Clears earlier failures; reconnects if the connection is lost.
-
-        Returns
-        -------
-        Status
-            Status of the machine at rest, after Z was raised to its safe height.
-
-        Raises
-        ------
-        ControllerError
-            An alarm locks the board, it refuses a step, or it cannot be reached.
-        """
-        connection = self._connection
-        connection.recovering = True
-        done = False
+    async def _make_safe(self) -> Status:
         try:
-            status = await recovery.make_safe(connection, self._safe)
-            done = True
-            self._forget_switches()
-        except ControllerError as unsafe:
-            connection.fault = None  # the present fault matters more than the first one
-            raise connection.fail(unsafe) from None
+            return await super()._make_safe()
         finally:
-            connection.recovering = False
-            connection.program = None
-            if not done:
-                connection.fail(ControllerError("controller.not-recovered", name=self.name))
-        connection.executed = connection.sent
-        return status
-
-    async def _secure(self) -> None:
-        await recovery.secure(self._connection, self._safe)
-        self._forget_switches()
+            self._connection.program = None  # the board discards it by itself if it is not reached
 
 
 async def dial(
@@ -307,19 +186,7 @@ async def dial(
     A board that an alarm locks is returned with this alarm as its ``fault``: a person at the
     machine can then call ``unlock`` or ``home``.
 
-    Parameters
-    ----------
-    address
-        Address of the board, as for ``transport.connect``.
-    safe
-        Safe state of the machine; if None, the tool is not raised and no output is switched off.
-    stop_motion
-        Whether to stop a machine that executes a program, because it is one of this gateway.  If
-        False, such a machine is left as it is, and an error is raised.
-    silence
-        Seconds after which the board counts as silent.
-    poll
-        Time between two reports while a program runs (s).
+    The parameters are those of ``controller.Driver`` and of ``Mcx314``.
 
     Raises
     ------
@@ -327,11 +194,4 @@ async def dial(
         The board does not answer or is busy.
     """
     controller = Mcx314(address, safe=safe, silence=silence, poll=poll)
-    try:
-        await controller.open(stop_motion=stop_motion)
-    except ControllerAlarm as locked:
-        controller.lock(locked)
-    except BaseException:
-        await controller.close()
-        raise
-    return controller
+    return await take_control(controller, stop_motion=stop_motion)

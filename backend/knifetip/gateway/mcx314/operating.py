@@ -13,12 +13,11 @@ from __future__ import annotations
 
 import asyncio
 
-from knifetip.errors import ControllerError
-from knifetip.gateway.controller import SafeState, State, Status
+from knifetip.gateway.controller import State, Status
 from knifetip.gateway.mcx314 import recovery
 from knifetip.gateway.mcx314.connection import BoardConnection
 from knifetip.gateway.operations import AXES, RUNS, OperationName
-from knifetip.messages import Message
+from knifetip.gateway.whole_program.controller import WholeProgramController
 from knifetip.model.machine import Station
 
 #: Longest time until all axes are homed (s).
@@ -29,43 +28,16 @@ PARK_SPEED = 100.0
 _POLL = 0.05
 
 
-class Mcx314Operations:
+class Mcx314Operations(WholeProgramController[BoardConnection]):
     """The methods of ``operations.Operable`` for an MCX314."""
-
-    _connection: BoardConnection
-    _safe: SafeState | None
-    _switched_on: frozenset[int] = frozenset()
-    _spinning: int = 0
 
     @property
     def operations(self) -> frozenset[str]:
         """Names of the operations that the controller can do: all but runs above the board."""
         return frozenset(OperationName) - RUNS - {OperationName.HOLD, OperationName.RESUME}
 
-    @property
-    def connected(self) -> bool:
-        """Whether the connection to the board is open."""
-        return self._connection.link.connected
-
-    @property
-    def alarm(self) -> Message | None:
-        """Why the board cannot move the machine, with what to do; None if it can."""
-        return self._connection.alarm
-
-    @property
-    def last_status(self) -> Status | None:
-        """Last status report, also after a failure; None if there is none since connecting."""
-        return self._connection.status
-
-    @property
-    def spinning(self) -> int:
-        """Number of the station whose oscillation ``spin`` has switched on; 0 for none."""
-        return self._spinning
-
-    @property
-    def switched_on(self) -> frozenset[int]:
-        """Numbers of the digital outputs that ``switch`` has switched on."""
-        return self._switched_on
+    async def _secure(self) -> Status:
+        return await recovery.secure(self._connection, self._safe)
 
     async def unlock(self) -> None:
         """Clear an alarm.  If the axes are homed, then lift the tool and switch all outputs off."""
@@ -76,7 +48,7 @@ class Mcx314Operations:
             await connection.request("UNLOCK")
             await connection.report()
             if connection.alarm is None:
-                await recovery.secure(connection, self._safe)
+                await self._secure()
             else:
                 await connection.guard(self._safe)
         finally:
@@ -93,11 +65,9 @@ class Mcx314Operations:
             deadline = clock.time() + HOMING_SECONDS
             while (status := await connection.report()).state is State.HOME or not status.still:
                 if clock.time() > deadline:
-                    raise ControllerError(
-                        "mcx314.not-at-rest", name=connection.name, seconds=HOMING_SECONDS
-                    )
+                    raise connection.not_at_rest(HOMING_SECONDS)
                 await asyncio.sleep(_POLL)
-            await recovery.secure(connection, self._safe)
+            await self._secure()
         finally:
             connection.recovering = False
         self._forget_switches()
@@ -113,7 +83,7 @@ class Mcx314Operations:
 
     async def stop_jog(self) -> None:
         """Decelerate the running jog to a stop and discard the rest of it."""
-        await self._connection.request("ABORT")
+        await self._connection.abort()
 
     async def zero(self, axes: str) -> None:
         """Let the board store the present position of axes as the zero of programs."""
@@ -122,16 +92,12 @@ class Mcx314Operations:
 
     async def park(self) -> None:
         """Lift the tool, then begin to move X and Y to the park position of the machine."""
-        await recovery.secure(self._connection, self._safe)
+        await self._secure()
         self._forget_switches()
         if self._safe is not None:
             scales = self._connection.pulses
             x, y = (round(at * scale) for at, scale in zip(self._safe.park, scales, strict=False))
             await self._connection.request(f"MOVE X{x} Y{y} V{PARK_SPEED * scales[0]:.0f}")
-
-    def _forget_switches(self) -> None:
-        """Record that all outputs and the oscillation have been switched off."""
-        self._switched_on, self._spinning = frozenset(), 0
 
     async def spin(self, station: Station | None) -> None:
         """Switch the oscillation or the spindle of a station on, or switch it off."""
@@ -141,4 +107,4 @@ class Mcx314Operations:
     async def switch(self, output: int, on: bool) -> None:
         """Switch a digital output on or off."""
         await self._connection.request(f"OUT {output} {'ON' if on else 'OFF'}")
-        self._switched_on = self._switched_on | {output} if on else self._switched_on - {output}
+        self._record_switch(output, on)
