@@ -25,7 +25,7 @@ from knifetip.errors import (
     ControllerSilent,
     ProgramError,
 )
-from knifetip.gateway.controller import Observer, SafeState, State, Status
+from knifetip.gateway.controller import SafeState, State, Status
 from knifetip.gateway.grbl import recovery
 from knifetip.gateway.grbl.capabilities import Capabilities
 from knifetip.gateway.grbl.connection import GrblConnection
@@ -82,8 +82,7 @@ class Grbl(GrblOperations):
     ) -> None:
         self._chooses_polling = poll is None
         polling = Polling() if poll is None else Polling.every(poll)
-        self._connection = GrblConnection(transport, reconnect, silence, polling)
-        self._safe = safe
+        super().__init__(GrblConnection(transport, reconnect, silence, polling), safe)
         self._silence = silence
         self._capabilities = Capabilities()
 
@@ -93,27 +92,9 @@ class Grbl(GrblOperations):
         return self._capabilities.blocks
 
     @property
-    def name(self) -> str:
-        """Address of the controller, for messages."""
-        return self._connection.name
-
-    @property
-    def fault(self) -> ControllerError | None:
-        """First failure since the machine was last in its safe state; None if there is none.
-
-        Every method except ``stop``, ``open`` and ``close`` raises this failure.
-        """
-        return self._connection.fault
-
-    @property
     def acknowledged(self) -> int:
         """Number of program lines that the controller has answered since it was opened."""
         return self._connection.acknowledged
-
-    @property
-    def sent(self) -> int:
-        """Number of program lines that were sent to the controller since it was opened."""
-        return self._connection.sent
 
     @property
     def last_alarm(self) -> int:
@@ -127,15 +108,6 @@ class Grbl(GrblOperations):
     def polling(self) -> Polling:
         """Intervals between two status requests while the machine moves."""
         return self._connection.polling
-
-    @property
-    def observer(self) -> Observer | None:
-        """Object that compares each status report with the program; None if no program runs."""
-        return self._connection.observer
-
-    @observer.setter
-    def observer(self, observer: Observer | None) -> None:
-        self._connection.observer = observer
 
     # -- opening and closing ----------------------------------------------------------------------
 
@@ -363,37 +335,8 @@ class Grbl(GrblOperations):
         """Let the machine continue after a hold (cycle start, ``~``)."""
         await self._connection.realtime(b"~")
 
-    async def stop(self) -> Status:
-        """Discard the rest of the program and bring the machine into its safe state.
-
-        Clears earlier failures; reconnects if the connection is lost.
-
-        Returns
-        -------
-        Status
-            Status of the machine at rest, after Z was raised to its safe height.
-
-        Raises
-        ------
-        ControllerError
-            An alarm locks the machine, the controller refuses to raise Z or to switch an output
-            off, or the controller cannot be reached.
-        """
-        connection = self._connection
-        connection.recovering = True
-        done = False
-        try:
-            status = await recovery.make_safe(connection, self._safe, self._silence)
-            done = True
-            self._forget_switches()
-        except ControllerError as unsafe:
-            connection.fault = None  # the present fault matters more than the first one
-            raise connection.fail(unsafe) from None
-        finally:
-            connection.recovering = False
-            if not done:
-                connection.fail(ControllerError("controller.not-recovered", name=self.name))
-        return status
+    async def _make_safe(self) -> Status:
+        return await recovery.make_safe(self._connection, self._safe, self._silence)
 
 
 async def dial(

@@ -11,12 +11,13 @@
 
 from __future__ import annotations
 
-from knifetip.errors import ControllerAlarm, ControllerError
-from knifetip.gateway.controller import SafeState, State, Status
+from knifetip.errors import ControllerError
+from knifetip.gateway.controller import State
 from knifetip.gateway.grbl import answers, recovery
 from knifetip.gateway.grbl.capabilities import Capabilities
 from knifetip.gateway.grbl.connection import GrblConnection
 from knifetip.gateway.operations import OperationName
+from knifetip.gateway.supervised import SupervisedController
 from knifetip.messages import Message
 from knifetip.model.machine import Station
 
@@ -27,15 +28,11 @@ PARK_FEED = 6000.0
 _CANCEL_JOG = b"\x85"
 
 
-class GrblOperations:
+class GrblOperations(SupervisedController[GrblConnection]):
     """The methods of ``operations.Operable`` for a controller with grbl's protocol."""
 
-    _connection: GrblConnection
-    _safe: SafeState | None
     _silence: float
     _capabilities: Capabilities
-    _switched_on: frozenset[int] = frozenset()
-    _spinning: int = 0
     _homing: bool = False
     _stops: int = 0  # number of calls of ``stop_jog``
 
@@ -43,11 +40,6 @@ class GrblOperations:
     def operations(self) -> frozenset[str]:
         """Names of the operations that the controller can do: all."""
         return frozenset(OperationName)
-
-    @property
-    def connected(self) -> bool:
-        """Whether the connection to the controller is open."""
-        return self._connection.connected
 
     @property
     def alarm(self) -> Message | None:
@@ -66,25 +58,6 @@ class GrblOperations:
             code=code,
             alarm=answers.alarm_meaning(code),
         )
-
-    @property
-    def last_status(self) -> Status | None:
-        """Last status report, also after a failure; None if there is none since connecting."""
-        return self._connection.status
-
-    @property
-    def spinning(self) -> int:
-        """Number of the station whose spindle ``spin`` has switched on; 0 for none."""
-        return self._spinning
-
-    @property
-    def switched_on(self) -> frozenset[int]:
-        """Numbers of the digital outputs that ``switch`` has switched on."""
-        return self._switched_on
-
-    def lock(self, alarm: ControllerAlarm) -> None:
-        """Record an alarm as the fault of the controller, until ``unlock`` or ``home``."""
-        self._connection.fail(alarm)
 
     async def _read_settings(self) -> None:
         """Request the options of the controller, and check its settings."""
@@ -165,10 +138,6 @@ class GrblOperations:
             x, y = safe.park
             await connection.command(b"$J=G90 G21 X%.4f Y%.4f F%.0f" % (x, y, PARK_FEED))
 
-    def _forget_switches(self) -> None:
-        """Record that all outputs and the spindle have been switched off."""
-        self._switched_on, self._spinning = frozenset(), 0
-
     async def spin(self, station: Station | None) -> None:
         """Switch the spindle of a station on, or switch it off."""
         line = b"M5" if station is None else f"{station.spindle} S{station.speed}".encode()
@@ -178,4 +147,4 @@ class GrblOperations:
     async def switch(self, output: int, on: bool) -> None:
         """Switch a digital output on or off."""
         await self._connection.command(b"M64 P%d" % output if on else b"M65 P%d" % output)
-        self._switched_on = self._switched_on | {output} if on else self._switched_on - {output}
+        self._record_switch(output, on)
