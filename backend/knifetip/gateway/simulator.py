@@ -7,6 +7,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import Protocol
 
+from knifetip.gateway.simulation_server import SimulationServer
 from knifetip.gateway.table import BANNER, Faults, Table, discard_answer
 from knifetip.languages.registry import find_language
 from knifetip.model.machine import Machine
@@ -21,75 +22,31 @@ class SimulatedController(Protocol):
         ...
 
 
-class Server:
+class Server(SimulationServer):
     """Server of a simulated table on a TCP port, for one client at a time."""
 
     def __init__(self, table: Table) -> None:
+        super().__init__()
         self.table = table
-        self.host = ""
-        self.port = 0
-        self._server: asyncio.Server | None = None
-        self._running: asyncio.Task[None] | None = None
-        self._writer: asyncio.StreamWriter | None = None
-        self._clients: set[asyncio.Task[None]] = set()
 
-    @property
-    def address(self) -> str:
-        """Address of the server as ``host:port``, for ``transport.connect``."""
-        return f"{self.host}:{self.port}"
+    async def _simulate(self) -> None:
+        await self.table.run()
 
-    async def start(self, host: str, port: int) -> None:
-        """Open the TCP port, accept connections, and start the clock of the simulation."""
-        self._server = await asyncio.start_server(self._serve_client, host, port)
-        self.host, self.port = self._server.sockets[0].getsockname()[:2]
-        self._running = asyncio.create_task(self.table.run(), name="simulated table")
-
-    async def close(self) -> None:
-        """Close the port and the connection, and stop the simulated table at its position."""
-        tasks = [*self._clients]
-        if self._running is not None:
-            tasks.append(self._running)
-        for task in tasks:
-            task.cancel()
-        await asyncio.gather(*tasks, return_exceptions=True)
-        if self._server is not None:
-            self._server.close()
-            await self._server.wait_closed()
-
-    async def __aenter__(self) -> Server:
-        return self
-
-    async def __aexit__(self, *_: object) -> None:
-        await self.close()
-
-    async def _serve_client(
-        self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter
-    ) -> None:
-        task = asyncio.current_task()
-        assert task is not None
-        self._clients.add(task)
+    async def _answer(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        if self._client is not None:
+            writer.write(b"[MSG:another sender is connected]\r\n")
+            return
+        self._client = writer
+        self.table.answer = lambda line: writer.write(line.encode() + b"\r\n")
+        self.table.hang_up = lambda: self._hang_up(writer)
         try:
-            if self._writer is not None:
-                writer.write(b"[MSG:another sender is connected]\r\n")
-                return
-            self._writer = writer
-            self.table.answer = lambda line: writer.write(line.encode() + b"\r\n")
-            self.table.hang_up = lambda: self._hang_up(writer)
             self.table.answer(BANNER)
             while data := await reader.read(4096):
                 self.table.receive(data)
                 with suppress(OSError):
                     await writer.drain()
-        except (asyncio.CancelledError, OSError):
-            pass  # the port closes or the client is gone: the machine executes its buffer
         finally:
-            if self._writer is writer:
-                self._writer = None
-                self.table.answer = discard_answer
-            self._clients.discard(task)
-            writer.close()
-            with suppress(OSError, asyncio.CancelledError):
-                await writer.wait_closed()
+            self.table.answer = discard_answer  # the machine executes its buffer
 
     def _hang_up(self, writer: asyncio.StreamWriter) -> None:
         self.table.answer = discard_answer

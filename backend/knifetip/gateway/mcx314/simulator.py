@@ -6,6 +6,7 @@ import asyncio
 from contextlib import suppress
 
 from knifetip.gateway.mcx314.board import Board, LinkFaults
+from knifetip.gateway.simulation_server import SimulationServer
 from knifetip.model.machine import Machine
 
 #: Real time between two steps (s).
@@ -16,7 +17,7 @@ STINT = 0.01
 LAG = 0.1
 
 
-class BoardServer:
+class BoardServer(SimulationServer):
     """Server of a simulated board on a TCP port, for one client at a time.
 
     Parameters
@@ -28,50 +29,16 @@ class BoardServer:
     """
 
     def __init__(self, board: Board, speed: float) -> None:
+        super().__init__()
         self.board = board
-        self.host = ""
-        self.port = 0
         self._speed = speed
-        self._server: asyncio.Server | None = None
-        self._running: asyncio.Task[None] | None = None
-        self._client: asyncio.StreamWriter | None = None
-        self._clients: set[asyncio.Task[None]] = set()
-
-    @property
-    def address(self) -> str:
-        """Address of the server as ``host:port``, for ``transport.connect``."""
-        return f"{self.host}:{self.port}"
-
-    async def start(self, host: str, port: int) -> None:
-        """Open the TCP port, accept connections, and start the clock of the simulation."""
-        self._server = await asyncio.start_server(self._serve, host, port)
-        self.host, self.port = self._server.sockets[0].getsockname()[:2]
-        self._running = asyncio.create_task(self._run(), name="simulated board")
-
-    async def close(self) -> None:
-        """Close the port and the connection, and stop the simulation."""
-        tasks = [*self._clients]
-        if self._running is not None:
-            tasks.append(self._running)
-        for task in tasks:
-            task.cancel()
-        await asyncio.gather(*tasks, return_exceptions=True)
-        if self._server is not None:
-            self._server.close()
-            await self._server.wait_closed()
-
-    async def __aenter__(self) -> BoardServer:
-        return self
-
-    async def __aexit__(self, *_: object) -> None:
-        await self.close()
 
     def hang_up(self) -> None:
         """Break the connection to the client."""
         if self._client is not None:
             self._client.close()
 
-    async def _run(self) -> None:
+    async def _simulate(self) -> None:
         clock = asyncio.get_running_loop()
         last = clock.time()
         while True:
@@ -82,30 +49,17 @@ class BoardServer:
             self.board.advance(min(now - last, STINT) * self._speed)
             last = now
 
-    async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        task = asyncio.current_task()
-        assert task is not None
-        self._clients.add(task)
+    async def _answer(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         # A new client takes over: the earlier one may be gone without having closed.
         self.hang_up()
         self._client = writer
         self.board.connect()
-        try:
-            while data := await reader.read(4096):
-                writer.write(self.board.receive(data))
-                if self.board.hangs_up:
-                    return
-                with suppress(OSError):
-                    await writer.drain()
-        except (asyncio.CancelledError, OSError):
-            pass  # the port closes or the client is gone
-        finally:
-            if self._client is writer:
-                self._client = None
-            self._clients.discard(task)
-            writer.close()
-            with suppress(OSError, asyncio.CancelledError):
-                await writer.wait_closed()
+        while data := await reader.read(4096):
+            writer.write(self.board.receive(data))
+            if self.board.hangs_up:
+                return
+            with suppress(OSError):
+                await writer.drain()
 
 
 async def serve(
