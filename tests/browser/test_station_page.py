@@ -522,6 +522,35 @@ def test_outputs_are_switched_and_the_zero_is_set_by_hand(
     assert_done(page, "Set X Y zero here")
 
 
+def tap_twice(page: Page, target: Locator) -> None:
+    """Tap twice at the same place, as a person does who is not sure of the first tap."""
+    target.scroll_into_view_if_needed()
+    box = box_of(target)
+    for _ in range(2):
+        page.touchscreen.tap(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+
+
+def test_a_second_tap_neither_answers_a_question_nor_moves_the_buttons_below(
+    tablet: tuple[Page, str], screenshots: Path
+) -> None:
+    page, name = tablet
+    expect(page.get_by_test_id("station-state")).to_have_text("At rest", timeout=60_000)
+    page.get_by_test_id("tab-machine").tap()
+    output, yes = page.get_by_test_id("output-1"), page.get_by_test_id("question-yes")
+    zero = page.get_by_test_id("operation-zero")
+    zero.scroll_into_view_if_needed()
+    before = box_of(output)
+    tap_twice(page, zero)
+    expect(yes).to_be_enabled()
+    assert box_of(output) == before
+    assert page.get_by_test_id("outcome").count() == 0
+    page.screenshot(path=screenshots / f"{name}-15-question.png")
+    page.get_by_test_id("question-no").tap()
+    expect(yes).to_be_hidden()
+    assert box_of(output) == before
+    assert page.get_by_test_id("outcome").count() == 0
+
+
 def test_a_corrected_offset_becomes_a_new_version_for_which_the_job_is_compiled_again(
     browser: Browser,
     workshop: Workshop,

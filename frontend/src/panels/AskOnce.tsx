@@ -1,6 +1,14 @@
-/** A question with two large answers, in place of the button that raised it. */
+/**
+ * A question with two large answers, in place of the button that raised it.
+ *
+ * The answers are enabled after a moment: the second tap of a double tap lands on one of them.
+ */
 
+import { useEffect, useState } from "react";
 import css from "./station.module.css";
+
+/** Time (ms) in which a second tap of the same press may arrive. */
+const SECOND_TAP = 400;
 
 interface Props {
   readonly title: string;
@@ -13,19 +21,30 @@ interface Props {
 }
 
 export function AskOnce({ title, text, yes, no, disabled = false, onYes, onNo }: Props) {
+  const [open, setOpen] = useState(false);
+  useEffect(() => {
+    const timer = setTimeout(() => setOpen(true), SECOND_TAP);
+    return () => clearTimeout(timer);
+  }, []);
   return (
     <div className={css.question} role="alertdialog" aria-label={title}>
       <div className={css.questionTitle}>{title}</div>
       <div data-testid="question-text">{text}</div>
       <div className={css.answers}>
-        <button type="button" className={css.button} onClick={onNo} data-testid="question-no">
+        <button
+          type="button"
+          className={css.button}
+          disabled={!open}
+          onClick={onNo}
+          data-testid="question-no"
+        >
           {no}
         </button>
         <button
           type="button"
           className={css.button}
           data-tone="red"
-          disabled={disabled}
+          disabled={disabled || !open}
           onClick={onYes}
           data-testid="question-yes"
         >

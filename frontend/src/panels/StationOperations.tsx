@@ -81,35 +81,37 @@ export function StationOperations(props: Props) {
         </p>
       )}
       <JogPad {...props} />
-      {asking?.question != null && (
-        <AskOnce
-          {...asking.question}
-          disabled={!reached}
-          onNo={() => setAsking(null)}
-          onYes={() => {
-            setAsking(null);
-            ask(asking);
-          }}
-        />
-      )}
-      <div className={css.wayGrid}>
-        {WAYS.map((way) => {
-          const reason = reasonAgainst(way.operation, station, machine, job);
-          return (
-            <div key={way.operation} className={css.way}>
-              <button
-                type="button"
-                className={css.button}
-                disabled={!reached || reason !== null}
-                onClick={() => (way.question === null ? ask(way) : setAsking(way))}
-                data-testid={`operation-${way.operation}`}
-              >
-                {way.title}
-              </button>
-              <small>{common === null && reason !== null ? reason : way.note}</small>
-            </div>
-          );
-        })}
+      <div className={css.waysOrQuestion}>
+        {asking?.question != null && (
+          <AskOnce
+            {...asking.question}
+            disabled={!reached || reasonAgainst(asking.operation, station, machine, job) !== null}
+            onNo={() => setAsking(null)}
+            onYes={() => {
+              setAsking(null);
+              ask(asking);
+            }}
+          />
+        )}
+        <div className={css.wayGrid} inert={asking !== null}>
+          {WAYS.map((way) => {
+            const reason = reasonAgainst(way.operation, station, machine, job);
+            return (
+              <div key={way.operation} className={css.way}>
+                <button
+                  type="button"
+                  className={css.button}
+                  disabled={!reached || reason !== null}
+                  onClick={() => (way.question === null ? ask(way) : setAsking(way))}
+                  data-testid={`operation-${way.operation}`}
+                >
+                  {way.title}
+                </button>
+                <small>{common === null && reason !== null ? reason : way.note}</small>
+              </div>
+            );
+          })}
+        </div>
       </div>
       <Outputs {...props} />
     </section>
