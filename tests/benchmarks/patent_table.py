@@ -132,7 +132,7 @@ async def measure(
     laps = max(1, round(RUN_SECONDS * feed / 60.0 / length))
     mark = machine.mark()
     await controller.run(program(path, feed, laps))
-    assert machine.stands()  # the sampler has written all samples
+    assert machine.is_still()  # the sampler has written all samples
     positions = machine.samples(mark)[:, :2]
     step = np.hypot(*np.diff(positions, axis=0).T)
     moving = np.flatnonzero(step > REST_STEP)

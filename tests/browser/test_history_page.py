@@ -17,7 +17,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.ma
 
 @pytest.fixture(scope="module")
 def machine(server: Running) -> Iterator[OwnMachine]:
-    """A machine that has finished a job, and of which a job was cancelled while it waited."""
+    """A machine with one finished job and one that was cancelled while it waited."""
     headers = {"X-Knifetip": "page"}
     with httpx.Client(base_url=server.url, timeout=60.0, trust_env=False, headers=headers) as api:
         machine = OwnMachine(api, "history-table")

@@ -84,7 +84,7 @@ def test_a_move_in_an_order_that_has_changed_is_refused_and_shown(queue: Queue) 
     moved: list[str] = []
 
     def change_first(route: object) -> None:
-        # Another person is faster: the order is not the displayed one any more.
+        # Another person is faster, so the displayed order is out of date.
         if not moved:
             moved.append(queue.jobs[2])
             body = {"previous": "", "next": queue.jobs[0], "by": "Ben"}

@@ -246,7 +246,7 @@ def test_a_job_is_confirmed_held_resumed_stopped_and_the_machine_moved_by_touch(
     expect(page.get_by_test_id("station-copy")).to_have_text("copy 1 of 2")
     expect(page.get_by_test_id("station-left")).to_be_visible()
 
-    # While a job runs, nothing else moves the machine, and the page says why.
+    # While a job runs, nothing else moves the machine, and the page shows the reason.
     page.get_by_test_id("station-hold").tap()
     expect(state).to_have_text("Paused")
     assert_done(page, "Hold")
@@ -612,7 +612,7 @@ def hold_arrow(page: Page, arrow: str, seconds: float) -> None:
     session.send(touch, {"type": "touchEnd", "touchPoints": []})
 
 
-def test_a_page_without_server_says_so_and_takes_no_press(
+def test_a_page_without_server_shows_this_and_disables_its_buttons(
     tablet: tuple[Page, str], screenshots: Path
 ) -> None:
     page, name = tablet

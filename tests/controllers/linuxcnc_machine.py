@@ -165,7 +165,7 @@ class Machine:
         rows = [line.split() for line in self._halcmd("-s", "show", "pin", prefix).splitlines()]
         return {row[4]: row[3] for row in rows if row}
 
-    def stands(self, milliseconds: int = 300) -> bool:
+    def is_still(self, milliseconds: int = 300) -> bool:
         """Watch the joints for a time; return whether none of them moves."""
         mark = self.mark()
         wait_until(lambda: len(self.samples(mark)) >= milliseconds)

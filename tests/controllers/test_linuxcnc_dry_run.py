@@ -57,10 +57,10 @@ def never_late() -> bool:
     return False
 
 
-async def at_rest(machine: Machine) -> None:
-    """Wait until the joints stand: a held LinuxCNC decelerates for a moment."""
+async def wait_until_still(machine: Machine) -> None:
+    """Wait until no joint moves: a held LinuxCNC decelerates for a moment."""
     async with asyncio.timeout(3.0):
-        while not await asyncio.to_thread(machine.stands):
+        while not await asyncio.to_thread(machine.is_still):
             pass
 
 
@@ -84,7 +84,7 @@ async def test_a_dry_run_follows_the_program_above_the_board_and_is_held_and_res
         await asyncio.sleep(0.01)
     await run.hold()
     await until(run, ActivityState.HELD)
-    await at_rest(machine)
+    await wait_until_still(machine)
     await run.resume()
     await running
     await controller.close()
@@ -108,7 +108,7 @@ async def test_a_dry_run_is_stopped_at_rest_and_a_frame_goes_round(machine: Mach
     await run.stop()
     await running
     assert run.activity.state is ActivityState.STOPPED
-    await at_rest(machine)
+    await wait_until_still(machine)
     station = TABLE.stations[0]
     box = (100.0, 100.0, 220.0, 180.0)
     frame = DryRun(

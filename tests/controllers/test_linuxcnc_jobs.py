@@ -168,7 +168,7 @@ class Shop:
         wait_until(lambda: machine.position()[2] < 0.0)
 
     def wait_until_milling_the_outline(self, job: str) -> None:
-        """Wait until the server knows that the last track has begun."""
+        """Wait until the server reports that the last track has begun."""
         self.wait_until_milling(40)
         wait_until(lambda: self.get(f"jobs/{job}/tracks")[-1]["state"] == "begun", 30.0)
         self.wait_until_milling()
@@ -178,7 +178,7 @@ class Shop:
         assert self.machine.lowered() == []
         assert not self.machine.spins()
         assert self.machine.position()[2] >= TABLE.travel_z - 1e-3
-        assert self.machine.stands()
+        assert self.machine.is_still()
 
 
 @pytest.fixture(scope="module")
@@ -189,7 +189,7 @@ def supply() -> Iterator[Supply]:
 
 @pytest.fixture(scope="module")
 def open_shop(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Shop]:
-    """Run a server that knows the machine."""
+    """Run a server with the machine among its definitions."""
     folder = tmp_path_factory.mktemp("shop")
     with Running(folder / "shop.sqlite", simulator=False) as client:
         toml = {"Content-Type": "application/toml"}
@@ -239,7 +239,7 @@ def made(samples: F64, output: int, width: float, program: str) -> BaseGeometry:
     xy = samples[:, :2] - DATUM[output] - placement(program)
     runs = np.split(np.arange(len(low)), np.flatnonzero(np.diff(low)) + 1)
     paths = [LineString(xy[run]) for run in runs if low[run[0]] and len(run) > 1]
-    # At 1 kHz most points of straight lines say nothing new.
+    # At 1 kHz most points of straight lines are redundant.
     return union_all([path.simplify(0.005).buffer(width / 2.0) for path in paths])
 
 
@@ -253,7 +253,7 @@ def assert_made(samples: F64, program: str) -> None:
     part = BLANK.difference(WINDOW)
     assert kerf.intersection(part.buffer(-0.05)).is_empty
     crease = made(samples, WHEEL, 0.4, program)
-    # The round wheel stands beside the ends of the crease.
+    # The round wheel presses beyond the ends of the crease.
     fold = LineString([FOLD.interpolate(8.0), FOLD.interpolate(FOLD.length - 8.0)])
     assert crease.covers(fold)
 
@@ -291,7 +291,7 @@ def test_a_job_is_held_resumed_and_done(shop: Shop) -> None:
     shop.wait_until_milling()
     shop.post(f"jobs/{job}/hold")
     shop.wait_for(job, "held")
-    assert shop.machine.stands()
+    assert shop.machine.is_still()
     assert shop.machine.lowered() == [ROUTER]
     shop.machine.override_feed(100)
     shop.post(f"jobs/{job}/resume")
@@ -355,7 +355,7 @@ def test_a_gateway_killed_in_a_cut_takes_its_machine_back(shop: Shop) -> None:
     shop.start(job)
     shop.wait_until_milling()
     shop.kill_gateway()
-    assert not shop.machine.stands()  # LinuxCNC goes on by itself
+    assert not shop.machine.is_still()  # LinuxCNC goes on by itself
     assert shop.machine.lowered() == [ROUTER]
     shop.start_gateway()
     interrupted = shop.wait_for(job, "interrupted")

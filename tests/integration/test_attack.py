@@ -41,7 +41,7 @@ def test_a_rest_is_measured_with_what_earlier_programs_have_cut() -> None:
     subject = next(each for each in rests() if each.name == "rest half, demo-table, grblhal")
     oracle, (work,) = Oracle(subject), subject.earlier
     assert oracle.harm(subject.text) == ""
-    # The part whose outline was cut before must not be worked any more.
+    # The part whose outline was cut before must not be worked again.
     cut = replace(subject, earlier=(replace(work, text=subject.text, repeated=((1, 999),)),))
     window = subject.text.index(b"G1 X100.0000")
     turned = subject.text[:window] + b"G1 X100.0001" + subject.text[window + 12 :]

@@ -218,7 +218,7 @@ def test_work_beside_a_parked_carriage_is_refused_before_a_program_is_written() 
         program(longer, line=near)
 
 
-def test_the_verifier_knows_the_least_distance_of_the_machine() -> None:
+def test_the_verifier_checks_the_least_distance_of_the_machine() -> None:
     assert TABLE.gantry
     wider = replace(TABLE, gantry=replace(TABLE.gantry, min_distance=1150.0))
     assert "verify.heads-too-near" in faults(program(), wider)

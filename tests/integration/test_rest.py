@@ -77,7 +77,7 @@ def rest(
     earlier: tuple[EarlierWork, ...] | None = None,
     executed: int = 0,
 ) -> Compiled:
-    """Return the rest of a program; ``earlier`` replaces the work that the verifier is told."""
+    """Return the rest of a program; ``earlier`` replaces the work that the verifier gets."""
     lines, line, machine, made = job(name, language, board, sheet)
     left = pipeline.rest_of(made, choice, executed)
     if earlier is not None:
@@ -198,7 +198,7 @@ def test_a_rest_after_any_line_is_accepted(name: str, language: str, board: str)
         assert refusals(found) == set(), executed
 
 
-def test_a_rest_of_a_rest_knows_what_the_first_program_has_cut() -> None:
+def test_a_rest_of_a_rest_includes_what_the_first_program_has_cut() -> None:
     key = ("demo-table", "linuxcnc", "e-flute")
     lines, line, machine, made = job(*key)
     board, count = load.board("e-flute"), len(tracks_of(made))

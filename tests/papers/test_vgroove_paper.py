@@ -67,7 +67,7 @@ def test_4_2_worked_by_hand_at_three_azimuths() -> None:
     np.testing.assert_allclose(head_offset(np.zeros((3, 2)), ends, cutter), expected, atol=1e-12)
 
 
-def test_blade_of_length_l_stands_back_by_l_sin_theta() -> None:
+def test_blade_of_length_l_is_offset_by_l_sin_theta() -> None:
     cutter = VCutter(back=12.0 * sin(radians(30.0)), half_width=1.5, tilt=30.0)
     assert cutter.length == pytest.approx(12.0)
 

@@ -73,7 +73,7 @@ class Site(StaticFiles):
             404 for a path of the API, and for a path without a file that is not a route of the
             page; 405 for methods other than GET and HEAD.
         """
-        # ``path`` is normalized: "/api/../page" would not be of the API any more.
+        # ``path`` is normalized: "/api/../page" is then no path of the API.
         if (scope["path"] + "/").startswith("/api/") or "\0" in path:
             raise HTTPException(404)
         if scope["method"] not in ("GET", "HEAD"):

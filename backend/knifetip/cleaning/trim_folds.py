@@ -352,7 +352,7 @@ def _find_dropped(ends: F64, bulge: F64, parts: _Parts, on_panel: Bool, in_waste
     touched = find_points_on_segments(
         ends[edge[rows], side], edge[rows].astype(np.int32), ends[:, 0], ends[:, 1], bulge, JOIN
     )
-    # A fold that is not divided any more has no overshoot.
+    # A fold that is no longer divided has no overshoot.
     shaped = np.zeros(len(edge), np.bool_)
     shaped[rows[~touched]] = True
     shaped &= (size <= OVERSHOOT) & (is_first != is_last)

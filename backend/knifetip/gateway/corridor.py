@@ -52,7 +52,7 @@ class Corridor:
     off
         Largest distance of a position from the path (mm).
     ahead
-        Moves that have left the planner and may not be executed yet.
+        Largest number of moves that have left the planner and are not executed yet.
     """
 
     def __init__(

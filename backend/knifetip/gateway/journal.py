@@ -189,7 +189,7 @@ class Journal:
         )
 
     def rest(self) -> None:
-        """Record that the controller is idle: it executes no line of the last job any more."""
+        """Record that the controller is idle and no longer executes lines of the last job."""
         if self.is_abandoned():
             self._append({"event": "rest"}, safe=True)
         self._abandoned = False
@@ -197,8 +197,8 @@ class Journal:
     def is_abandoned(self) -> bool:
         """Return whether the controller was not seen idle since the last job of the journal began.
 
-        It may still execute lines of this job, or be held in them, also if the server knows that
-        the job has ended.
+        It may still execute lines of this job or be held in one, even if the end of the job was
+        reported to the server.
         """
         if self._abandoned is None:
             self._abandoned = False

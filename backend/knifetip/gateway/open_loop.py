@@ -1,8 +1,8 @@
 """open_loop: a controller that takes a program and reports nothing, such as a plotter.
 
-Only a person at the machine knows when such a machine has finished.  When the whole program is
-handed over, the controller is therefore held, and ``resume`` means that a person has seen the end
-of the program.  It can neither be held in between nor stopped; ``stop`` states this as an error.
+Only a person at the machine can see when it has finished.  When the whole program is handed over,
+the controller therefore counts as held, and ``resume`` means that a person has seen the end of the
+program.  Until then it can neither be held nor stopped; ``stop`` raises an error that states this.
 The reasons are in docs/decisions/0071.
 """
 

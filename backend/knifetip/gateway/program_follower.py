@@ -50,7 +50,7 @@ class ProgramFollower:
     limits
         Limits of the axes, from which the nominal durations of the lines are computed.
     ahead
-        Moves that have left the planner and may not be executed yet.
+        Largest number of moves that have left the planner and are not executed yet.
     """
 
     def __init__(self, blocks: Iterator[Block | None], limits: Limits, ahead: int = AHEAD) -> None:

@@ -10,8 +10,8 @@ answers a report with the operations that a person has asked for:
 - Operations are carried out one after another, except ``stop_jog``: it does not wait, and cancels
   the operations that do.
 - Without an answer of the server for ``operations.EXPIRY`` a running jog or dry run is stopped,
-  and a spindle that was switched on by hand is switched off, because the person could not do it
-  any more.
+  and a spindle that was switched on by hand is switched off, because the person can no
+  longer do it.
 - A dry run uses the machine until it ends (``dry_run``).  Its operation is done when it begins;
   meanwhile all operations are refused, except to hold, to resume and to stop it.
 """
@@ -54,9 +54,9 @@ from knifetip.gateway.tool_check import CheckedPoint, ToolCheck
 from knifetip.messages import Message
 from knifetip.model.machine import Machine
 
-#: Time between two reports while a person looks at the machine (s).
+#: Time between two reports while a page shows the machine (s).
 WATCHED_INTERVAL = 0.3
-#: Time between two reports while nobody looks (s).
+#: Time between two reports while no page shows the machine (s).
 IDLE_INTERVAL = 2.0
 #: Pause after a report that the server did not answer (s).
 _PAUSE = 1.0

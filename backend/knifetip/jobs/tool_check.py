@@ -37,7 +37,7 @@ NOTHING_STATED = ToolCheck()
 
 
 class ToolGate:
-    """Lets a job start only if none of its tools is at the end of its life, or the operator knows.
+    """Refuses to start a job with a worn-out tool, unless the operator accepts the tool.
 
     Parameters
     ----------

@@ -2534,7 +2534,7 @@ export interface components {
             shipped: boolean;
             /**
              * Fault
-             * @description Reason why the entry cannot be used any more, in English; empty if it can be used
+             * @description Reason why the entry can no longer be used, in English; empty if it can be used
              * @default
              */
             fault: string;
@@ -2940,7 +2940,7 @@ export interface components {
             shipped: boolean;
             /**
              * Fault
-             * @description Reason why the entry cannot be used any more, in English; empty if it can be used
+             * @description Reason why the entry can no longer be used, in English; empty if it can be used
              * @default
              */
             fault: string;
@@ -4254,7 +4254,7 @@ export interface components {
             rules: components["schemas"]["RuleOut"][];
             /**
              * Fault
-             * @description Reason why the profile cannot be used any more, in English; empty if it can be used
+             * @description Reason why the profile can no longer be used, in English; empty if it can be used
              * @default
              */
             fault: string;
@@ -5158,7 +5158,7 @@ export interface components {
             kind: string;
             /**
              * Used
-             * @description Length that the tool has worked since its last change (m); null if the machine has no such station any more
+             * @description Length that the tool has worked since its last change (m); null if the machine no longer has this station
              */
             used: number | null;
             /**

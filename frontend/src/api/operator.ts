@@ -7,7 +7,7 @@ const OLD_KEY = "knifetip.accepted-by";
 /** Greatest number of characters that the server accepts. */
 export const OPERATOR_LENGTH = 100;
 
-/** The stored name; null if nobody was asked on this device. */
+/** The stored name; null if the question was not answered on this device. */
 export function storedOperator(): string | null {
   try {
     return localStorage.getItem(KEY) ?? localStorage.getItem(OLD_KEY);

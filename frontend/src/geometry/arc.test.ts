@@ -25,7 +25,7 @@ describe("arcs to vertices", () => {
       worst = Math.max(worst, sagitta);
     }
     expect(worst).toBeLessThanOrEqual(tolerance);
-    // And not with many more chords than that needs.
+    // The number of chords is close to the least.
     expect(worst).toBeGreaterThan(tolerance * 0.8);
   });
 

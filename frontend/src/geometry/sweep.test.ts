@@ -60,7 +60,7 @@ const EDGES = {
 
 test("an edge that is set back is worked as far as its tool goes, all others wholly", () => {
   const spans = workedSpans(EDGES, CREASE, new Map(), [15, 0, 8]);
-  // The third was set back, but no move says where: it counts as whole.
+  // The third was set back, but no move states where: it counts as whole.
   [0.05, 0.9, 0, 1, 0, 1].forEach((at, k) => {
     expect(spans[k]).toBeCloseTo(at, 12);
   });

@@ -1268,7 +1268,7 @@ export const TEXTS = {
     "hint": ""
   },
   "gateway.machine-changed": {
-    "text": "Version {version} of the machine {machine} is not the newest any more.",
+    "text": "Version {version} of the machine {machine} is no longer the newest.",
     "hint": "Load the definition of the machine again."
   },
   "gateway.no-reason": {
@@ -2844,7 +2844,7 @@ export const TEXTS = {
     "hint": "Let the tool turn before or after its depth changes."
   },
   "mcx314.gave-up": {
-    "text": "{name} has heard nothing from this gateway for {seconds:g} s and stopped the program.",
+    "text": "{name} has received nothing from this gateway for {seconds:g} s and stopped the program.",
     "hint": "Check the connection to the board, then check the sheet on the table."
   },
   "mcx314.joins-nothing": {

@@ -153,7 +153,7 @@ function JogButton({ machine, station, arrow, step, reason }: ButtonProps) {
   const stop = useRef(end);
   stop.current = end;
 
-  // A finger that cannot be seen any more is a released one.
+  // When the page loses the focus or is hidden, it receives no release: this counts as one.
   useEffect(() => {
     const release = () => stop.current(false);
     window.addEventListener("blur", release);

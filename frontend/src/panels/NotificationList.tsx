@@ -30,7 +30,7 @@ function Report({ notification }: { notification: Notification }) {
   const dismiss = useNotifications((notifications) => notifications.dismiss);
   const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
   const { data: edges } = useEdges();
-  // It stays while somebody points at it or has chosen something in it.
+  // It stays while the pointer is over it or something in it has the focus.
   const [kept, setKept] = useState(false);
   useEffect(() => {
     if (kept) return;

@@ -7,7 +7,7 @@ import { OPERATOR_LENGTH } from "../api/operator";
 import { useOperator } from "../state/operator";
 import css from "./operator.module.css";
 
-/** The question. It blocks nothing: whoever does not answer works without a name. */
+/** The form for the name. It blocks nothing: without an answer, requests carry no name. */
 export function OperatorForm() {
   const name = useOperator((operator) => operator.name);
   const keep = useOperator((operator) => operator.keep);
@@ -48,13 +48,13 @@ export function OperatorForm() {
   );
 }
 
-/** The question where it was not answered on this device. */
+/** The form, while the question is not answered on this device. */
 export function AskOperator() {
   const asked = useOperator((operator) => operator.name !== null);
   return asked ? null : <OperatorForm />;
 }
 
-/** The question in a dialog, for a change of the name. */
+/** The form in a dialog, to change the name. */
 export function OperatorDialog() {
   const changing = useOperator((operator) => operator.changing);
   const close = useOperator((operator) => operator.close);

@@ -115,7 +115,7 @@ function Run({ job }: { job: Job }) {
 
 /** Why the job waits or how it ended, with what to do. */
 function Reason({ job }: { job: Job }) {
-  // The list of checks says the same, one by one.
+  // The list of checks contains the same items.
   if (job.message?.code === "waiting.for-start") return null;
   if (job.state === "done") {
     return (

@@ -1,4 +1,4 @@
-/** What has become of the last action of the person. */
+/** Outcome of the last action of the person. */
 
 import { useOutcomes } from "../state/operations";
 import { OUTCOME_TITLES, OUTCOME_TONES } from "../state/station";

@@ -95,7 +95,7 @@ describe("the map", () => {
     expect(isWorked(EDGES, { ...MAP, setback: [0, 0, 10, 0] }, 2)).toBe(true);
   });
 
-  test("stands for the colours of the line types, without their gaps", () => {
+  test("has the colours of the line types, without their gaps", () => {
     const palette = Object.fromEntries(
       LINE_TYPES.map((type) => [type, { colour: [1, 2, 3, 255], dash: "dotted" }]),
     ) as unknown as Palette;

@@ -36,7 +36,7 @@ test("a reference that may be null is resolved", () => {
   expect(Object.keys(found.properties ?? {})).toEqual(["low"]);
 });
 
-test("the description of a field stands before that of its table", () => {
+test("the description of a field replaces that of its table", () => {
   const root = { $defs: { Axis: { type: "object", description: "An axis.", properties: {} } } };
   const field = { description: "the lift", anyOf: [{ $ref: "#/$defs/Axis" }, { type: "null" }] };
   expect(resolved(field, root).description).toBe("the lift");

@@ -1,7 +1,7 @@
 /**
- * Actions of the person at a machine, each with what becomes of it.
+ * Actions of the person at a machine, each with its outcome.
  *
- * They do not wait for one another, so that a stop is never behind something else.
+ * They do not wait for one another, so that a stop never queues behind another action.
  */
 
 import { create } from "zustand";
@@ -83,7 +83,7 @@ export async function operate(
   return outcome;
 }
 
-/** Do something that is no operation of the machine, and report what has become of it. */
+/** Run an action that is no operation of the machine, and report its outcome. */
 export async function reportAction(label: string, action: () => Promise<void>): Promise<void> {
   const outcomes = useOutcomes.getState();
   const number = outcomes.begin(label);

@@ -4,7 +4,7 @@ import { create } from "zustand";
 import { storedOperator, storeOperator } from "../api/operator";
 
 interface Operator {
-  /** null: nobody was asked yet; empty: the person gave no name. */
+  /** null: not asked yet on this device; empty: the person gave no name. */
   readonly name: string | null;
   /** Whether the name is being changed. */
   readonly changing: boolean;

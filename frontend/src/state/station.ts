@@ -183,7 +183,7 @@ export function outputsOf(machine: Machine): readonly { number: number; name: st
 export const spindlesOf = (machine: Machine): readonly { number: number; name: string }[] =>
   machine.stations.filter(({ spindle, tool }) => spindle !== "" && tool.kind !== "laser");
 
-/** An action of the person, and what has become of it. */
+/** An action of the person, and its outcome. */
 export interface Outcome {
   readonly label: string;
   /** asked: on its way to the server. taken: the server has it, the machine not yet. */
@@ -194,7 +194,7 @@ export interface Outcome {
 
 export const OUTCOME_TITLES: Readonly<Record<Outcome["state"], string>> = {
   asked: "sending",
-  taken: "taken, the machine is told",
+  taken: "accepted, waiting for the machine",
   done: "done",
   refused: "refused",
   expired: "expired, nothing was done",
@@ -208,7 +208,7 @@ export const OUTCOME_TONES: Readonly<Record<Outcome["state"], Tone>> = {
   expired: "amber",
 };
 
-/** What has become of an operation of which the server has told the state. */
+/** Outcome of an operation whose state the server has reported. */
 export const outcomeOf = (label: string, { state, message }: Operation): Outcome => ({
   label,
   state: state === "waiting" ? "taken" : state,

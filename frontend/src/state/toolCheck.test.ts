@@ -50,7 +50,7 @@ test("a correction becomes a new version, based on the version that was read", a
   expect(based).toMatchObject({ version: 4 });
 });
 
-test("a machine of the library is not changed, and the error says what to do", async () => {
+test("a machine of the library is not changed, and the error has a hint", async () => {
   const read = { version: 0, shipped: true, fields: FIELDS } as unknown as Definition;
   vi.spyOn(service, "definition").mockResolvedValue(read);
   const put = vi.spyOn(service, "putDefinition");

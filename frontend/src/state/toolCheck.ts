@@ -63,7 +63,7 @@ export function withCorrection(fields: Fields, station: number, shift: Shift): F
   return { ...fields, station: stations };
 }
 
-/** What to know before a job is compiled again, by the language of the controller. */
+/** Note beside the button that compiles a job again; depends on the controller language. */
 export const recompileNote = ({ language }: Machine): string =>
   language === "linuxcnc"
     ? "If the offset of a station was corrected, copy the new tool table to LinuxCNC first."
@@ -72,7 +72,7 @@ export const recompileNote = ({ language }: Machine): string =>
 /**
  * Save a corrected datum as a new version of the machine.
  *
- * Machines of the library cannot be changed: the error says what to do instead.
+ * Machines of the library cannot be changed; the hint of the error is to copy them.
  */
 export async function saveCorrection(
   machine: Machine,

@@ -26,7 +26,7 @@ def one(start: tuple[float, float], end: tuple[float, float], bulge: float = 0.0
     return path_through(np.array([start, end], np.float64), np.array([bulge]))
 
 
-def test_the_file_is_r2010_in_millimetres_and_says_how_large_it_is() -> None:
+def test_the_file_is_r2010_in_millimetres_and_states_its_size() -> None:
     data = write_dxf(
         [(CUT, one((10.0, 0.0), (0.0, 0.0), -1.0)), (FOLD, one((0.0, 0.0), (7.0, 20.0)))]
     )
@@ -39,7 +39,7 @@ def test_the_file_is_r2010_in_millimetres_and_says_how_large_it_is() -> None:
     assert document.audit().errors == []
 
 
-def test_a_drawing_whose_corner_is_the_origin_says_so() -> None:
+def test_a_drawing_whose_corner_is_the_origin_states_this_extent() -> None:
     data = write_dxf([(CUT, one((0.0, 0.0), (30.0, 40.0)))])
     document = ezdxf.read(io.StringIO(data.decode("utf-8")))
     assert tuple(document.header["$EXTMIN"]) == (0.0, 0.0, 0.0)

@@ -269,7 +269,7 @@ async def test_hold_stops_the_machine_in_mid_line_and_resume_goes_on() -> None:
     assert office.finished[0]["outcome"] == "done"
 
 
-async def test_cancel_stops_the_machine_raises_the_tool_and_says_so() -> None:
+async def test_cancel_stops_the_machine_raises_the_tool_and_is_reported() -> None:
     office = Office()
     office.command = lambda beat: "cancel" if beat["line"] == 6 else "continue"
     async with table(speed=2.0) as server:
@@ -362,7 +362,7 @@ async def test_a_table_that_is_switched_off_takes_no_job() -> None:
     assert office.finished[0]["outcome"] == "done"
 
 
-async def test_how_it_ended_is_told_until_it_is_heard() -> None:
+async def test_the_end_is_reported_until_the_server_has_received_it() -> None:
     office = Office()
     office.deaf = 2
     async with table(speed=100.0) as server:
@@ -370,7 +370,7 @@ async def test_how_it_ended_is_told_until_it_is_heard() -> None:
     assert len(office.finished) == 1
 
 
-async def test_switching_the_gateway_off_stops_the_machine_and_says_so() -> None:
+async def test_switching_the_gateway_off_stops_the_machine_and_is_reported() -> None:
     office = Office()
     async with table(speed=0.5) as server:
         working = asyncio.create_task(gateway(office, server))
@@ -402,7 +402,7 @@ async def test_the_journal_has_every_step_and_an_end(tmp_path: Path) -> None:
     assert executed[-1] == 11
 
 
-async def test_a_job_cut_off_by_the_power_is_told_at_the_next_start(tmp_path: Path) -> None:
+async def test_a_job_ended_by_a_power_failure_is_reported_at_the_next_start(tmp_path: Path) -> None:
     path = tmp_path / "journal"
     journal = Journal(path)
     journal.begin("job-0", 9, "00", 40)
@@ -423,7 +423,7 @@ async def test_a_gateway_killed_while_it_stopped_the_machine_stops_it_at_the_nex
     path = tmp_path / "journal"
     journal = Journal(path)
     journal.begin("job-0", 9, "00", 40)
-    # The server knows the end already; the controller was held, and nothing else was sent to it.
+    # The end was already reported to the server; the controller was held and got nothing else.
     journal.end("job-0", 9, "interrupted", None)
     office = Office()
     async with table() as server:

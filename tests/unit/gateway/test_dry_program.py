@@ -34,7 +34,7 @@ LIFT = b"G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1\nG0 Z20\n"
 
 
 def poses(text: bytes) -> list[Pose]:
-    """Return the poses at the ends of the moves of a program for grblHAL, as their words say."""
+    """Return the poses at the ends of the moves of a program for grblHAL, read from their words."""
     at, found = list(START), []
     for line in lines_of(text):
         words = dict(re.findall(rb"([XYZC])([-\d.]+)", re.sub(rb"\(.*\)", b"", line)))

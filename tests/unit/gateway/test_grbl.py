@@ -124,7 +124,7 @@ async def test_opening_resets_a_controller_at_rest_and_asks_for_its_buffers() ->
         ("[echo: G1X10Y20]", False),
         ("[echo: G1 X10 Y20 (cut)]", False),
         ("[echo: G1X10Y30]", True),
-        ("[echo: G1X1", False),  # damaged on its way, so it says nothing
+        ("[echo: G1X1", False),  # damaged in transit, so it is ignored
     ],
 )
 async def test_a_line_that_is_echoed_must_be_the_line_that_was_sent(
@@ -356,7 +356,7 @@ async def test_a_process_that_was_busy_does_not_call_the_controller_silent() -> 
         assert controller.fault is None
 
 
-async def test_a_banner_that_nobody_asked_for_is_a_reset() -> None:
+async def test_an_unexpected_banner_is_a_reset() -> None:
     wire = Wire()
     async with opened(wire) as controller:
         wire.obliging = False
@@ -372,7 +372,7 @@ async def test_a_banner_that_nobody_asked_for_is_a_reset() -> None:
         assert wire.lines == ["$I", "G1 X5"]
 
 
-async def test_an_alarm_is_told_in_words() -> None:
+async def test_an_alarm_has_a_text() -> None:
     wire = Wire({"G1 X5000": "ALARM:2"})
     async with opened(wire) as controller:
         await controller.send(b"G1 X5000", 1)
@@ -391,7 +391,7 @@ async def test_an_alarm_whose_words_were_lost_is_seen_in_the_state() -> None:
             await controller.drain()
 
 
-async def test_an_answer_to_a_line_of_somebody_else_is_a_fault() -> None:
+async def test_an_answer_to_a_line_of_another_client_is_a_fault() -> None:
     wire = Wire()
     async with opened(wire) as controller:
         wire.say("ok")
@@ -399,7 +399,7 @@ async def test_an_answer_to_a_line_of_somebody_else_is_a_fault() -> None:
             await controller.status()
 
 
-async def test_a_lost_connection_says_which_answer_was_due() -> None:
+async def test_a_lost_connection_names_the_answer_that_was_due() -> None:
     wire = Wire()
     async with opened(wire) as controller:
         wire.obliging = False

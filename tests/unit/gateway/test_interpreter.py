@@ -44,7 +44,7 @@ def test_feed_and_motion_are_modal() -> None:
     assert moved(read(b"G1 X1 F600", b"X2")).rate == 600.0
 
 
-def test_an_arc_turns_the_way_its_word_says() -> None:
+def test_an_arc_turns_in_the_direction_of_its_word() -> None:
     # From (10, 0) about the origin to (0, 10): a quarter to the left, three quarters to the right.
     left = read(b"G0 X10", b"G3 X0 Y10 I-10 J0 F600").move
     right = read(b"G0 X10", b"G2 X0 Y10 I-10 J0 F600").move
@@ -110,7 +110,7 @@ def test_outputs_are_read_with_their_number() -> None:
     ("line", "answer"),
     [(b"M64 P1", True), (b"m65p0", True), (b"G0 X1 (M64 P1)", False), (b"G4 P0.64", False)],
 )
-def test_lines_that_switch_outputs_are_told_apart(line: bytes, answer: bool) -> None:
+def test_lines_that_switch_outputs_are_detected(line: bytes, answer: bool) -> None:
     assert switches_output(line) is answer
 
 

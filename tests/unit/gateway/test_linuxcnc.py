@@ -218,7 +218,7 @@ async def test_a_position_that_has_not_changed_is_soon_no_second_evidence() -> N
         shell.values["rel_act_pos"] = "1.5 2.0 -0.3 0.0 0.0 45.0"
         await controller.status()
         assert observer.count == 2
-        # A machine that stands at the wrong place is found nevertheless.
+        # A machine at rest at the wrong position is still detected.
         async with asyncio.timeout(5.0):
             while observer.count == 2:
                 await controller.status()
@@ -245,7 +245,7 @@ async def test_a_cancelled_request_does_not_shift_the_replies() -> None:
         assert (await controller.status()).position[0] == 1.0
 
 
-async def test_a_request_that_nobody_waits_for_leaves_no_error(
+async def test_a_request_whose_caller_was_cancelled_logs_no_error(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     shell = Shell()

@@ -441,7 +441,7 @@ async def operate(controller: Mcx314, name: OperationName, **arguments: object) 
     await perform(operation, controller, TABLE, lambda: False)
 
 
-async def at_rest(controller: Mcx314) -> tuple[float, ...]:
+async def wait_until_still(controller: Mcx314) -> tuple[float, ...]:
     while (status := await controller.status()).state is not State.IDLE or not status.still:
         await asyncio.sleep(0.01)
     return status.position
@@ -451,11 +451,11 @@ async def test_a_person_can_jog_zero_park_and_switch() -> None:
     async with connected(speed=5.0) as (server, controller):
         await operate(controller, OperationName.JOG, axis="X", distance=120.5, feed=6000.0)
         assert (await controller.status()).state is State.JOG
-        assert await at_rest(controller) == (120.5, 0.0, 20.0, 0.0)
+        assert await wait_until_still(controller) == (120.5, 0.0, 20.0, 0.0)
         await operate(controller, OperationName.JOG, axis="C", distance=-90.0, feed=6000.0)
-        assert await at_rest(controller) == (120.5, 0.0, 20.0, -90.0)
+        assert await wait_until_still(controller) == (120.5, 0.0, 20.0, -90.0)
         await operate(controller, OperationName.ZERO, axes="XC")
-        assert await at_rest(controller) == (0.0, 0.0, 20.0, 0.0)
+        assert await wait_until_still(controller) == (0.0, 0.0, 20.0, 0.0)
         assert server.board.position == (120.5, 0.0, 20.0, -90.0)
         await operate(controller, OperationName.SWITCH, output=1, on=True)
         assert controller.switched_on == frozenset({1})
@@ -465,7 +465,7 @@ async def test_a_person_can_jog_zero_park_and_switch() -> None:
         await operate(controller, OperationName.PARK)
         assert (controller.spinning, controller.switched_on) == (0, frozenset())
         assert (server.board.oscillates, server.board.outputs) == (False, set())
-        await at_rest(controller)
+        await wait_until_still(controller)
         assert server.board.refusals == []
 
 
@@ -475,7 +475,7 @@ async def test_a_jog_can_be_stopped() -> None:
         while server.board.position[0] < 10.0:
             await asyncio.sleep(0.01)
         await operate(controller, OperationName.STOP_JOG)
-        x, *_ = await at_rest(controller)
+        x, *_ = await wait_until_still(controller)
         assert 10.0 < x < 500.0
         assert server.board.refusals == []
 

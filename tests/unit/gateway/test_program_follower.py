@@ -54,7 +54,7 @@ def test_a_dwell_that_was_answered_settles_all_before_it() -> None:
     assert follower.update(at(y=500.0), 3, None) == 3
 
 
-def test_the_way_out_and_the_way_back_are_told_apart_by_c() -> None:
+def test_c_distinguishes_the_way_out_from_the_way_back() -> None:
     follower = followed()
     assert follower.update(at(50.0, z=1.0, c=0.0), 8, None) == 4
     assert follower.update(at(100.0, z=1.0, c=90.0), 8, None) == 5
@@ -67,7 +67,7 @@ def test_the_executed_line_never_goes_back() -> None:
     assert follower.update(at(50.0, z=1.0, c=0.0), 8, None) == 6
 
 
-def test_a_position_off_the_path_says_nothing() -> None:
+def test_a_position_off_the_path_is_no_evidence() -> None:
     follower = followed()
     follower.update(at(50.0, z=1.0), 8, None)
     assert follower.update(at(50.0, y=3.0, z=1.0), 8, None) == 4
@@ -98,8 +98,8 @@ def test_blocks_free_in_the_planner_say_how_much_must_be_done() -> None:
 
 
 def test_moves_whose_steps_are_prepared_do_not_count_as_executed() -> None:
-    # 21 moves, all answered; the planner holds 10 blocks, of which none is free.  The position says
-    # nothing, since it is off the path.
+    # 21 moves, all answered; the planner holds 10 blocks, of which none is free.  The position is
+    # no evidence, since it is off the path.
     text = b"G90\n" + b"".join(b"G1 X%d F900\n" % x for x in range(1, 22))
     follower = ProgramFollower(read_blocks(text, Interpreter()), LIMITS, ahead=9)
     assert follower.update(at(y=500.0, free=0), 22, 10) == 22 - 10 - 9

@@ -91,7 +91,7 @@ async def test_the_safe_state_stops_the_spindle(way: str) -> None:
         assert way == "takeover" or controller.spinning == 0
 
 
-async def test_a_spindle_that_nobody_can_switch_off_stops(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_a_spindle_stops_when_the_server_is_lost(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(station, "EXPIRY", 0.4)
     async with shop(monkeypatch) as (office, table):
         await office.report(connected=True, state="idle")
@@ -133,6 +133,6 @@ async def test_a_program_with_m4_is_rejected_by_such_a_build(
     ("line", "expected"),
     [(b"M3 S1", (True, False)), (b"M4 S1", (True, True)), (b"M5", (False, False))],
 )
-def test_the_interpreter_knows_both_directions(line: bytes, expected: tuple[bool, bool]) -> None:
+def test_the_interpreter_reads_both_directions(line: bytes, expected: tuple[bool, bool]) -> None:
     block = Interpreter().read(line)
     assert (block.oscillation, block.reverse) == expected

@@ -77,7 +77,7 @@ async def test_a_stop_while_z_is_lowered_lifts_the_tool(monkeypatch: pytest.Monk
         assert not any(table.outputs.values())
 
 
-async def test_a_tool_that_cannot_come_down_stays_up_and_says_so(
+async def test_a_tool_that_cannot_be_lowered_stays_up_with_the_reason(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     async with waiting_job(monkeypatch) as (office, table):

@@ -26,7 +26,7 @@ async def test_what_is_no_address_is_refused_with_an_example(address: str) -> No
         await connect(address)
 
 
-async def test_nobody_there_is_a_controller_error() -> None:
+async def test_an_unreachable_controller_is_a_controller_error() -> None:
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
         port = taken.getsockname()[1]

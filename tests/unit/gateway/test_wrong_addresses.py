@@ -75,7 +75,7 @@ def web_server(request: pytest.FixtureRequest) -> Iterator[str]:
         "serial:///dev/ttyUSB0?speed=1",
     ],
 )
-async def test_what_can_be_no_address_is_told_apart(address: str) -> None:
+async def test_a_text_that_cannot_be_an_address_is_detected(address: str) -> None:
     with pytest.raises(NoSuchController) as wrong:
         await connect(address)
     assert wrong.value.hint
@@ -101,7 +101,7 @@ async def test_a_host_that_is_off_or_unknown_is_no_wrong_address(host: str) -> N
     ],
     ids=["linuxcnc scheme", "linuxcnc host", "hpgl", "folder"],
 )
-async def test_each_driver_tells_a_wrong_address(
+async def test_each_driver_reports_a_wrong_address(
     dial: Callable[[], Coroutine[Any, Any, Controller]],
 ) -> None:
     with pytest.raises(NoSuchController):
@@ -119,7 +119,7 @@ async def test_a_web_server_is_not_taken_for_a_silent_grbl(web_server: str, sche
         await grbl.dial(f"{scheme}://{web_server}", SAFE, silence=0.3)
 
 
-async def test_a_web_server_without_web_socket_is_told(web_server: str) -> None:
+async def test_a_web_server_without_web_socket_is_reported(web_server: str) -> None:
     with pytest.raises(NoSuchController):
         await connect(f"ws://{web_server}/")
 

@@ -160,7 +160,7 @@ def test_a_compile_that_takes_too_long_refuses_the_job(
     )
 
 
-def test_a_compile_tells_its_stage_and_is_broken_off_when_its_job_is_cancelled(
+def test_a_compile_reports_its_stage_and_is_aborted_when_its_job_is_cancelled(
     store: Store, service: CompileService, job: Job, compiles_by: Callable[[object], None]
 ) -> None:
     compiles_by(crew_tasks.hang_in_verify)

@@ -137,7 +137,7 @@ def test_a_batch_does_not_go_on_by_itself_over_an_unfinished_sheet(store: Store)
 
 
 @pytest.mark.parametrize("action", ["scrap", "requeue", "declare_finished"])
-def test_an_operator_who_says_what_becomes_of_a_job_clears_the_table(
+def test_an_operator_who_ends_an_interrupted_job_clears_the_table(
     store: Store, action: str
 ) -> None:
     parent = interrupted(store)

@@ -57,7 +57,7 @@ def test_nothing_runs_that_was_not_ready_and_queued() -> None:
     assert State.RUNNING not in reachable(State.RECEIVED, without=frozenset({State.QUEUED}))
 
 
-def test_sources_are_told_apart_by_who_moves() -> None:
+def test_the_party_that_moves_a_job_distinguishes_its_sources() -> None:
     assert sources(Action.CANCEL, ActorKind.GATEWAY) == (State.RUNNING, State.HELD)
     assert sources(Action.INTERRUPT, ActorKind.OPERATOR) == ()
 

@@ -35,7 +35,7 @@ def gone(process: int) -> bool:
     return False
 
 
-def test_a_task_runs_in_another_process_and_tells_how_far_it_is(pool: ProcessPool) -> None:
+def test_a_task_runs_in_another_process_and_reports_its_progress(pool: ProcessPool) -> None:
     heard: list[tuple[str, float]] = []
 
     def watch(stage: str, share: float) -> bool:
@@ -62,7 +62,7 @@ def test_an_error_comes_back_with_mend_and_source(pool: ProcessPool) -> None:
     assert caught.value.source == ("2F4",)
 
 
-def test_a_failure_that_nobody_foresaw_leaves_the_process_alive(pool: ProcessPool) -> None:
+def test_an_unexpected_failure_leaves_the_process_alive(pool: ProcessPool) -> None:
     before = pool.run(crew_tasks.process_id, limit=30.0)
     with pytest.raises(TaskFailed, match="one by none"):
         pool.run(crew_tasks.fail, limit=30.0)
@@ -81,7 +81,7 @@ def test_a_task_that_hangs_is_killed_and_another_process_takes_its_place(pool: P
     assert pool.run(crew_tasks.double, 1, limit=30.0) == 2
 
 
-def test_a_task_that_nobody_wants_any_more_is_killed(pool: ProcessPool) -> None:
+def test_a_cancelled_task_is_killed(pool: ProcessPool) -> None:
     with pytest.raises(TaskCancelled):
         pool.run(crew_tasks.hang, limit=30.0, watch=lambda *_: False)
 
@@ -91,7 +91,7 @@ def test_a_task_that_eats_all_memory_is_refused(pool: ProcessPool) -> None:
         pool.run(crew_tasks.eat, 8, limit=30.0)
 
 
-def test_a_process_that_dies_is_told_apart_from_one_that_answers(pool: ProcessPool) -> None:
+def test_a_process_that_died_is_distinguished_from_one_that_answers(pool: ProcessPool) -> None:
     with pytest.raises(DrawingTooLarge, match="exit code 3"):
         pool.run(crew_tasks.die, limit=30.0)
     assert pool.run(crew_tasks.double, 4, limit=30.0) == 8

@@ -45,7 +45,7 @@ def test_what_is_near_is_as_far_as_the_nearest_of_its_points(
 
 
 @given(_POINT, _POINT, _POINT, _POINT)
-def test_lines_cross_where_shapely_says(
+def test_lines_cross_at_the_points_that_shapely_returns(
     a: tuple[float, float], b: tuple[float, float], c: tuple[float, float], d: tuple[float, float]
 ) -> None:
     assume(math.dist(a, b) > 0.1 and math.dist(c, d) > 0.1)

@@ -15,7 +15,7 @@ class ToolToConfirm(JobTool):
 
     used: float | None = Field(
         description="Length that the tool has worked since its last change (m); null if the "
-        "machine has no such station any more"
+        "machine no longer has this station"
     )
     life: float | None = Field(description="Length that the tool may work (m); null for no limit")
     warning: Literal["", "near", "over"] = Field(

@@ -40,7 +40,7 @@ class EntryOut(VersionOut):
     )
     fault: str = Field(
         default="",
-        description="Reason why the entry cannot be used any more, in English; empty if it can be "
+        description="Reason why the entry can no longer be used, in English; empty if it can be "
         "used",
     )
 

@@ -132,8 +132,8 @@ class ProfileOut(BaseModel):
     rules: list[RuleOut] = Field(description="Rules in the order in which they are tried")
     fault: str = Field(
         default="",
-        description="Reason why the profile cannot be used any more, in English; empty if it can "
-        "be used",
+        description="Reason why the profile can no longer be used, in English; empty if it can be "
+        "used",
     )
 
 

@@ -103,7 +103,7 @@ def tabulate_styles(drawing: Drawing) -> StyleTable:
 class RuleMatches:
     """For each of c styles, the first rule of a profile that matches it, if any."""
 
-    line_type: U8  #: (c,) LineType; UNCLASSIFIED if no rule matches, or if the rule says so
+    line_type: U8  #: (c,) LineType; UNCLASSIFIED if no rule matches, or if the rule sets it
     rule: I32  #: (c,) index of the rule, -1 for none
     confidence: F64  #: (c,) confidence of the rule, 0 … 1
     #: (c,) the conditions of the rule with only the patterns that matched; None without a rule

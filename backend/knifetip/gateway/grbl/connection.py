@@ -307,5 +307,5 @@ class GrblConnection(Exchange):
                 rest = b""
         self.connected = False
         if isinstance(self.fault, ControllerAlarm):
-            self.fault = None  # the loss matters more: nobody can unlock the controller
+            self.fault = None  # the loss matters more: an unreachable controller cannot be unlocked
         self.fail(ControllerError("controller.lost", name=self.name, due=self.buffer.due()))

@@ -255,7 +255,7 @@ class LinuxcncConnection(ProgramConnection[RunningProgram]):
         Parameters
         ----------
         lines
-            The lines.  If LinuxCNC refuses one of them, the others are executed nevertheless.
+            The lines.  If LinuxCNC refuses one of them, the others are still executed.
         patience
             Time until the end of the motion of a line (s), in addition to the limit of silence.
 

@@ -218,9 +218,6 @@ class RemoteShell:
 
 
 def _retrieve_error(conversation: asyncio.Task[str]) -> None:
-    """Take note of the error of a request, so that asyncio does not log it if nobody waits for it.
-
-    This is the case if the caller was cancelled, and the connection was then closed.
-    """
+    """Retrieve the error of a request whose caller was cancelled: asyncio logs it otherwise."""
     if not conversation.cancelled():
         conversation.exception()

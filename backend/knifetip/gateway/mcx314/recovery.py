@@ -1,7 +1,7 @@
 """recovery: bring a machine with an MCX314 into its safe state.
 
 The steps are: abort, wait for rest, lift Z, oscillation off, outputs off.  In an alarm the board
-moves no axis; the outputs are then switched off nevertheless (ADR 19).
+moves no axis; the outputs are switched off all the same (ADR 19).
 """
 
 from __future__ import annotations

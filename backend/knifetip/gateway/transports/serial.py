@@ -61,7 +61,7 @@ class SerialPort:
     async def write(self, data: bytes) -> None:
         """Send bytes after those of earlier calls; return when the operating system has them.
 
-        If the call is cancelled, the bytes are sent nevertheless, unless the port is closed before.
+        If the call is cancelled, the bytes are still sent, unless the port is closed before.
 
         Raises
         ------

@@ -42,7 +42,7 @@ class Tcp:
     async def write(self, data: bytes) -> None:
         """Send bytes; return when the operating system has accepted them.
 
-        If the call is cancelled, the bytes are sent nevertheless.
+        If the call is cancelled, the bytes are still sent.
 
         Raises
         ------

@@ -36,7 +36,7 @@ MESSAGES: Final[Entries] = {
         "sent to the machine.",
     ),
     "gateway.machine-changed": entry(
-        "Version {version} of the machine {machine} is not the newest any more.",
+        "Version {version} of the machine {machine} is no longer the newest.",
         "Load the definition of the machine again.",
         machine="text",
         version="count",

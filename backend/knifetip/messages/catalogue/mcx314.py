@@ -211,7 +211,7 @@ MESSAGES: Final[Entries] = {
         name="text",
     ),
     "mcx314.gave-up": entry(
-        "{name} has heard nothing from this gateway for {seconds:g} s and stopped the program.",
+        "{name} has received nothing from this gateway for {seconds:g} s and stopped the program.",
         "Check the connection to the board, then check the sheet on the table.",
         name="text",
         seconds="number",
