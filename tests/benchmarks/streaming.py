@@ -24,7 +24,8 @@ from knifetip.gateway.grbl import driver
 from knifetip.gateway.motion import Limits
 from knifetip.gateway.simulator import Server
 from knifetip.gateway.stream import stream
-from knifetip.gateway.table import Firmware, Table
+from knifetip.gateway.table import Table
+from knifetip.gateway.table_firmware import Firmware
 from knifetip.library import load
 
 MACHINE = load.machine("demo-table")

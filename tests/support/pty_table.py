@@ -9,6 +9,7 @@ from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager, suppress
 
 from knifetip.gateway.table import BANNER, Table
+from knifetip.gateway.table_clock import Clock
 
 
 @asynccontextmanager
@@ -21,7 +22,7 @@ async def serve_on_terminal(table: Table) -> AsyncIterator[str]:
     loop.add_reader(master, lambda: table.receive(os.read(master, 4096)))
     table.answer = lambda line: _write(master, line)
     table.answer(BANNER)
-    running = asyncio.create_task(table.run())
+    running = asyncio.create_task(Clock(table).run())
     try:
         yield f"serial://{os.ttyname(slave)}"
     finally:

@@ -9,6 +9,7 @@ from typing import Protocol
 
 from knifetip.gateway.simulation_server import SimulationServer
 from knifetip.gateway.table import BANNER, Faults, Table, discard_answer
+from knifetip.gateway.table_clock import Clock
 from knifetip.languages.registry import find_language
 from knifetip.model.machine import Machine
 
@@ -30,7 +31,7 @@ class Server(SimulationServer):
         self.table = table
 
     async def _simulate(self) -> None:
-        await self.table.run()
+        await Clock(self.table).run()
 
     async def _answer(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         if self._client is not None:

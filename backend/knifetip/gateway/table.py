@@ -8,22 +8,16 @@ It simulates all behaviour that a sender of programs must handle:
 - M64 and M65, which switch an output as soon as the line is read;
 - alarms that lock the controller until a reset.
 
-Simulated time passes ``speed`` times as fast as real time, and only while an axis moves or the
-table dwells.
+Simulated time passes only while an axis moves or the table dwells (see ``table_clock``).
 """
 
 from __future__ import annotations
 
 import asyncio
 import re
-from array import array
-from collections import deque
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 
-import numpy as np
-
-from knifetip.errors import ControllerError
 from knifetip.gateway.interpreter import (
     EMPTY_BLOCK,
     Block,
@@ -31,21 +25,10 @@ from knifetip.gateway.interpreter import (
     LineRefused,
     strip_comments,
 )
-from knifetip.gateway.motion import Limits, Move, Planner, Pose
+from knifetip.gateway.table_firmware import Firmware, settings
+from knifetip.gateway.table_machine import BLOCKS, TableMachine
 from knifetip.model.machine import Machine
 
-#: Real time between two steps while the machine moves (s).
-TICK = 0.002
-#: Longest real time of one step, so that a high speed does not block the port (s).
-STINT = 0.01
-#: Real time that the machine may catch up after the process was busy (s).
-LAG = 0.1
-#: Distance between the limits of travel and the mechanical end stops (mm or degrees).
-PAST = 1e-4
-#: Blocks of the planner, as ``$I`` and ``Bf`` report.
-BLOCKS = 15
-#: Samples that a trace keeps at most.
-SAMPLES = 500_000
 #: Stores the present position as the work zero of some axes.
 _SET_ZERO = re.compile(rb"G10L20P1((?:[XYZC]0(?:\.0*)?)+)")
 BANNER = "GrblHAL 1.1f ['$' or '$HELP' for help]"
@@ -73,53 +56,7 @@ class Faults:
     )
 
 
-@dataclass(frozen=True, slots=True)
-class Firmware:
-    """Properties that differ between builds of grblHAL, and between grblHAL and grbl 1.1."""
-
-    axes: str = "XYZC"  #: letters in the order of status reports; one of them is A or C, or none
-    outputs: int = 16  #: number of digital outputs (M64, M65)
-    grblhal: bool = True  #: grblHAL, which states its axes and outputs; False for grbl 1.1
-    sizes: bool = True  #: whether it states the sizes of planner and receive buffer
-
-
-@dataclass(frozen=True, slots=True)
-class SwitchEvent:
-    """One change of a digital output."""
-
-    time: float
-    output: int
-    on: bool
-    position: Pose
-    moving: bool  #: whether an axis was moving
-
-
-@dataclass(slots=True)
-class Trace:
-    """Positions of the simulated axes, sampled every ``interval`` seconds of motion or dwell."""
-
-    interval: float
-    _values: array[float] = field(default_factory=lambda: array("d"))
-
-    def add(self, time: float, position: Pose) -> None:
-        """Add a sample, unless the trace already has ``SAMPLES`` samples.
-
-        Parameters
-        ----------
-        time
-            Simulated time (s).
-        position
-            Position of the axes.
-        """
-        if len(self._values) < 5 * SAMPLES:
-            self._values.extend((time, *position))
-
-    def samples(self) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:
-        """Return time (s), x, y, z (mm) and c (degrees) of each sample, shape (samples, 5)."""
-        return np.array(self._values, dtype=np.float64).reshape(-1, 5)
-
-
-class Table:
+class Table(TableMachine):
     """The simulated controller and its machine, without a network.
 
     ``receive`` processes bytes that a client sends; ``answer`` is called with each line for the
@@ -138,46 +75,26 @@ class Table:
     ) -> None:
         if not speed > 0.0:
             raise ValueError(f"a speed of {speed} would never move")
-        if machine.gantry:
-            count = len(machine.carriages)
-            raise ControllerError("controller.one-carriage", machine=machine.title, count=count)
-        self.machine = machine
+        super().__init__(machine, sample)
         self.speed = speed
         self.faults = faults or Faults()
         self.firmware = firmware or Firmware()
         self.window = window
-        self.time = 0.0  #: simulated seconds of motion and dwell
-        self.trace = Trace(sample) if sample > 0.0 else None
-        self.outputs: dict[int, bool] = {}
-        self.switch_events: deque[SwitchEvent] = deque(maxlen=10_000)
-        self.oscillating = False
-        self.reversed = False  #: the spindle turns counter-clockwise
         self.lost = 0  #: bytes that overflowed the buffer
         self.answer: Callable[[str], None] = discard_answer
         self.hang_up: Callable[[], None] = lambda: None
         self.awake = asyncio.Event()
-        self._limits = Limits.of(machine)  # in work coordinates
-        self._offset: Pose = (0.0, 0.0, 0.0, 0.0)  # machine position of the work zero
-        rest: Pose = (0.0, 0.0, machine.travel_z, 0.0)
-        self._planner = Planner(self._limits, BLOCKS, rest)
-        self._interpreter = Interpreter(rest)
+        self._interpreter = Interpreter(self.position)
         self._buffer = bytearray()
         self._state = "Idle"
         self._critical = False
         self._error = 0  # of the last program line that was refused, until it is cleared
         self._check = False
         self._waiting: tuple[Block, int] | None = None  # read, not yet answered
-        self._dwell = 0.0
         self._count = 0
         self._reports = 0
-        self._pending_time = 0.0
 
     # -- state ----------------------------------------------------------------------------------
-
-    @property
-    def position(self) -> Pose:
-        """Position of the axes in work coordinates: x, y, z (mm) and c (degrees)."""
-        return self._planner.position
 
     @property
     def state(self) -> str:
@@ -189,11 +106,6 @@ class Table:
         if self._planner.holding:
             return "Hold:0" if self._planner.halted or not len(self._planner) else "Hold:1"
         return "Run" if len(self._planner) or self._dwell > 0.0 else "Idle"
-
-    @property
-    def busy(self) -> bool:
-        """Whether an axis moves or the table dwells."""
-        return self._planner.moving or (self._dwell > 0.0 and not self._planner.holding)
 
     # -- received bytes -------------------------------------------------------------------------
 
@@ -258,20 +170,15 @@ class Table:
         free = BLOCKS - len(self._planner)
         fields = [
             self.state,
-            f"MPos:{self._by_axis((x, y, z, c))}",
+            f"MPos:{self.firmware.by_axis((x, y, z, c))}",
             f"Bf:{free},{self.window - len(self._buffer)}",
             f"FS:{self._planner.speed * 60.0:.0f},{int(self.oscillating)}",
         ]
         if self._planner.tag:
             fields.append(f"Ln:{self._planner.tag}")
         if self._reports % 10 == 1:
-            fields.append(f"WCO:{self._by_axis(self._offset)}")
+            fields.append(f"WCO:{self.firmware.by_axis(self._offset)}")
         self.answer(f"<{'|'.join(fields)}>")
-
-    def _by_axis(self, pose: Pose) -> str:
-        """Return the figures of a pose for each axis of the controller; 0 for further axes."""
-        figures = dict(zip(f"XYZ{self._rotary or '-'}", pose, strict=True))
-        return ",".join(f"{figures.get(axis, 0.0):.3f}" for axis in self.firmware.axes)
 
     # -- program lines --------------------------------------------------------------------------
 
@@ -317,9 +224,9 @@ class Table:
             self.answer("ok")
             return
         try:
-            self._require_axes(text)
+            self.firmware.require_axes(text)
             block = self._interpreter.read(line)
-            self._require_output(block)
+            self.firmware.require_output(block)
         except LineRefused as refused:
             self._refuse(refused.code)
             return
@@ -334,21 +241,6 @@ class Table:
         """Answer a program line with an error."""
         self._error = code
         self.answer(f"error:{code}")
-
-    @property
-    def _rotary(self) -> str:
-        """Letter of the axis that rotates the tool; empty if there is none."""
-        return next((letter for letter in "CA" if letter in self.firmware.axes), "")
-
-    def _require_axes(self, text: bytes) -> None:
-        """Raise ``LineRefused`` for an axis letter that the controller does not know."""
-        if any(letter in text and letter != self._rotary.encode() for letter in (b"A", b"C")):
-            raise LineRefused(36 if self.firmware.grblhal else 20)
-
-    def _require_output(self, block: Block) -> None:
-        """Raise ``LineRefused`` for an output that the controller does not have."""
-        if block.output >= self.firmware.outputs:
-            raise LineRefused(39 if self.firmware.outputs else 20)
 
     def _execute_block(self, block: Block, order: int) -> bool:
         """Execute and answer a program line; return False if the line must wait.
@@ -375,12 +267,7 @@ class Table:
         elif block.move and self._planner.full:
             return False
         if block.output >= 0:
-            self.outputs[block.output] = block.on
-            self.switch_events.append(
-                SwitchEvent(
-                    self.time, block.output, block.on, self.position, self._planner.speed > 0.0
-                )
-            )
+            self._switch(block.output, block.on)
         if block.move:
             self._planner.append(block.move, block.number)
         if block.end:
@@ -391,15 +278,6 @@ class Table:
         if order not in self.faults.drop_ok or order == 0:
             self.answer("ok")
         return True
-
-    def _is_within_travel(self, move: Move) -> bool:
-        low, high = move.bounds()
-        return all(
-            least >= bottom - PAST and most <= top + PAST
-            for least, most, bottom, top in zip(
-                low, high, self._limits.low, self._limits.high, strict=True
-            )
-        )
 
     def _alarm(self, code: int) -> None:
         """Enter an alarm that locks the controller until a reset.
@@ -428,26 +306,7 @@ class Table:
             for axis, value in zip("XYZC", self.position, strict=True)
         )
         self._move_zero(shift)
-
-    def _move_zero(self, shift: Sequence[float]) -> None:
-        """Move the work zero; the axes do not move, so their work coordinates change.
-
-        Parameters
-        ----------
-        shift
-            Distance along each axis (mm or degrees).
-        """
-
-        def shifted(pose: Pose) -> Pose:
-            x, y, z, c = (value - by for value, by in zip(pose, shift, strict=True))
-            return x, y, z, c
-
-        limits = self._limits
-        x, y, z, c = (value + by for value, by in zip(self._offset, shift, strict=True))
-        self._offset = (x, y, z, c)
-        self._limits = replace(limits, low=shifted(limits.low), high=shifted(limits.high))
-        self._planner.position = shifted(self.position)
-        self._interpreter.reset(self._planner.position)
+        self._interpreter.reset(self.position)
         self._reports = 0  # the next report contains the new offset
 
     def _execute_command(self, text: bytes) -> None:
@@ -457,18 +316,8 @@ class Table:
                 self._state = "Idle"
                 self.answer("[MSG:Caution: Unlocked]")
         elif text == b"$I":
-            axes = self.firmware.axes
-            self.answer("[VER:1.1f.knifetip:simulated table]")
-            if not self.firmware.sizes:
-                self.answer("[OPT:PHS]")
-            elif self.firmware.grblhal:
-                self.answer(f"[OPT:VNMSL,{BLOCKS},{self.window},{len(axes)},0]")
-            else:
-                self.answer(f"[OPT:V,{BLOCKS},{self.window}]")
-            if self.firmware.grblhal:
-                self.answer(f"[AXS:{len(axes)}:{axes}]")
-                self.answer("[FIRMWARE:grblHAL]")
-                self.answer(f"[AUX IO:0,{self.firmware.outputs},0,0]")
+            for line in self.firmware.build_info(BLOCKS, self.window):
+                self.answer(line)
         elif text == b"$C" and (idle or self._check):
             if self._check:
                 self.answer("[MSG:Disabled]")
@@ -479,12 +328,11 @@ class Table:
             self.answer("[MSG:Enabled]")
         elif text == b"$H" and (idle or self._state == "Alarm"):
             self._discard_motion()
-            zero_x, zero_y, zero_z, zero_c = self._offset
-            self._planner.position = (-zero_x, -zero_y, self.machine.travel_z - zero_z, -zero_c)
+            self._go_home()
             self._interpreter.reset(self._planner.position)
             self._state = "Idle"
         elif text == b"$$":
-            for line in self._settings():
+            for line in settings(self._limits, beam=self.machine.has_beam):
                 self.answer(line)
         elif text == b"$G":
             self.answer("[GC:G0 G54 G17 G21 G90 G94 G49 M5 M9 T0 F0 S0]")
@@ -497,15 +345,6 @@ class Table:
             self.answer("error:8" if text in (b"$C", b"$H") else "error:3")
             return
         self.answer("ok")
-
-    def _settings(self) -> list[str]:
-        limits = self._limits
-        rows = ["$10=511", "$13=0", "$20=1", "$22=1", f"$32={int(self.machine.has_beam)}"]
-        for axis in range(4):
-            rows.append(f"$11{axis}={limits.velocity[axis] * 60.0:.3f}")
-            rows.append(f"$12{axis}={limits.acceleration[axis]:.3f}")
-            rows.append(f"$13{axis}={limits.high[axis] - limits.low[axis]:.3f}")
-        return rows
 
     def _jog(self, text: bytes) -> int:
         """Start a jog (a move outside a program); return the error code, 0 if accepted.
@@ -549,9 +388,7 @@ class Table:
             else:
                 return
             left -= used
-            self.time += used
-            if self.trace:
-                self.trace.add(self.time, self.position)
+            self._pass_time(used)
         self._read()
 
     def _move(self, seconds: float) -> float:
@@ -572,44 +409,3 @@ class Table:
         if self._state == "Jog" and not len(self._planner):
             self._state = "Idle"
         return used
-
-    async def run(self) -> None:
-        """Advance the simulated time with the real time until cancelled."""
-        loop = asyncio.get_running_loop()
-        last = loop.time()
-        while True:
-            if not self.busy:
-                self._pending_time = 0.0
-                self.awake.clear()
-                await self.awake.wait()
-                # Time in which nothing could move is skipped.
-                last = loop.time() - TICK
-                continue
-            now = loop.time()
-            self._pending_time = min(
-                self._pending_time + (now - last) * self.speed, LAG * self.speed
-            )
-            last = now
-            self._advance_pending(now + STINT, loop)
-            await asyncio.sleep(TICK if self.busy else 0.0)
-
-    def _advance_pending(self, deadline: float, loop: asyncio.AbstractEventLoop) -> None:
-        """Simulate the time that is not simulated yet, but return at ``deadline`` at the latest.
-
-        The time that is left at ``deadline`` is simulated by the next call.
-
-        Parameters
-        ----------
-        deadline
-            Real time at which to return (s, clock of ``loop``).
-        loop
-            The running event loop.
-        """
-        part = max(self._pending_time / 16.0, 1e-4)  # checks the clock from time to time
-        while self._pending_time > 0.0 and self.busy and loop.time() < deadline:
-            step = min(part, self._pending_time)
-            before = self.time
-            self.elapse(step)
-            self._pending_time -= step
-            if self.time == before:
-                return

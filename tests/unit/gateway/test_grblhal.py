@@ -10,7 +10,8 @@ import pytest
 from knifetip.gateway.controller import State
 from knifetip.gateway.grbl import answers
 from knifetip.gateway.grbl.capabilities import Capabilities
-from knifetip.gateway.table import Firmware, Table
+from knifetip.gateway.table import Table
+from knifetip.gateway.table_firmware import Firmware
 from knifetip.library import load
 
 OPTIONS = """[VER:1.1f.20260817:]
