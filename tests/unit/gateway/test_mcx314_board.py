@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from knifetip.errors import ControllerError
-from knifetip.gateway.mcx314.board import QUEUE, Board
+from knifetip.gateway.mcx314.board import Board
 from knifetip.gateway.mcx314.frames import Splitter, checksum, pack, unpack
+from knifetip.gateway.mcx314.program_queue import QUEUE
 from knifetip.library import load
 
 TABLE = load.machine("v-groove-table")

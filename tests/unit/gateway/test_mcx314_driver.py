@@ -19,7 +19,7 @@ from knifetip.errors import (
 )
 from knifetip.gateway.controller import SafeState, State
 from knifetip.gateway.mcx314 import connection, simulator
-from knifetip.gateway.mcx314.board import LinkFaults
+from knifetip.gateway.mcx314.answering import LinkFaults
 from knifetip.gateway.mcx314.driver import Mcx314, dial
 from knifetip.gateway.mcx314.link import Link
 from knifetip.gateway.mcx314.simulator import BoardServer
@@ -202,7 +202,7 @@ async def test_an_abort_ramps_down_lifts_the_tool_and_releases_the_station() -> 
 async def test_the_line_that_the_board_executes_is_reported_and_not_the_sent_one() -> None:
     async with connected() as (server, controller), run(strips(2), controller) as course:
         progress = await until_cutting(course)
-        program = server.board._program
+        program = server.board.program
         assert program is not None
         assert program.loaded > progress.executed + 50
 
@@ -293,7 +293,7 @@ async def test_a_program_that_another_client_discards_is_an_error() -> None:
         other = Link(server.address, 1.0)
         server.board.receive(b"")
         await other.close()
-        server.board._abort()
+        server.board._execution.abort()
         failure = await fails(course, ControllerError)
         assert "has discarded the program" in failure.text
         assert_safe(server)
@@ -395,7 +395,7 @@ async def test_a_wrong_program_is_refused_before_a_line_is_sent(
     async with connected() as (server, controller):
         with pytest.raises(ControllerRejected, match=words):
             await run_to_end(strips(1).replace(old, new), controller)
-        assert server.board._program is None
+        assert server.board.program is None
         assert controller.fault is None
 
 

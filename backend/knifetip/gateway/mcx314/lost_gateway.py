@@ -1,0 +1,63 @@
+"""lost_gateway: brings the machine into its safe state by itself when the gateway is gone."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from knifetip.gateway.mcx314.execution import Execution
+from knifetip.gateway.mcx314.outputs import OSCILLATION
+from knifetip.gateway.mcx314.parts import Parts
+
+
+@dataclass(frozen=True, slots=True)
+class Guard:
+    """What the board does when the gateway is gone."""
+
+    patience: float = 0.0  #: s; 0 for nothing
+    lift: int = 0  #: least Z in work coordinates (pulses)
+    outputs: tuple[int, ...] = ()
+
+
+class LostGateway:
+    """Measures the silence of the gateway; the guard does nothing at first.
+
+    Parameters
+    ----------
+    parts
+        The parts of the board.
+    execution
+        What runs or is held, and is then aborted.
+    """
+
+    def __init__(self, parts: Parts, execution: Execution) -> None:
+        self.guard = Guard()
+        self.given_up = False  #: the present or last program was aborted by the board
+        self._parts = parts
+        self._execution = execution
+        self._silence = 0.0  # real time since the last request (s)
+
+    def hear(self) -> None:
+        """Record that a request has arrived."""
+        self._silence = 0.0
+
+    def watch(self, seconds: float) -> None:
+        """Bring the machine into the safe state if the gateway is gone.
+
+        ``seconds`` is the real time since the last call.
+        """
+        self._silence += seconds
+        patience = self.guard.patience
+        working = self._parts.queue.runs or self._execution.holding
+        may_move = not self._parts.interlock.alarm
+        if patience > 0.0 and working and may_move and self._silence > patience:
+            self._execution.abort()
+            self.given_up = True
+            self._execution.at_rest.extend((self._lift, self._release))
+
+    def _lift(self) -> None:
+        self._execution.lift(self.guard.lift + self._parts.stretches.zero[2])
+
+    def _release(self) -> None:
+        self._parts.outputs.switch(OSCILLATION, False)
+        for output in self.guard.outputs:
+            self._parts.outputs.switch(output, False)

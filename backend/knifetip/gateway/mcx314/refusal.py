@@ -1,0 +1,23 @@
+"""refusal: how a request is refused; the parts of the board that check requests raise it."""
+
+from __future__ import annotations
+
+from knifetip.gateway.mcx314.instructions import BadLine, Instruction, parse
+
+
+class Refused(Exception):
+    """Raised for a request that the board refuses; the first argument is the code."""
+
+
+def parse_or_refuse(text: str, number: int = 0) -> Instruction:
+    """Parse an instruction of a request, with the number of its program line.
+
+    Raises
+    ------
+    Refused
+        It is none.
+    """
+    try:
+        return parse(text)
+    except BadLine:
+        raise Refused("line", number, "syntax") from None
