@@ -35,10 +35,10 @@ class Linuxcnc(LinuxcncOperations):
 
     Parameters
     ----------
-    address
-        Address of the LinuxCNC.
-    silence
-        Seconds after which LinuxCNC counts as silent if a request has no reply.
+    connection
+        Connection to the LinuxCNC; not open yet.
+    folder
+        Where programs are written for this LinuxCNC.
     safe, poll
         As for ``WholeProgramController``.
     """
@@ -48,14 +48,13 @@ class Linuxcnc(LinuxcncOperations):
 
     def __init__(
         self,
-        address: LinuxcncAddress,
-        *,
-        safe: SafeState | None = None,
-        silence: float = 1.5,
-        poll: float = 0.05,
+        connection: LinuxcncConnection,
+        folder: ProgramFolder,
+        safe: SafeState | None,
+        poll: float,
     ) -> None:
-        super().__init__(LinuxcncConnection(address, silence), safe, poll)
-        self._folder = ProgramFolder(address)
+        super().__init__(connection, safe, poll)
+        self._folder = folder
 
     # -- opening and closing ----------------------------------------------------------------------
 
@@ -182,12 +181,14 @@ async def dial(
     A LinuxCNC that is switched off, in emergency stop or not homed is returned with this alarm as
     its ``fault``: a person at the machine can then call ``unlock`` or ``home``.
 
-    The parameters are those of ``controller.Driver`` and of ``Linuxcnc``.
+    The parameters are those of ``controller.Driver``, ``LinuxcncConnection`` and ``Linuxcnc``.
 
     Raises
     ------
     ControllerError
         LinuxCNC does not answer or is busy.
     """
-    controller = Linuxcnc(LinuxcncAddress.of(address), safe=safe, silence=silence, poll=poll)
+    place = LinuxcncAddress.of(address)
+    connection = LinuxcncConnection(place, silence)
+    controller = Linuxcnc(connection, ProgramFolder(place), safe, poll)
     return await take_control(controller, stop_motion=stop_motion)

@@ -34,28 +34,11 @@ _EQUAL = 1e-5
 class Mcx314(Mcx314Operations):
     """A board with an MCX314; the methods are those of ``ProgramController`` and ``Operable``.
 
-    Parameters
-    ----------
-    address
-        Address of the board, as for ``transport.connect``.
-    silence
-        Seconds after which the board counts as silent if a request has no answer.
-    safe, poll
-        As for ``WholeProgramController``.
+    The parameters are those of ``WholeProgramController``.
     """
 
     #: The board reports the pulses of the chip, whose lines and arcs deviate by two at most.
     accuracy: float = 0.1
-
-    def __init__(
-        self,
-        address: str,
-        *,
-        safe: SafeState | None = None,
-        silence: float = 1.5,
-        poll: float = 0.05,
-    ) -> None:
-        super().__init__(BoardConnection(address, silence), safe, poll)
 
     def interpreter(self, start: Pose) -> Mcx314Interpreter:
         """Return an interpreter of the programs of this board, from a pose on."""
@@ -186,12 +169,12 @@ async def dial(
     A board that an alarm locks is returned with this alarm as its ``fault``: a person at the
     machine can then call ``unlock`` or ``home``.
 
-    The parameters are those of ``controller.Driver`` and of ``Mcx314``.
+    The parameters are those of ``controller.Driver``, ``BoardConnection`` and ``Mcx314``.
 
     Raises
     ------
     ControllerError
         The board does not answer or is busy.
     """
-    controller = Mcx314(address, safe=safe, silence=silence, poll=poll)
+    controller = Mcx314(BoardConnection(address, silence), safe, poll)
     return await take_control(controller, stop_motion=stop_motion)

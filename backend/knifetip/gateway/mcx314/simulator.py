@@ -75,20 +75,10 @@ async def serve(
 ) -> BoardServer:
     """Start a simulated board on a TCP port, and return its server.
 
+    The parameters are those of ``gateway.simulator.serve``, without ``window``.
+
     Parameters
     ----------
-    machine
-        Machine that is simulated.
-    host
-        Address on which the server listens.
-    port
-        TCP port on which the server listens; 0 for any free port.
-    speed
-        Simulated seconds per second of real time.
-    faults
-        Faults to inject; None for none.
-    sample
-        Simulated seconds between two records of the position of the axes; 0 for none.
     homed
         Whether the axes are homed when the board is switched on.
     """
