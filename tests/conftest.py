@@ -35,7 +35,7 @@ def _state_folder(tmp_path_factory: pytest.TempPathFactory) -> None:
 def corpus() -> Path:
     """Return the folder of drawings by other authors; skip the test if it does not exist."""
     if not CORPUS.is_dir():
-        pytest.skip(f"the drawings by other hands are not at {CORPUS} (set KNIFETIP_CORPUS)")
+        pytest.skip(f"the drawings of other authors are not at {CORPUS} (set KNIFETIP_CORPUS)")
     return CORPUS
 
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import httpx
 import pytest
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Locator, Page, Route, expect
 
 from tests.browser.conftest import Running
 from tests.browser.own_machine import OwnMachine
@@ -83,13 +83,13 @@ def test_a_move_in_an_order_that_has_changed_is_refused_and_shown(queue: Queue) 
     page = queue.list.page
     moved: list[str] = []
 
-    def change_first(route: object) -> None:
+    def change_first(route: Route) -> None:
         # Another person is faster, so the displayed order is out of date.
         if not moved:
             moved.append(queue.jobs[2])
             body = {"previous": "", "next": queue.jobs[0], "by": "Ben"}
             queue.machine.api.post(f"/api/jobs/{queue.jobs[2]}/move", json=body).raise_for_status()
-        route.continue_()  # type: ignore[attr-defined]
+        route.continue_()
 
     page.route(re.compile(r"/api/jobs/[^/]+/move$"), change_first)
     row(queue, "second.dxf").get_by_test_id("move-up").click()

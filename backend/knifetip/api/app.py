@@ -161,7 +161,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         return app.openapi_schema
 
     # The documented way to customise FastAPI's schema.
-    app.openapi = openapi  # type: ignore[method-assign]
+    app.openapi = openapi  # type: ignore[method-assign]  # mypy rejects it
     return app
 
 

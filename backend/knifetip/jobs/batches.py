@@ -18,7 +18,7 @@ from knifetip.jobs.tables import Job, MachineRun
 WornStations = Callable[[str], Collection[int]]
 
 
-def no_worn_stations(machine: str) -> Collection[int]:  # noqa: ARG001  # as ``WornStations``
+def no_worn_stations(machine: str) -> Collection[int]:  # noqa: ARG001  # signature of ``WornStations``
     """Return no station, for a machine whose tools are not recorded."""
     return ()
 

@@ -15,10 +15,10 @@ class MessageColumn(sa.TypeDecorator[Message]):
     impl = sa.JSON(none_as_null=True)
     cache_ok = True
 
-    def process_bind_param(self, value: Message | None, dialect: sa.Dialect) -> Any:  # noqa: ARG002  # as TypeDecorator
+    def process_bind_param(self, value: Message | None, dialect: sa.Dialect) -> Any:  # noqa: ARG002  # signature of TypeDecorator
         """Return the JSON data of a message, which the database stores; None for None."""
         return None if value is None else value.as_json()
 
-    def process_result_value(self, value: Any, dialect: sa.Dialect) -> Message | None:  # noqa: ARG002  # as TypeDecorator
+    def process_result_value(self, value: Any, dialect: sa.Dialect) -> Message | None:  # noqa: ARG002  # signature of TypeDecorator
         """Return the message with the JSON data ``value``; None for None."""
         return None if value is None else from_json(value)

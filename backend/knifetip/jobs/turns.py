@@ -46,6 +46,6 @@ class Turns:
 class NoTurns:
     """Replacement of ``Turns`` for databases that permit several writers at a time."""
 
-    def turn(self, urgent: bool) -> AbstractContextManager[None]:  # noqa: ARG002  # as Turns.turn
+    def turn(self, urgent: bool) -> AbstractContextManager[None]:  # noqa: ARG002  # signature of Turns.turn
         """Return a context manager that neither waits nor locks."""
         return nullcontext()

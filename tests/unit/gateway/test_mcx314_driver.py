@@ -109,7 +109,7 @@ def faults(server: BoardServer, **counts: int) -> None:
             if name in ("hang_up", "silent_from")
             else frozenset(range(now + count, now + count + 900, 31))
             for name, count in counts.items()
-        }  # type: ignore[arg-type]
+        }  # type: ignore[arg-type]  # the type depends on the name
     )
 
 
@@ -437,6 +437,7 @@ async def test_another_device_is_refused() -> None:
 
 
 async def operate(controller: Mcx314, name: OperationName, **arguments: object) -> None:
+    # arg-type: each argument of an operation has a type of its own.
     operation = replace(Operation(name), **arguments)  # type: ignore[arg-type]
     await perform(operation, controller, TABLE, lambda: False)
 

@@ -37,6 +37,7 @@ async def machine(speed: float = 50.0) -> AsyncIterator[tuple[Table, driver.Grbl
 
 
 async def ask(controller: driver.Grbl, name: OperationName, **arguments: object) -> None:
+    # arg-type: each argument of an operation has a type of its own.
     operation = Operation(name, **arguments)  # type: ignore[arg-type]
     await perform(operation, controller, MACHINE, on_time)
 

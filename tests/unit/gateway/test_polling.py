@@ -35,5 +35,6 @@ def test_a_connection_that_states_no_speed_limits_nothing() -> None:
     class Slow(Quick):
         byte_rate = 960.0
 
+    # arg-type: a transport needs no more than these attributes here.
     assert byte_rate(Quick()) == math.inf  # type: ignore[arg-type]
     assert byte_rate(Slow()) == 960.0  # type: ignore[arg-type]

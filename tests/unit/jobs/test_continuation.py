@@ -79,7 +79,8 @@ def test_a_refused_rest_leaves_its_parent_on_the_table(store: Store) -> None:
     job = rest(store, parent)
     taken = store.compiles.begin("worker")
     assert taken is not None
-    store.compiles.refuse(job.id, taken.epoch, parent.message)  # type: ignore[arg-type]
+    assert parent.message is not None
+    store.compiles.refuse(job.id, taken.epoch, parent.message)
     assert store.jobs.get(parent.id).state == State.INTERRUPTED
     # Another choice may follow.
     assert rest(store, parent).id != job.id

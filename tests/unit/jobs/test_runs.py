@@ -212,6 +212,7 @@ def test_periods_begin_at_midnight_of_the_zone(step: str, expected: str) -> None
     zone = ZoneInfo("Europe/Berlin")
     # The clocks are set forward on this Sunday.
     at = datetime(2026, 3, 29, 23, 30, tzinfo=zone).timestamp()
+    # arg-type: pytest passes the literals of `step` as str.
     begin = datetime.fromtimestamp(period_start(at, step, zone), zone)  # type: ignore[arg-type]
     assert (begin.strftime("%Y-%m-%d"), begin.hour) == (expected, 0)
 
@@ -235,6 +236,7 @@ def test_history_lists_ended_jobs_by_their_end(store: Store, clock: Clock) -> No
     run(store)
 
     def found(**conditions: object) -> list[str]:
+        # arg-type: each condition has a type of its own.
         rows = store.history.search(HistoryFilter(**conditions), None, 10)  # type: ignore[arg-type]
         return [row.id for row in rows]
 

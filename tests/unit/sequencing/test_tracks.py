@@ -22,6 +22,7 @@ TRACKS = Tracks(
 
 
 def chosen(executed: int, **choice: object) -> tuple[list[int], tuple[tuple[int, int], ...]]:
+    # arg-type: each field of the choice has a type of its own.
     found = select_rest(TRACKS, executed, RestChoice(**choice))  # type: ignore[arg-type]
     return found.tracks.tolist(), found.made_lines
 
@@ -49,6 +50,7 @@ def test_executed_lines_divide_the_tracks() -> None:
 
 def test_executed_lines_that_are_made_again() -> None:
     def repeated(executed: int, **choice: object) -> tuple[tuple[int, int], ...]:
+        # arg-type: as in `chosen`.
         found = select_rest(TRACKS, executed, RestChoice(**choice))  # type: ignore[arg-type]
         return found.repeated_lines
 

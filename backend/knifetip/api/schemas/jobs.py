@@ -234,7 +234,7 @@ class JobOut(BaseModel):
         description="Summary of the verdict on the program; null before the program is verified"
     )
 
-    # mypy accepts no decorator on a property; pydantic requires it.
+    # mypy accepts no decorator on a property; pydantic requires it, here and below.
     @computed_field(  # type: ignore[prop-decorator]
         description="Former name of hint", json_schema_extra={"deprecated": True}
     )

@@ -253,7 +253,7 @@ class StationCheck(ABC):
         result: F64 = np.abs(offsets).max(axis=0).reshape(-1, count).max(axis=1)
         return result
 
-    def planned_depths(self, edge: I32, place: F64) -> tuple[F64, F64]:  # noqa: ARG002  # for subclasses
+    def planned_depths(self, edge: I32, place: F64) -> tuple[F64, F64]:  # noqa: ARG002  # subclasses use them
         """Return the least and the greatest planned depth of the tip along k stretches, (k,) mm
         each.
 
