@@ -89,8 +89,8 @@ function EndedJobs({ machine }: { machine: string }) {
     <>
       <div className={css.filters}>
         <TextInput
-          aria-label="Name of the drawing"
-          placeholder="Name of the drawing"
+          aria-label="Drawing name"
+          placeholder="Drawing name"
           leftSection={<IconSearch size={15} aria-hidden />}
           value={filter.drawing ?? ""}
           onChange={(event) => change({ drawing: event.currentTarget.value })}

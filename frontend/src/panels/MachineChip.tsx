@@ -32,7 +32,7 @@ export function MachineChip() {
           className={css.dot}
           style={{ flex: "none", width: 7, height: 7, background: "var(--tone)" }}
         />
-        <span className={css.rowName}>
+        <span className={`${css.rowName} ${lost ? "" : css.machineName}`}>
           {lost ? "Server not reachable" : machine?.title || machine?.name || "…"}
         </span>
         {!lost && machine !== undefined && (

@@ -145,8 +145,9 @@ function Row({ entry }: { entry: QueueEntry }) {
           {job.copies_done > 0 && `, ${job.copies_done} done`}
         </small>
         <small>
-          {formatDuration(entry.seconds)}
-          {startText(entry) !== "" && ` · ${startText(entry)}`}
+          {[entry.seconds > 0 ? formatDuration(entry.seconds) : "", startText(entry)]
+            .filter((text) => text !== "")
+            .join(" · ")}
         </small>
       </span>
       <span className={css.state}>

@@ -138,6 +138,11 @@ describe("reason against an operation", () => {
     expect(reasonAgainst("home", station({}), MACHINE, job({}))).toMatch(/A job runs/);
     expect(reasonAgainst("home", station({}), MACHINE, job({ state: "held" }))).toMatch(/is held/);
   });
+  test("an alarm between two copies: the job cannot be resumed, so it must be stopped", () => {
+    const alarm = station({ alarm: ALARM, state: "alarm" });
+    const reason = reasonAgainst("unlock", alarm, MACHINE, job({ state: "held" }));
+    expect(reason).toBe("A job is on this machine. Stop it first.");
+  });
   test("an alarm leaves homing and unlocking", () => {
     expect(why({ alarm: ALARM, state: "alarm" }, "jog")).toMatch(/alarm locks/);
     expect(why({ alarm: ALARM, state: "alarm" }, "home")).toBeNull();

@@ -120,6 +120,7 @@ export function reasonAgainst(
   if (station.gateway === "") return "The machine is not connected.";
   if (!station.connected) return "The controller of the machine is not connected.";
   if (job !== undefined && isOnTable(job)) {
+    if (station.alarm !== null) return "A job is on this machine. Stop it first.";
     return job.state === "held"
       ? "A job is held on this machine. Resume or stop it first."
       : "A job runs on this machine. Wait until it has ended, or stop it.";
