@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -65,8 +67,35 @@ def test_a_damaged_report_is_no_report(line: str) -> None:
 
 @given(st.text(max_size=60))
 def test_no_text_at_all_breaks_the_reading_of_reports(text: str) -> None:
-    report = answers.report(f"<{text}>")
-    assert report is None or report.state in State
+    assert answers.report(text) is None or text[0] + text[-1] == "<>"
+    answers.report(f"<{text}>")
+
+
+_NUMBERS = st.sampled_from(["0", "7", "-1.5", "1e400", "nan", "-inf", "x"])
+
+
+@given(
+    st.sampled_from(["Idle", "Run", "Hold:0", "Tool"]),
+    st.lists(
+        st.tuples(
+            st.sampled_from(["MPos", "WPos", "WCO", "Bf", "FS", "F", "Ln", "Ov"]),
+            st.lists(_NUMBERS, min_size=1, max_size=4),
+        ),
+        max_size=2,
+    ),
+)
+def test_a_report_that_is_read_has_finite_numbers_only(
+    state: str, fields: list[tuple[str, list[str]]]
+) -> None:
+    report = answers.report(
+        "<" + "|".join([state, *(f"{key}:{','.join(values)}" for key, values in fields)]) + ">"
+    )
+    if report is None:
+        assert fields
+        return
+    poses = (report.machine, report.work, report.offset)
+    numbers = [number for pose in poses if pose is not None for number in pose]
+    assert all(map(math.isfinite, [*numbers, report.feed, report.number]))
 
 
 def test_codes_have_words_and_unknown_ones_say_so() -> None:

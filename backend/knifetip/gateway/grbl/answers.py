@@ -153,6 +153,8 @@ def report(line: str, rotary: int = 3) -> Report | None:
                 free, room = int(blocks), int(bytes_free) if bytes_free else None
             elif key in ("FS", "F"):
                 feed = float(value.split(",")[0])
+                if not math.isfinite(feed):
+                    return None
             elif key == "Ln":
                 number = int(value)
     except ValueError:
