@@ -154,4 +154,27 @@ def test_a_refused_line_leaves_the_state_as_it_was() -> None:
 @given(st.binary(max_size=120))
 def test_no_line_at_all_breaks_the_interpreter(line: bytes) -> None:
     with suppress(LineRefused):
-        assert Interpreter().read(line).dwell in (None, 0.0) or b"4" in line
+        Interpreter().read(line)
+
+
+@given(
+    st.lists(
+        st.tuples(
+            st.sampled_from("GMXYZCIJFPSN"),
+            st.sampled_from([*"012345", "17", "21", "90", "94", "-3.5", "nan", "9" * 200]),
+        ),
+        max_size=6,
+    )
+)
+def test_what_a_line_of_words_does_is_finite_and_a_dwell_needs_its_word(
+    words: list[tuple[str, str]],
+) -> None:
+    line = " ".join(map("".join, words)).encode()
+    try:
+        block = Interpreter().read(line)
+    except LineRefused:
+        return
+    assert (block.dwell is not None) == (b"G4" in line.split())
+    if block.move is not None:
+        assert all(map(math.isfinite, [*block.move.start, *block.move.end]))
+        assert block.move.rate > 0.0
