@@ -69,7 +69,10 @@ def test_a_profile_determines_the_line_types_of_cf2_numbers(client: httpx.Client
     [
         (b"%PDF-1.7\n", "The PDF file is incomplete"),
         (b"<html></html>", "The file is an HTML page"),
-        (b'<!DOCTYPE svg [<!ENTITY a SYSTEM "file:///etc/passwd">]><svg>&a;</svg>', "&a;"),
+        (
+            b'<!DOCTYPE svg [<!ENTITY a SYSTEM "file:///etc/passwd">]><svg>&a;</svg>',
+            "is not loaded",
+        ),
         (cf2_text.carton()[:400], "incomplete"),
         (svg_text.carton()[:400], "incomplete"),
     ],
@@ -79,9 +82,8 @@ def test_an_unreadable_file_is_a_clear_problem(
 ) -> None:
     answer = upload(client, "carton.svg", content)
     assert answer.status_code == 422
-    problem = answer.json()
-    assert words in json.dumps(problem) or "is not loaded" in json.dumps(problem)
-    assert "passwd" not in json.dumps(problem)
+    assert words in answer.json()["detail"]
+    assert "passwd" not in answer.text
     assert "root:" not in answer.text
 
 

@@ -271,7 +271,7 @@ def test_a_file_truncated_anywhere_is_refused_or_complete() -> None:
         # The end mark may be missing; a call of a missing subroutine is reported.
         lost = [reason for reason in report_reasons(part) if "which is not in the file" in reason]
         assert part.ends.tolist() == drawing.ends.tolist() or len(lost) == 2, whole[length - 30 :]
-    assert refusals > 0.9 * len(whole) - 200
+    assert refusals > 0.95 * len(whole)
 
 
 def test_decimal_commas_are_refused_with_the_reason() -> None:
@@ -300,7 +300,8 @@ def test_single_damaged_records_are_dropped_with_a_reason() -> None:
     assert reason["#4"].startswith("a coordinate of the object is not a number")
     assert reason["#5"] == "a coordinate of the object is 1e+308 file units, but the limit is 1e+07"
     assert reason["#6"] == "the object is a CF2 record of a type that is not supported"
-    assert "is not in the file" in reason["#8"] or "cannot be read" in reason["#8"]
+    assert reason["#7"] == "a coordinate of the object is not a number"
+    assert reason["#8"] == "the object inserts the subroutine , which is not in the file"
     assert drawing.lengths.tolist() == [1.0]
 
 

@@ -114,7 +114,6 @@ def test_the_refusal_of_the_server_is_shown(office: Office) -> None:
         (500, b'"a text"'),
         (200, b"[]"),
         (200, b"{}"),
-        (200, b'{"fields": null, "version": 1}'),
         (200, b'{"version": 3}'),
     ],
 )
@@ -122,11 +121,16 @@ def test_an_answer_of_something_else_is_an_error_with_its_address(
     office: Office, status: int, body: bytes
 ) -> None:
     office.answer.update(status=status, body=body)
-    with pytest.raises((JobError, LibraryError)) as failed:
+    with pytest.raises(JobError) as failed:
         find_machine("own", office.url, {})
-    if isinstance(failed.value, JobError):
-        assert failed.value.message.code == "server.answered"
-        assert office.url in str(failed.value)
+    assert failed.value.message.code == "server.answered"
+    assert office.url in str(failed.value)
+
+
+def test_a_definition_without_fields_is_refused_by_the_library(office: Office) -> None:
+    office.answer.update(body=b'{"fields": null, "version": 1}')
+    with pytest.raises(LibraryError, match="own"):
+        find_machine("own", office.url, {})
 
 
 def test_a_definition_that_this_version_cannot_read_names_its_field(office: Office) -> None:
