@@ -54,6 +54,7 @@ def test_the_tip_follows_a_line(
     ends = edge(place, azimuth, length)
     path = made(kind, ends)
     fed = np.flatnonzero(path.motion == Motion.FEED)
+    assert len(fed) > 0
     along = (ends[0, 1] - ends[0, 0]) / length
     for row in np.concatenate([fed, fed + 1]):
         off = tips(path, kind)[row] - ends[0, 0]

@@ -37,7 +37,10 @@ def worked(dieline: Dieline) -> dict[LineType, tuple[int, float]]:
 @pytest.mark.parametrize("seed", range(60))
 def test_a_shuffled_drawing_is_cleaned_with_the_same_result(seed: int) -> None:
     dieline = pipeline.classify(random_drawings.random_drawing(seed)[0], load.profile("default"))
+    unclear = dieline.line_type == LineType.UNCLASSIFIED
+    dieline = replace(dieline, line_type=np.where(unclear, LineType.CUT, dieline.line_type))
     expected = worked(dieline)
+    assert sum(edges for edges, _ in expected.values()) > 0
     for other in range(2):
         found = worked(shuffled(dieline, other))
         for kind, (edges, length) in expected.items():

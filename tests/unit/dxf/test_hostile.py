@@ -111,14 +111,17 @@ def test_million_entities_are_refused_unread() -> None:
 
 def test_file_cut_at_every_byte_is_read_whole_or_refused() -> None:
     whole = dxf(_LINE, insert("A", 20), entity("TEXT", (1, "x")), blocks=(block("A", _LINE),))
+    complete = 0
     for size in range(len(whole) - 4):
         try:
             drawing = read(whole[:size])
         except KnifetipError:
             continue
+        complete += 1
         # All sections are closed; only the end mark is missing.
         assert whole[size:].replace(b"0\nEOF\n", b"").strip(b"\n0EOF") == b""
         assert len(drawing) == 2
+    assert complete == 3
 
 
 @pytest.mark.parametrize(

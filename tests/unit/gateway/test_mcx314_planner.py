@@ -97,5 +97,6 @@ def test_a_hold_ramps_down_along_the_path() -> None:
 
 def test_pieces_last_longer_than_the_writing_of_the_next() -> None:
     found = pieces(line(7_777), line(7_777, 300), line(90), line(20_000))
+    assert sum(piece.last - piece.first for piece in found) == 2 * 7_777 + 90 + 20_000
     for piece in found[:-1]:
         assert (piece.last - piece.first) / 80_000.0 > WIRING.refill

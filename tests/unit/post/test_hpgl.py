@@ -157,6 +157,7 @@ def test_the_creasing_tool_turns_by_little_where_two_chords_meet(
     points = [(4000, 4000)] + [
         tuple(map(int, line[2:-1].split(","))) for line in lines if re.match("PD[0-9]", line)
     ]
+    assert points[-1] == (round(40.0 * x), round(40.0 * y))
     steps = [complex(*end) - complex(*start) for start, end in itertools.pairwise(points)]
     for before, after in itertools.pairwise(steps):
         turn = abs(math.degrees(cmath.phase(after / before)))
