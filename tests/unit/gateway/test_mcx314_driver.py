@@ -199,6 +199,14 @@ async def test_an_abort_ramps_down_lifts_the_tool_and_releases_the_station() -> 
         assert (await run_to_end(strips(1), controller))[-1].state is State.IDLE
 
 
+async def test_an_aborted_program_counts_as_ended_when_the_next_one_is_followed() -> None:
+    async with connected() as (_, controller):
+        async with run(strips(2), controller) as course:
+            progress = await until_cutting(course)
+        assert progress.executed < progress.lines
+        assert (await controller.status()).acknowledged == controller.sent == progress.lines
+
+
 async def test_the_line_that_the_board_executes_is_reported_and_not_the_sent_one() -> None:
     async with connected() as (server, controller), run(strips(2), controller) as course:
         progress = await until_cutting(course)
