@@ -358,7 +358,6 @@ def test_a_code_that_the_server_does_not_have_keeps_its_text(
     "why",
     [
         {"code": "gateway.cancelled", "arguments": {"line": "many"}},
-        {"code": "controller.not-stopped", "arguments": {"error": [1], "progress": [1]}},
         {"code": "job.late-report", "arguments": {"report": {"deep": [{}]}}, "more": 1},
         {"code": "controller.stopped", "arguments": {"error": [], "progress": {}, "height": "x"}},
         {"code": "stored.text", "arguments": {"text": "x" * 30_000, "hint": ""}},
@@ -366,12 +365,22 @@ def test_a_code_that_the_server_does_not_have_keeps_its_text(
         7,
     ],
 )
-def test_a_malformed_message_is_refused_or_stored_as_text_and_never_an_internal_error(
+def test_a_malformed_message_is_refused_and_changes_nothing(
     client: httpx.Client, claimed: dict[str, Any], why: object
 ) -> None:
-    assert interrupted_for(client, claimed, why).status_code in (200, 422)
-    job = client.get(f"/api/jobs/{claimed['job']}")
-    assert job.status_code == 200
+    before = client.get(f"/api/jobs/{claimed['job']}").json()["state"]
+    assert interrupted_for(client, claimed, why).status_code == 422
+    assert client.get(f"/api/jobs/{claimed['job']}").json()["state"] == before != "interrupted"
+    assert client.get(f"/api/jobs/{claimed['job']}/events").status_code == 200
+
+
+def test_arguments_that_are_no_messages_are_not_stored(
+    client: httpx.Client, claimed: dict[str, Any]
+) -> None:
+    wrong = {"code": "controller.not-stopped", "arguments": {"error": [1], "progress": [1]}}
+    job = interrupted_for(client, claimed, wrong).json()
+    stored = {"code": "stored.text", "arguments": {"text": "", "hint": ""}}
+    assert job["message"]["arguments"]["cause"] == stored
     assert client.get(f"/api/jobs/{claimed['job']}/events").status_code == 200
 
 

@@ -107,15 +107,18 @@ def test_an_invalid_version_is_refused(client: httpx.Client, match: str) -> None
 
 
 @pytest.mark.parametrize(
-    "name",
+    ("name", "status"),
     [
-        "ACME", "a.toml.toml", "..", "a b", "-a", "_a", "x" * 65, "größe", "a%2F..%2Fb",
-        "%2e%2e%2fsecret", "a%00b", "%F0%9F%98%80", "c:\\x", "con.", "default.toml",
+        *dict.fromkeys(["..", "a%2F..%2Fb", "%2e%2e%2fsecret"], 404).items(),  # other addresses
+        *dict.fromkeys([
+            "ACME", "a.toml.toml", "a b", "-a", "_a", "x" * 65, "größe", "a%00b", "%F0%9F%98%80",
+            "c:\\x", "con.", "default.toml",
+        ], 422).items(),
     ],
 )  # fmt: skip
-def test_a_name_is_a_name_and_never_a_path(client: httpx.Client, name: str) -> None:
+def test_a_name_is_a_name_and_never_a_path(client: httpx.Client, name: str, status: int) -> None:
     answer = keep(client, name)
-    assert answer.status_code in (404, 405, 409, 422), answer.text
+    assert answer.status_code == status, answer.text
     assert answer.headers["content-type"] == "application/problem+json"
 
 
