@@ -8,12 +8,10 @@ import re
 from collections.abc import AsyncIterator, Mapping
 from contextlib import asynccontextmanager
 from importlib.metadata import version
-from typing import Any
 
 import sqlalchemy.exc
 from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
-from fastapi.openapi.utils import get_openapi
 from fastapi.routing import APIRoute
 from starlette.exceptions import HTTPException
 
@@ -34,12 +32,13 @@ from knifetip.api import (
     tools,
 )
 from knifetip.api.access import Access
+from knifetip.api.api_version import ApiVersion
+from knifetip.api.description import Description
 from knifetip.api.headers import SecurityHeaders
 from knifetip.api.limits import Limits
-from knifetip.api.problems import PROBLEM, problem
+from knifetip.api.problems import problem
 from knifetip.api.queue import WorkQueue
-from knifetip.api.schemas.common import Health, Problem, ServiceOut
-from knifetip.api.schemas.messages import describe_codes
+from knifetip.api.schemas.common import Health, ServiceOut
 from knifetip.api.service import Service, ServiceDep, Settings
 from knifetip.api.site import Site
 from knifetip.fields import fault_message
@@ -131,7 +130,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         version=version("knifetip"),
         description="Carton dielines in, compensated and verified machine programs out.",
         lifespan=lifespan,
-        openapi_url="/api/openapi.json",
+        # ``Description`` serves it with the paths of either prefix.
+        openapi_url=None,
         # These pages load scripts from the internet, which a shop floor may not reach.
         docs_url=None,
         redoc_url=None,
@@ -142,11 +142,14 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_api_route("/healthz", _health, response_model=Health, tags=["health"])
     app.add_api_route("/readyz", _ready, response_model=Health, tags=["health"])
     app.add_api_route("/api/service", _status, response_model=ServiceOut, tags=["health"])
+    description = Description(app)
+    app.add_route("/api/openapi.json", description.answer, include_in_schema=False)
     app.router.default = Site(chosen.page)
     # The middleware added last is the outermost.
     app.add_middleware(Limits, upload=chosen.upload, body=chosen.body)
     app.add_middleware(Access, rules=chosen.access)
     app.add_middleware(SecurityHeaders)
+    app.add_middleware(ApiVersion)
     app.add_exception_handler(errors.KnifetipError, _knifetip_problem)
     app.add_exception_handler(RequestValidationError, _request_problem)
     app.add_exception_handler(HTTPException, _http_problem)
@@ -155,13 +158,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_exception_handler(sqlalchemy.exc.DBAPIError, _database_problem)
     app.add_exception_handler(Exception, _internal_problem)
 
-    def openapi() -> dict[str, Any]:
-        if app.openapi_schema is None:
-            app.openapi_schema = _openapi(app)
-        return app.openapi_schema
-
     # The documented way to customise FastAPI's schema.
-    app.openapi = openapi  # type: ignore[method-assign]  # mypy rejects it
+    app.openapi = description.versioned  # type: ignore[method-assign]  # mypy rejects it
     return app
 
 
@@ -269,40 +267,3 @@ async def _internal_problem(request: Request, error: Exception) -> Response:
 
 def _operation_id(route: APIRoute) -> str:
     return route.name.strip("_")
-
-
-def _openapi(app: FastAPI) -> dict[str, Any]:
-    """Return the OpenAPI 3.1 schema of an application.
-
-    The schema also describes the error responses of all routes and the codes of all messages.
-    """
-    described = get_openapi(
-        title=app.title,
-        version=app.version,
-        description=app.description,
-        routes=app.routes,
-    )
-    schemas = described["components"]["schemas"]
-    for name in ("HTTPValidationError", "ValidationError"):
-        schemas.pop(name, None)
-    for name, schema in (
-        Problem.model_json_schema(ref_template="#/components/schemas/{model}", mode="serialization")
-        .pop("$defs", {})
-        .items()
-    ):
-        schemas.setdefault(name, schema)
-    own = Problem.model_json_schema(
-        ref_template="#/components/schemas/{model}", mode="serialization"
-    )
-    own.pop("$defs", None)
-    schemas["Problem"] = own
-    describe_codes(schemas)
-    answer = {
-        "description": "Error with a hint",
-        "content": {PROBLEM: {"schema": {"$ref": "#/components/schemas/Problem"}}},
-    }
-    for path in described["paths"].values():
-        for operation in path.values():
-            operation["responses"].pop("422", None)
-            operation["responses"]["default"] = answer
-    return described

@@ -10,7 +10,7 @@ from knifetip.messages import from_json
 
 
 class JobClient:
-    """HTTP client for the routes of the server under ``/api/jobs``."""
+    """HTTP client for the routes of the server under ``/api/v1/jobs``."""
 
     def __init__(self, server: str, key: str = "") -> None:
         self._headers = {"X-Knifetip": "cli"}
@@ -26,12 +26,12 @@ class JobClient:
         params: dict[str, Any] | None = None,
         body: dict[str, str] | None = None,
     ) -> Any:
-        """Send a request to a path under ``/api/jobs`` and return the decoded JSON answer.
+        """Send a request to a path under ``/api/v1/jobs`` and return the decoded JSON answer.
 
         Parameters
         ----------
         method, path
-            HTTP method, and path after ``/api/jobs``.
+            HTTP method, and path after ``/api/v1/jobs``.
         params
             Query parameters; None for none.
         body
@@ -45,7 +45,7 @@ class JobClient:
         """
         import httpx  # imported here: slow, and other commands do not need it
 
-        url = f"{self._server}/api/jobs{path}"
+        url = f"{self._server}/api/v1/jobs{path}"
         try:
             answer = httpx.request(
                 method, url, params=params, json=body, headers=self._headers, timeout=30.0

@@ -56,7 +56,7 @@ def find_machine(name: str, server: str, headers: Mapping[str, str]) -> Machine:
         return load.machine(name)
     import httpx  # imported here: slow, and other commands do not need it
 
-    url = f"{server.rstrip('/')}/api/machines/{quote(name, safe='')}/definition"
+    url = f"{server.rstrip('/')}/api/v1/machines/{quote(name, safe='')}/definition"
     try:
         answer = httpx.get(url, headers={"X-Knifetip": "gateway", **headers}, timeout=30.0)
         content = answer.json()

@@ -88,18 +88,18 @@ describe("an error", () => {
 test("a name is escaped in the path", async () => {
   answers("{}", { status: 200 });
   await service.drawing("../jobs?x");
-  expect(addressOf(0)).toBe("/api/drawings/..%2Fjobs%3Fx");
+  expect(addressOf(0)).toBe("/api/v1/drawings/..%2Fjobs%3Fx");
 });
 
 describe("a list", () => {
   test("takes the next page from its Link header", async () => {
-    const link = '</api/jobs?state=done&cursor=41&limit=100>; rel="next"';
+    const link = '</api/v1/jobs?state=done&cursor=41&limit=100>; rel="next"';
     answers('[{"id": "a"}]', { status: 200, headers: { Link: link } });
     const { rows, next } = await service.jobs();
     expect(rows.map(({ id }) => id)).toEqual(["a"]);
     expect(next).toBe(41);
     await service.jobs(undefined, next);
-    expect(addressOf(1)).toBe("/api/jobs?cursor=41");
+    expect(addressOf(1)).toBe("/api/v1/jobs?cursor=41");
   });
 
   test("without a Link header is complete", async () => {
@@ -107,10 +107,12 @@ describe("a list", () => {
     expect(await service.drawings()).toEqual({ rows: [], next: null });
   });
 
-  test.each([null, "", '</api/jobs?cursor=1>; rel="prev"', '<https://else.where/api>; rel="next"'])(
-    "ignores the Link header %s",
-    (link) => expect(nextCursor(link)).toBeNull(),
-  );
+  test.each([
+    null,
+    "",
+    '</api/v1/jobs?cursor=1>; rel="prev"',
+    '<https://else.where/api>; rel="next"',
+  ])("ignores the Link header %s", (link) => expect(nextCursor(link)).toBeNull());
 });
 
 describe("a request", () => {

@@ -15,7 +15,7 @@ import { fetchOnce, fetchWithRetries, OWN_PAGE, upload } from "./transport";
 export { type Problem, pageProblem, ServiceError } from "./errors";
 
 type Schemas = components["schemas"];
-type StationPaths = paths["/api/machines/{name}/station"];
+type StationPaths = paths["/api/v1/machines/{name}/station"];
 export type Board = Schemas["BoardOut"];
 export type Calibration = Schemas["CalibrationOut"];
 /** Points measured on a test cut. */
@@ -138,7 +138,7 @@ export interface Page<T> {
 /** Cursor in the Link header of a list; null if there is no next page. */
 export function nextCursor(link: string | null): number | null {
   const [, address = ""] = /<([^>]*)>\s*;[^,]*\brel="?next"?/.exec(link ?? "") ?? [];
-  if (!address.startsWith("/api/")) return null;
+  if (!address.startsWith("/api/v1/")) return null;
   const cursor = new URL(address, "http://localhost").searchParams.get("cursor");
   return cursor === null || cursor === "" ? null : Number(cursor);
 }
@@ -160,7 +160,7 @@ export interface HistoryFilter {
   readonly since?: number | undefined;
 }
 export type EndedState = NonNullable<
-  NonNullable<paths["/api/history"]["get"]["parameters"]["query"]>["state"]
+  NonNullable<paths["/api/v1/history"]["get"]["parameters"]["query"]>["state"]
 >[number];
 
 /** Part of the list of ended jobs; its cursor is a text. */
@@ -180,7 +180,7 @@ async function fetchHistory(
     ...(since === undefined ? {} : { since }),
     ...(cursor === null ? {} : { cursor }),
   };
-  const { data, response } = await api.GET("/api/history", {
+  const { data, response } = await api.GET("/api/v1/history", {
     params: { query },
     ...uncached(signal),
   });
@@ -199,7 +199,7 @@ export function revisionOf(etag: string | null): number | null {
 /** The edges, with the revision of their drawing. */
 async function fetchEdges(id: string, signal?: AbortSignal): Promise<Edges> {
   const params = { ...byId(id), query: { format: "columns" as const } };
-  const { data, response } = await api.GET("/api/drawings/{id}/edges", {
+  const { data, response } = await api.GET("/api/v1/drawings/{id}/edges", {
     params,
     ...binary(signal),
   });
@@ -215,7 +215,7 @@ const putProfile = (
   version: number | null,
 ): Promise<Profile> =>
   dataOf(
-    api.PUT("/api/profiles/{name}", {
+    api.PUT("/api/v1/profiles/{name}", {
       params: { ...byName(name), ...ifMatch(version) },
       body,
       bodySerializer: (profile) =>
@@ -233,7 +233,7 @@ const putDefinition = (
   { version, note }: { version: number | null; note: string },
 ): Promise<Definition> =>
   dataOf(
-    api.PUT(`/api/${shelf}/{name}`, {
+    api.PUT(`/api/v1/${shelf}/{name}`, {
       params: { ...byName(name), ...ifMatch(version), query: { by: operatorName(), note } },
       body: typeof body === "string" ? body : JSON.stringify(body),
       bodySerializer: String,
@@ -245,9 +245,9 @@ const putDefinition = (
 
 export const service = {
   drawings: (signal?: AbortSignal, cursor: number | null = null): Promise<Page<DrawingSummary>> =>
-    pageOf(api.GET("/api/drawings", { params: { query: { cursor } }, ...uncached(signal) })),
+    pageOf(api.GET("/api/v1/drawings", { params: { query: { cursor } }, ...uncached(signal) })),
   drawing: (id: string, signal?: AbortSignal): Promise<Drawing> =>
-    dataOf(api.GET("/api/drawings/{id}", { params: byId(id), ...uncached(signal) })),
+    dataOf(api.GET("/api/v1/drawings/{id}", { params: byId(id), ...uncached(signal) })),
   edges: fetchEdges,
   importReport: (
     id: string,
@@ -255,7 +255,7 @@ export const service = {
     signal?: AbortSignal,
   ): Promise<Schemas["ImportReportOut"]> =>
     dataOf(
-      api.GET("/api/drawings/{id}/import-report", {
+      api.GET("/api/v1/drawings/{id}/import-report", {
         params: { ...byId(id), query: { outcome } },
         ...uncached(signal),
       }),
@@ -268,29 +268,29 @@ export const service = {
     revision: number | null,
   ): Promise<Drawing> =>
     dataOf(
-      api.PATCH("/api/drawings/{id}", {
+      api.PATCH("/api/v1/drawings/{id}", {
         params: { ...byId(id), ...ifMatch(revision) },
         body: { ...change, rules },
       }),
     ),
   override: (id: string, overrides: Override[], revision: number | null): Promise<Drawing> =>
     dataOf(
-      api.PATCH("/api/drawings/{id}/edges", {
+      api.PATCH("/api/v1/drawings/{id}/edges", {
         params: { ...byId(id), ...ifMatch(revision) },
         body: { overrides },
       }),
     ),
 
   jobs: (signal?: AbortSignal, cursor: number | null = null): Promise<Page<Job>> =>
-    pageOf(api.GET("/api/jobs", { params: { query: { cursor } }, ...uncached(signal) })),
+    pageOf(api.GET("/api/v1/jobs", { params: { query: { cursor } }, ...uncached(signal) })),
   job: (id: string, signal?: AbortSignal): Promise<Job> =>
-    dataOf(api.GET("/api/jobs/{id}", { params: byId(id), ...uncached(signal) })),
+    dataOf(api.GET("/api/v1/jobs/{id}", { params: byId(id), ...uncached(signal) })),
   compile: (order: JobOrder): Promise<Job> =>
     dataOf(
-      api.POST("/api/jobs", { body: { ...order, priority: 0, overrides: [], release: false } }),
+      api.POST("/api/v1/jobs", { body: { ...order, priority: 0, overrides: [], release: false } }),
     ),
   queue: async (machine: string, signal?: AbortSignal): Promise<Queue & { tag: string | null }> => {
-    const { data, response } = await api.GET("/api/machines/{name}/queue", {
+    const { data, response } = await api.GET("/api/v1/machines/{name}/queue", {
       params: byName(machine),
       ...uncached(signal),
     });
@@ -299,18 +299,18 @@ export const service = {
   /** Move a job between others, if the queue still has this ETag. */
   moveJob: (id: string, place: Neighbours, tag: string | null): Promise<Job> =>
     dataOf(
-      api.POST("/api/jobs/{id}/move", {
+      api.POST("/api/v1/jobs/{id}/move", {
         params: { ...byId(id), header: tag === null ? {} : { "If-Match": tag } },
         body: { ...place, by: operatorName() },
       }),
     ),
   changeJob: (id: string, change: WaitingChange): Promise<Job> =>
     dataOf(
-      api.PATCH("/api/jobs/{id}", { params: byId(id), body: { ...change, by: operatorName() } }),
+      api.PATCH("/api/v1/jobs/{id}", { params: byId(id), body: { ...change, by: operatorName() } }),
     ),
   transferJob: (id: string, machine: string): Promise<Job> =>
     dataOf(
-      api.POST("/api/jobs/{id}/transfer", {
+      api.POST("/api/v1/jobs/{id}/transfer", {
         params: byId(id),
         body: { machine, by: operatorName() },
       }),
@@ -322,20 +322,22 @@ export const service = {
   ): Promise<Statistics[]> => {
     const zone = Intl.DateTimeFormat().resolvedOptions().timeZone;
     const query = { machine, step, since, zone };
-    return dataOf(api.GET("/api/statistics", { params: { query }, ...uncached(signal) }));
+    return dataOf(api.GET("/api/v1/statistics", { params: { query }, ...uncached(signal) }));
   },
   tools: (machine: string, signal?: AbortSignal): Promise<ToolUse[]> =>
-    dataOf(api.GET("/api/machines/{name}/tools", { params: byName(machine), ...uncached(signal) })),
+    dataOf(
+      api.GET("/api/v1/machines/{name}/tools", { params: byName(machine), ...uncached(signal) }),
+    ),
   recordToolChange: (machine: string, station: number): Promise<ToolUse[]> =>
     dataOf(
-      api.POST("/api/machines/{name}/tools/{station}/changed", {
+      api.POST("/api/v1/machines/{name}/tools/{station}/changed", {
         params: { path: { name: machine, station } },
         body: { by: operatorName() },
       }),
     ),
   setToolLife: (machine: string, station: number, life: number): Promise<ToolUse[]> =>
     dataOf(
-      api.PUT("/api/machines/{name}/tools/{station}/life", {
+      api.PUT("/api/v1/machines/{name}/tools/{station}/life", {
         params: { path: { name: machine, station } },
         body: { life, by: operatorName() },
       }),
@@ -344,20 +346,20 @@ export const service = {
   command: (id: string, command: JobCommand, phase: number | null = null): Promise<Job> =>
     command === "confirm"
       ? dataOf(
-          api.POST("/api/jobs/{id}/confirm", {
+          api.POST("/api/v1/jobs/{id}/confirm", {
             params: byId(id),
             body: { changed: [], worn_reason: "", by: operatorName() },
           }),
         )
       : command === "resume"
-        ? dataOf(api.POST("/api/jobs/{id}/resume", { params: byId(id), body: { phase } }))
-        : dataOf(api.POST(`/api/jobs/{id}/${command}`, { params: byId(id) })),
+        ? dataOf(api.POST("/api/v1/jobs/{id}/resume", { params: byId(id), body: { phase } }))
+        : dataOf(api.POST(`/api/v1/jobs/{id}/${command}`, { params: byId(id) })),
   confirmation: (id: string, signal?: AbortSignal): Promise<Confirmation> =>
-    dataOf(api.GET("/api/jobs/{id}/confirmation", { params: byId(id), ...uncached(signal) })),
+    dataOf(api.GET("/api/v1/jobs/{id}/confirmation", { params: byId(id), ...uncached(signal) })),
   /** Confirm what the operator has checked: it is sent once, and never late. */
   confirmNow: (id: string, checked: CheckedTable): Promise<Job> =>
     dataOf(
-      api.POST("/api/jobs/{id}/confirm", {
+      api.POST("/api/v1/jobs/{id}/confirm", {
         params: byId(id),
         body: { by: operatorName(), ...checked },
         ...nowOrNever(),
@@ -366,39 +368,41 @@ export const service = {
   /** Resume in the phase of the run that the user has seen: it is sent once, and never late. */
   resumeNow: (id: string, phase: number | null): Promise<Job> =>
     dataOf(
-      api.POST("/api/jobs/{id}/resume", { params: byId(id), body: { phase }, ...nowOrNever() }),
+      api.POST("/api/v1/jobs/{id}/resume", { params: byId(id), body: { phase }, ...nowOrNever() }),
     ),
   tracks: (id: string, signal?: AbortSignal): Promise<readonly Track[]> =>
-    dataOf(api.GET("/api/jobs/{id}/tracks", { params: byId(id), ...uncached(signal) })),
+    dataOf(api.GET("/api/v1/jobs/{id}/tracks", { params: byId(id), ...uncached(signal) })),
   continueJob: (id: string, choice: RestChoice): Promise<Job> =>
-    dataOf(api.POST("/api/jobs/{id}/rest", { params: byId(id), body: choice })),
+    dataOf(api.POST("/api/v1/jobs/{id}/rest", { params: byId(id), body: choice })),
   accept: (id: string, exceptions: Exceptions): Promise<Job> =>
-    dataOf(api.POST("/api/jobs/{id}/exceptions", { params: byId(id), body: exceptions })),
+    dataOf(api.POST("/api/v1/jobs/{id}/exceptions", { params: byId(id), body: exceptions })),
   earlierExceptions: (id: string, signal?: AbortSignal): Promise<EarlierExceptions | null> =>
-    dataOf(api.GET("/api/jobs/{id}/earlier-exceptions", { params: byId(id), ...uncached(signal) })),
+    dataOf(
+      api.GET("/api/v1/jobs/{id}/earlier-exceptions", { params: byId(id), ...uncached(signal) }),
+    ),
   verdict: async (id: string, signal?: AbortSignal): Promise<Verdict> => {
     const params = { ...byId(id), query: { format: "json" as const } };
-    const { data } = await api.GET("/api/jobs/{id}/verdict", { params, ...uncached(signal) });
+    const { data } = await api.GET("/api/v1/jobs/{id}/verdict", { params, ...uncached(signal) });
     return data as Verdict;
   },
   verdictColumns: async (id: string, signal?: AbortSignal): Promise<VerdictColumns> => {
     const params = { ...byId(id), query: { format: "columns" as const } };
-    const { data } = await api.GET("/api/jobs/{id}/verdict", { params, ...binary(signal) });
+    const { data } = await api.GET("/api/v1/jobs/{id}/verdict", { params, ...binary(signal) });
     return verdictColumnsOf(data as ArrayBuffer);
   },
   toolpath: async (id: string, signal?: AbortSignal): Promise<Toolpath> => {
     const init = { params: byId(id), ...binary(signal) };
-    return toolpathOf((await api.GET("/api/jobs/{id}/toolpath", init)).data as ArrayBuffer);
+    return toolpathOf((await api.GET("/api/v1/jobs/{id}/toolpath", init)).data as ArrayBuffer);
   },
-  programUrl: (id: string) => `/api/jobs/${encodeURIComponent(id)}/program`,
+  programUrl: (id: string) => `/api/v1/jobs/${encodeURIComponent(id)}/program`,
 
   status: (signal?: AbortSignal): Promise<ServiceStatus> =>
-    dataOf(api.GET("/api/service", uncached(signal))),
+    dataOf(api.GET("/api/v1/service", uncached(signal))),
   machines: (signal?: AbortSignal): Promise<Machine[]> =>
-    dataOf(api.GET("/api/machines", uncached(signal))),
+    dataOf(api.GET("/api/v1/machines", uncached(signal))),
   station: (name: string, signal: AbortSignal): Promise<Station> =>
     dataOf(
-      api.GET("/api/machines/{name}/station", {
+      api.GET("/api/v1/machines/{name}/station", {
         params: byName(name),
         cache: "no-store",
         fetch: fetchOnce,
@@ -407,7 +411,7 @@ export const service = {
     ),
   operate: (name: string, request: OperationRequest): Promise<Operation> =>
     dataOf(
-      api.POST("/api/machines/{name}/operations", {
+      api.POST("/api/v1/machines/{name}/operations", {
         params: byName(name),
         body: request,
         ...nowOrNever(),
@@ -415,23 +419,23 @@ export const service = {
     ),
   operation: (name: string, id: string): Promise<Operation> =>
     dataOf(
-      api.GET("/api/machines/{name}/operations/{id}", {
+      api.GET("/api/v1/machines/{name}/operations/{id}", {
         params: { path: { name, id } },
         cache: "no-store",
         ...nowOrNever(),
       }),
     ),
   formats: (signal?: AbortSignal): Promise<Format[]> =>
-    dataOf(api.GET("/api/formats", uncached(signal))),
+    dataOf(api.GET("/api/v1/formats", uncached(signal))),
   boards: (signal?: AbortSignal): Promise<Board[]> =>
-    dataOf(api.GET("/api/boards", uncached(signal))),
+    dataOf(api.GET("/api/v1/boards", uncached(signal))),
   /** Compute the deflection of a cutter from a measured test cut; nothing is stored. */
   calibrate: (board: string, order: CalibrationOrder): Promise<Calibration> =>
-    dataOf(api.POST("/api/boards/{name}/deflection", { params: byName(board), body: order })),
+    dataOf(api.POST("/api/v1/boards/{name}/deflection", { params: byName(board), body: order })),
   library: (signal?: AbortSignal): Promise<LibraryEntry[]> =>
-    dataOf(api.GET("/api/library", uncached(signal))),
+    dataOf(api.GET("/api/v1/library", uncached(signal))),
   librarySchema: (kind: Shelf, signal?: AbortSignal): Promise<Record<string, unknown>> =>
-    dataOf(api.GET("/api/schemas/{kind}", { params: { path: { kind } }, ...uncached(signal) })),
+    dataOf(api.GET("/api/v1/schemas/{kind}", { params: { path: { kind } }, ...uncached(signal) })),
   definition: (
     shelf: Shelf,
     name: string,
@@ -439,7 +443,7 @@ export const service = {
     signal?: AbortSignal,
   ): Promise<Definition> =>
     dataOf(
-      api.GET(`/api/${shelf}/{name}/definition`, {
+      api.GET(`/api/v1/${shelf}/{name}/definition`, {
         params: { ...byName(name), query: { version } },
         ...uncached(signal),
       }),
@@ -449,27 +453,32 @@ export const service = {
     name: string,
     signal?: AbortSignal,
   ): Promise<LibraryVersion[]> =>
-    dataOf(api.GET(`/api/${shelf}/{name}/versions`, { params: byName(name), ...uncached(signal) })),
-  definitionUrl: (shelf: Shelf, name: string) => `/api/${shelf}/${encodeURIComponent(name)}/toml`,
+    dataOf(
+      api.GET(`/api/v1/${shelf}/{name}/versions`, { params: byName(name), ...uncached(signal) }),
+    ),
+  definitionUrl: (shelf: Shelf, name: string) =>
+    `/api/v1/${shelf}/${encodeURIComponent(name)}/toml`,
   putDefinition,
   deleteDefinition: async (shelf: Shelf, name: string, version: number): Promise<void> => {
-    await api.DELETE(`/api/${shelf}/{name}`, {
+    await api.DELETE(`/api/v1/${shelf}/{name}`, {
       params: { ...byName(name), ...ifMatch(version) },
     });
   },
   profiles: (signal?: AbortSignal): Promise<Profile[]> =>
-    dataOf(api.GET("/api/profiles", uncached(signal))),
+    dataOf(api.GET("/api/v1/profiles", uncached(signal))),
   profile: (name: string, signal?: AbortSignal): Promise<Profile> =>
-    dataOf(api.GET("/api/profiles/{name}", { params: byName(name), ...uncached(signal) })),
+    dataOf(api.GET("/api/v1/profiles/{name}", { params: byName(name), ...uncached(signal) })),
   profileText: (name: string): Promise<string> =>
-    dataOf(api.GET("/api/profiles/{name}.toml", { params: byName(name), parseAs: "text" })),
-  profileUrl: (name: string) => `/api/profiles/${encodeURIComponent(name)}.toml`,
+    dataOf(api.GET("/api/v1/profiles/{name}.toml", { params: byName(name), parseAs: "text" })),
+  profileUrl: (name: string) => `/api/v1/profiles/${encodeURIComponent(name)}.toml`,
   putProfile,
   deleteProfile: async (name: string, version: number): Promise<void> => {
-    await api.DELETE("/api/profiles/{name}", { params: { ...byName(name), ...ifMatch(version) } });
+    await api.DELETE("/api/v1/profiles/{name}", {
+      params: { ...byName(name), ...ifMatch(version) },
+    });
   },
   preview: (id: string, profile: ProfileDraft): Promise<Preview> =>
-    dataOf(api.POST("/api/drawings/{id}/preview", { params: byId(id), body: profile })),
+    dataOf(api.POST("/api/v1/drawings/{id}/preview", { params: byId(id), body: profile })),
   learned: (id: string, signal?: AbortSignal): Promise<Proposal[]> =>
-    dataOf(api.POST("/api/drawings/{id}/learned", { params: byId(id), signal: signal ?? null })),
+    dataOf(api.POST("/api/v1/drawings/{id}/learned", { params: byId(id), signal: signal ?? null })),
 };

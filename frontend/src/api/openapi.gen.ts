@@ -4,7 +4,7 @@
  */
 
 export interface paths {
-    "/api/drawings": {
+    "/api/v1/drawings": {
         parameters: {
             query?: never;
             header?: never;
@@ -30,7 +30,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/drawings/{id}": {
+    "/api/v1/drawings/{id}": {
         parameters: {
             query?: never;
             header?: never;
@@ -62,7 +62,7 @@ export interface paths {
         patch: operations["change_drawing"];
         trace?: never;
     };
-    "/api/drawings/{id}/edges": {
+    "/api/v1/drawings/{id}/edges": {
         parameters: {
             query?: never;
             header?: never;
@@ -88,7 +88,7 @@ export interface paths {
         patch: operations["override_edges"];
         trace?: never;
     };
-    "/api/drawings/{id}/picture": {
+    "/api/v1/drawings/{id}/picture": {
         parameters: {
             query?: never;
             header?: never;
@@ -108,7 +108,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/drawings/{id}/import-report": {
+    "/api/v1/drawings/{id}/import-report": {
         parameters: {
             query?: never;
             header?: never;
@@ -128,7 +128,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/drawings/{id}/cleaning": {
+    "/api/v1/drawings/{id}/cleaning": {
         parameters: {
             query?: never;
             header?: never;
@@ -150,7 +150,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/drawings/{id}/file": {
+    "/api/v1/drawings/{id}/file": {
         parameters: {
             query?: never;
             header?: never;
@@ -170,7 +170,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/jobs": {
+    "/api/v1/jobs": {
         parameters: {
             query?: never;
             header?: never;
@@ -198,7 +198,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/jobs/{id}": {
+    "/api/v1/jobs/{id}": {
         parameters: {
             query?: never;
             header?: never;
@@ -226,7 +226,7 @@ export interface paths {
         patch: operations["change_job"];
         trace?: never;
     };
-    "/api/jobs/{id}/events": {
+    "/api/v1/jobs/{id}/events": {
         parameters: {
             query?: never;
             header?: never;
@@ -246,7 +246,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/jobs/{id}/program": {
+    "/api/v1/jobs/{id}/program": {
         parameters: {
             query?: never;
             header?: never;
@@ -266,7 +266,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/jobs/{id}/verdict": {
+    "/api/v1/jobs/{id}/verdict": {
         parameters: {
             query?: never;
             header?: never;
@@ -286,7 +286,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/jobs/{id}/toolpath": {
+    "/api/v1/jobs/{id}/toolpath": {
         parameters: {
             query?: never;
             header?: never;
@@ -313,7 +313,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/jobs/{id}/earlier-exceptions": {
+    "/api/v1/jobs/{id}/earlier-exceptions": {
         parameters: {
             query?: never;
             header?: never;
@@ -338,7 +338,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/jobs/{id}/exceptions": {
+    "/api/v1/jobs/{id}/exceptions": {
         parameters: {
             query?: never;
             header?: never;
@@ -364,7 +364,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/jobs/{id}/release": {
+    "/api/v1/jobs/{id}/release": {
         parameters: {
             query?: never;
             header?: never;
@@ -384,7 +384,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/jobs/{id}/recompile": {
+    "/api/v1/jobs/{id}/recompile": {
         parameters: {
             query?: never;
             header?: never;
@@ -408,7 +408,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/jobs/{id}/confirm": {
+    "/api/v1/jobs/{id}/confirm": {
         parameters: {
             query?: never;
             header?: never;
@@ -434,7 +434,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/jobs/{id}/hold": {
+    "/api/v1/jobs/{id}/hold": {
         parameters: {
             query?: never;
             header?: never;
@@ -454,7 +454,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/jobs/{id}/resume": {
+    "/api/v1/jobs/{id}/resume": {
         parameters: {
             query?: never;
             header?: never;
@@ -479,7 +479,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/jobs/{id}/cancel": {
+    "/api/v1/jobs/{id}/cancel": {
         parameters: {
             query?: never;
             header?: never;
@@ -499,7 +499,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/jobs/{id}/finish": {
+    "/api/v1/jobs/{id}/finish": {
         parameters: {
             query?: never;
             header?: never;
@@ -519,7 +519,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/jobs/{id}/requeue": {
+    "/api/v1/jobs/{id}/requeue": {
         parameters: {
             query?: never;
             header?: never;
@@ -539,7 +539,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/jobs/{id}/scrap": {
+    "/api/v1/jobs/{id}/scrap": {
         parameters: {
             query?: never;
             header?: never;
@@ -559,7 +559,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/jobs/{id}/confirmation": {
+    "/api/v1/jobs/{id}/confirmation": {
         parameters: {
             query?: never;
             header?: never;
@@ -582,7 +582,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/machines/{name}/queue": {
+    "/api/v1/machines/{name}/queue": {
         parameters: {
             query?: never;
             header?: never;
@@ -602,7 +602,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/jobs/{id}/move": {
+    "/api/v1/jobs/{id}/move": {
         parameters: {
             query?: never;
             header?: never;
@@ -626,7 +626,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/jobs/{id}/transfer": {
+    "/api/v1/jobs/{id}/transfer": {
         parameters: {
             query?: never;
             header?: never;
@@ -649,7 +649,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/jobs/{id}/tracks": {
+    "/api/v1/jobs/{id}/tracks": {
         parameters: {
             query?: never;
             header?: never;
@@ -672,7 +672,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/jobs/{id}/rest": {
+    "/api/v1/jobs/{id}/rest": {
         parameters: {
             query?: never;
             header?: never;
@@ -700,7 +700,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/history": {
+    "/api/v1/history": {
         parameters: {
             query?: never;
             header?: never;
@@ -723,7 +723,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/statistics": {
+    "/api/v1/statistics": {
         parameters: {
             query?: never;
             header?: never;
@@ -745,7 +745,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/events": {
+    "/api/v1/events": {
         parameters: {
             query?: never;
             header?: never;
@@ -769,7 +769,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/machines": {
+    "/api/v1/machines": {
         parameters: {
             query?: never;
             header?: never;
@@ -789,7 +789,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/machines/{name}": {
+    "/api/v1/machines/{name}": {
         parameters: {
             query?: never;
             header?: never;
@@ -820,7 +820,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/machines/{name}/station": {
+    "/api/v1/machines/{name}/station": {
         parameters: {
             query?: never;
             header?: never;
@@ -843,7 +843,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/machines/{name}/operations": {
+    "/api/v1/machines/{name}/operations": {
         parameters: {
             query?: never;
             header?: never;
@@ -867,7 +867,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/machines/{name}/operations/{id}": {
+    "/api/v1/machines/{name}/operations/{id}": {
         parameters: {
             query?: never;
             header?: never;
@@ -887,7 +887,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/machines/{name}/tools": {
+    "/api/v1/machines/{name}/tools": {
         parameters: {
             query?: never;
             header?: never;
@@ -907,7 +907,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/machines/{name}/tools/events": {
+    "/api/v1/machines/{name}/tools/events": {
         parameters: {
             query?: never;
             header?: never;
@@ -927,7 +927,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/machines/{name}/tools/{station}/changed": {
+    "/api/v1/machines/{name}/tools/{station}/changed": {
         parameters: {
             query?: never;
             header?: never;
@@ -947,7 +947,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/machines/{name}/tools/{station}/life": {
+    "/api/v1/machines/{name}/tools/{station}/life": {
         parameters: {
             query?: never;
             header?: never;
@@ -967,7 +967,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/formats": {
+    "/api/v1/formats": {
         parameters: {
             query?: never;
             header?: never;
@@ -987,7 +987,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/boards": {
+    "/api/v1/boards": {
         parameters: {
             query?: never;
             header?: never;
@@ -1007,7 +1007,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/boards/{name}": {
+    "/api/v1/boards/{name}": {
         parameters: {
             query?: never;
             header?: never;
@@ -1038,7 +1038,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/boards/{name}/deflection": {
+    "/api/v1/boards/{name}/deflection": {
         parameters: {
             query?: never;
             header?: never;
@@ -1060,7 +1060,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/tools": {
+    "/api/v1/tools": {
         parameters: {
             query?: never;
             header?: never;
@@ -1080,7 +1080,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/library": {
+    "/api/v1/library": {
         parameters: {
             query?: never;
             header?: never;
@@ -1100,7 +1100,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/schemas/{kind}": {
+    "/api/v1/schemas/{kind}": {
         parameters: {
             query?: never;
             header?: never;
@@ -1120,7 +1120,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/machines/{name}/definition": {
+    "/api/v1/machines/{name}/definition": {
         parameters: {
             query?: never;
             header?: never;
@@ -1142,7 +1142,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/machines/{name}/toml": {
+    "/api/v1/machines/{name}/toml": {
         parameters: {
             query?: never;
             header?: never;
@@ -1162,7 +1162,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/machines/{name}/versions": {
+    "/api/v1/machines/{name}/versions": {
         parameters: {
             query?: never;
             header?: never;
@@ -1182,7 +1182,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/boards/{name}/definition": {
+    "/api/v1/boards/{name}/definition": {
         parameters: {
             query?: never;
             header?: never;
@@ -1204,7 +1204,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/boards/{name}/toml": {
+    "/api/v1/boards/{name}/toml": {
         parameters: {
             query?: never;
             header?: never;
@@ -1224,7 +1224,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/boards/{name}/versions": {
+    "/api/v1/boards/{name}/versions": {
         parameters: {
             query?: never;
             header?: never;
@@ -1244,7 +1244,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/tools/{name}/definition": {
+    "/api/v1/tools/{name}/definition": {
         parameters: {
             query?: never;
             header?: never;
@@ -1266,7 +1266,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/tools/{name}/toml": {
+    "/api/v1/tools/{name}/toml": {
         parameters: {
             query?: never;
             header?: never;
@@ -1286,7 +1286,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/tools/{name}/versions": {
+    "/api/v1/tools/{name}/versions": {
         parameters: {
             query?: never;
             header?: never;
@@ -1306,7 +1306,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/tools/{name}": {
+    "/api/v1/tools/{name}": {
         parameters: {
             query?: never;
             header?: never;
@@ -1333,7 +1333,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/profiles": {
+    "/api/v1/profiles": {
         parameters: {
             query?: never;
             header?: never;
@@ -1353,7 +1353,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/profiles/{name}.toml": {
+    "/api/v1/profiles/{name}.toml": {
         parameters: {
             query?: never;
             header?: never;
@@ -1373,7 +1373,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/profiles/{name}": {
+    "/api/v1/profiles/{name}": {
         parameters: {
             query?: never;
             header?: never;
@@ -1403,7 +1403,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/drawings/{id}/preview": {
+    "/api/v1/drawings/{id}/preview": {
         parameters: {
             query?: never;
             header?: never;
@@ -1423,7 +1423,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/drawings/{id}/learned": {
+    "/api/v1/drawings/{id}/learned": {
         parameters: {
             query?: never;
             header?: never;
@@ -1445,7 +1445,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/gateway/claim": {
+    "/api/v1/gateway/claim": {
         parameters: {
             query?: never;
             header?: never;
@@ -1470,7 +1470,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/gateway/program/{id}": {
+    "/api/v1/gateway/program/{id}": {
         parameters: {
             query?: never;
             header?: never;
@@ -1490,7 +1490,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/gateway/heartbeat": {
+    "/api/v1/gateway/heartbeat": {
         parameters: {
             query?: never;
             header?: never;
@@ -1512,7 +1512,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/gateway/finish": {
+    "/api/v1/gateway/finish": {
         parameters: {
             query?: never;
             header?: never;
@@ -1536,7 +1536,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/gateway/station": {
+    "/api/v1/gateway/station": {
         parameters: {
             query?: never;
             header?: never;
@@ -1599,7 +1599,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/service": {
+    "/api/v1/service": {
         parameters: {
             query?: never;
             header?: never;

@@ -83,7 +83,7 @@ function attemptUpload(
   // Unlike fetch, XMLHttpRequest reports the progress of an upload.
   return new Promise((resolve, reject) => {
     const request = new XMLHttpRequest();
-    request.open("POST", "/api/drawings");
+    request.open("POST", "/api/v1/drawings");
     for (const [name, value] of Object.entries(OWN_PAGE)) request.setRequestHeader(name, value);
     request.upload.onprogress = (event) => {
       if (event.lengthComputable) onProgress(event.loaded / event.total);

@@ -354,7 +354,7 @@ export function subscribeToEvents(
   onDrawing: (drawing: Pick<DrawingSummary, "id" | "revision"> | null) => void,
 ): () => void {
   let broken = false;
-  return openEventStream("/api/events", EVENTS, {
+  return openEventStream("/api/v1/events", EVENTS, {
     onEvent: (name, data) => {
       if (name === "connected") {
         // What changed between the first requests, or the last event, and now was not sent.

@@ -93,7 +93,7 @@ def test_list_prints_the_field_waiting_for_of_each_job(
     assert out.split()[:2] == ["abc", "queued"]
     assert "waits for confirmation" in out
     assert "[confirm, cancel]" in out
-    assert fake_server.requests == [("GET", "/api/jobs?limit=50&state=queued", None)]
+    assert fake_server.requests == [("GET", "/api/v1/jobs?limit=50&state=queued", None)]
 
 
 def test_show_prints_reason_hint_and_tools(knifetip: Command, fake_server: FakeServer) -> None:
@@ -114,7 +114,7 @@ def test_a_command_is_sent_to_its_route(
     assert code == 0
     assert "tray.dxf" in out
     body: dict[str, Any] | None = {} if command == "confirm" else None
-    assert fake_server.requests == [("POST", f"/api/jobs/abc/{command}", body)]
+    assert fake_server.requests == [("POST", f"/api/v1/jobs/abc/{command}", body)]
     assert fake_server.headers[0]["X-Knifetip"] == "cli"
     assert "Authorization" not in fake_server.headers[0]
 
@@ -151,7 +151,7 @@ def test_cancel_and_scrap_ask_for_confirmation(
     assert "POST" not in [method for method, _, _ in fake_server.requests]
     code, _, _ = knifetip("job", command, "abc", "--server", fake_server.url, "--yes")
     assert code == 0
-    assert fake_server.requests[-1][:2] == ("POST", f"/api/jobs/abc/{command}")
+    assert fake_server.requests[-1][:2] == ("POST", f"/api/v1/jobs/abc/{command}")
 
 
 def test_cancel_of_a_running_job_warns_about_the_board(
@@ -161,7 +161,7 @@ def test_cancel_of_a_running_job_warns_about_the_board(
     fake_server.answer = (200, {**JOB, "state": "running"})
     _, out, err = knifetip("job", "cancel", "abc", "--server", fake_server.url)
     assert "holds, lifts the tool and releases its stations" in out + err
-    assert fake_server.requests[-1][:2] == ("POST", "/api/jobs/abc/cancel")
+    assert fake_server.requests[-1][:2] == ("POST", "/api/v1/jobs/abc/cancel")
 
 
 def test_the_message_of_a_refusing_server_is_printed(
@@ -193,4 +193,4 @@ def test_an_unreachable_server_is_named(knifetip: Command, url: str) -> None:
 
 def test_a_slash_in_a_job_id_is_escaped(knifetip: Command, fake_server: FakeServer) -> None:
     knifetip("job", "show", "a/../b", "--server", fake_server.url)
-    assert fake_server.requests[0][1] == "/api/jobs/a%2F..%2Fb"
+    assert fake_server.requests[0][1] == "/api/v1/jobs/a%2F..%2Fb"

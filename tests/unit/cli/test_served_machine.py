@@ -83,7 +83,7 @@ def test_a_machine_of_the_server_has_the_version_for_which_jobs_are_claimed(offi
     assert (machine.name, machine.title, machine.width) == ("own", "Own table", 1234.0)
     assert machine.version == 7
     ((path, headers),) = office.requests
-    assert path == "/api/machines/own/definition"
+    assert path == "/api/v1/machines/own/definition"
     assert headers["authorization"] == "Bearer secret"
     assert headers["x-knifetip"] == "gateway"
 
@@ -91,7 +91,7 @@ def test_a_machine_of_the_server_has_the_version_for_which_jobs_are_claimed(offi
 def test_a_name_is_part_of_the_path_and_nothing_else(office: Office) -> None:
     definition(office)
     find_machine("../jobs?x=1#y", office.url, {})
-    assert office.requests[0][0] == "/api/machines/..%2Fjobs%3Fx%3D1%23y/definition"
+    assert office.requests[0][0] == "/api/v1/machines/..%2Fjobs%3Fx%3D1%23y/definition"
 
 
 def test_the_refusal_of_the_server_is_shown(office: Office) -> None:

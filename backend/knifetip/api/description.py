@@ -1,0 +1,74 @@
+"""The OpenAPI 3.1 description of the REST API, made from the routes and the message catalogue."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from fastapi import FastAPI, Request, Response
+from fastapi.openapi.utils import get_openapi
+from fastapi.responses import JSONResponse
+
+from knifetip.api.api_version import is_versioned, versioned_paths
+from knifetip.api.problems import PROBLEM
+from knifetip.api.schemas.common import Problem
+from knifetip.api.schemas.messages import describe_codes
+
+
+class Description:
+    """The OpenAPI description of an application, with the paths of either prefix of the API."""
+
+    def __init__(self, app: FastAPI) -> None:
+        self._app = app
+        self._with_alias: dict[str, Any] | None = None
+
+    def alias(self) -> dict[str, Any]:
+        """Return the description with the paths of the alias, ``/api/…``."""
+        if self._with_alias is None:
+            self._with_alias = describe(self._app)
+        return self._with_alias
+
+    def versioned(self) -> dict[str, Any]:
+        """Return the description with the paths of the current version, ``/api/v1/…``."""
+        return versioned_paths(self.alias())
+
+    async def answer(self, request: Request) -> Response:
+        """Return the description with the paths of the prefix that the request has."""
+        chosen = self.versioned if is_versioned(request.scope) else self.alias
+        return JSONResponse(chosen())
+
+
+def describe(app: FastAPI) -> dict[str, Any]:
+    """Return the OpenAPI 3.1 schema of an application.
+
+    The schema also describes the error responses of all routes and the codes of all messages.
+    """
+    described = get_openapi(
+        title=app.title,
+        version=app.version,
+        description=app.description,
+        routes=app.routes,
+    )
+    schemas = described["components"]["schemas"]
+    for name in ("HTTPValidationError", "ValidationError"):
+        schemas.pop(name, None)
+    for name, schema in (
+        Problem.model_json_schema(ref_template="#/components/schemas/{model}", mode="serialization")
+        .pop("$defs", {})
+        .items()
+    ):
+        schemas.setdefault(name, schema)
+    own = Problem.model_json_schema(
+        ref_template="#/components/schemas/{model}", mode="serialization"
+    )
+    own.pop("$defs", None)
+    schemas["Problem"] = own
+    describe_codes(schemas)
+    answer = {
+        "description": "Error with a hint",
+        "content": {PROBLEM: {"schema": {"$ref": "#/components/schemas/Problem"}}},
+    }
+    for path in described["paths"].values():
+        for operation in path.values():
+            operation["responses"].pop("422", None)
+            operation["responses"]["default"] = answer
+    return described
