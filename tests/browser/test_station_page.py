@@ -385,7 +385,7 @@ def worn_station(api: httpx.Client) -> Iterator[int]:
     api.put(f"{tools}/{worn}/life", json={"life": 0.0}).raise_for_status()
 
 
-def test_a_tool_at_the_end_of_its_life_is_changed_or_used_on_for_a_reason(
+def test_a_tool_at_the_end_of_its_life_is_changed_or_kept_for_a_reason(
     tablet: tuple[Page, str], api: httpx.Client, worn_station: int, screenshots: Path
 ) -> None:
     page, name = tablet
@@ -423,7 +423,7 @@ def test_a_tool_is_checked_above_a_point_and_its_offset_corrected_by_touch(
     expect(state).to_have_text("Waiting for operator")
     page.get_by_test_id("check-tool-3").tap()
     facts = page.get_by_test_id("tool-facts")
-    for text in ("v cutter", "tilt 45°", "has worked 0 m", "X \u221260.00"):
+    for text in ("V-cutter:", "tilt 45°", "has worked 0 m", "X \u221260.00"):
         expect(facts).to_contain_text(text)
     page.get_by_test_id("tool-check-move").tap()
     table = workshop.table.table

@@ -338,7 +338,7 @@ def confirm_job(service: ServiceDep, id: JobId, confirmation: ConfirmIn | None =
     that the next sheet is on the table.  If a gateway claims the job again, a new confirmation is
     necessary.  The status is 409 if the job does not wait for a confirmation, if the request names
     another board than the job or not all stations that the program uses, or if a tool is at the end
-    of its life and the request states neither that it was changed nor why it is used on.
+    of its life and the request states neither that it was changed nor why it stays in use.
     """
     confirmed = confirmation or ConfirmIn()
     return job_out(

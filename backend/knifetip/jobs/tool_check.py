@@ -1,7 +1,7 @@
 """What the operator states about the tools of a job when it is confirmed, and its check.
 
 A job does not start with a tool at the end of its life, unless the operator has put a new tool into
-the station, or states why the tool is used on.
+the station, or states why the tool stays in use.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class ToolCheck:
     stations: Collection[int] | None = None
     #: numbers of the stations into which the operator has put new tools
     changed: Collection[int] = ()
-    #: why tools at the end of their lives are used on; empty if they are not
+    #: why tools at the end of their lives stay in use; empty if they do not
     reason: str = ""
 
 

@@ -425,7 +425,7 @@ export interface paths {
          *     that the next sheet is on the table.  If a gateway claims the job again, a new confirmation is
          *     necessary.  The status is 409 if the job does not wait for a confirmation, if the request names
          *     another board than the job or not all stations that the program uses, or if a tool is at the end
-         *     of its life and the request states neither that it was changed nor why it is used on.
+         *     of its life and the request states neither that it was changed nor why it stays in use.
          */
         post: operations["confirm_job"];
         delete?: never;
@@ -2350,7 +2350,7 @@ export interface components {
             changed: number[];
             /**
              * Worn Reason
-             * @description Why tools at the end of their lives are used on for this copy; recorded in the events of the job. If it is empty, the request is refused while such a tool is used
+             * @description Why tools at the end of their lives stay in use for this copy; recorded in the events of the job. If it is empty, the request is refused while such a tool is used
              * @default
              */
             worn_reason: string;

@@ -2521,7 +2521,7 @@ export const TEXTS = {
   },
   "job.worn-tools": {
     "text": "Job {job} uses tools at the end of their lives: {tools: }",
-    "hint": "Put new tools into these stations and confirm the job with the numbers of the stations that were changed, or state why the tools are used on."
+    "hint": "Put new tools into these stations and confirm the job with the numbers of the stations that were changed, or state why the tools stay in use."
   },
   "job.worn-tools-used": {
     "text": "The operator uses tools at the end of their lives: {tools: } Reason: {reason}",
@@ -4041,7 +4041,7 @@ export const TEXTS = {
   },
   "tool-life.over": {
     "text": "The tool {name} in station {station} has worked {used:.0f} m, {percent:.0f} % of its life of {life:.0f} m.",
-    "hint": "Change the tool and record the change, or check the tool and state why it is used on when you confirm the job."
+    "hint": "Change the tool and record the change, or check the tool and state why it stays in use when you confirm the job."
   },
   "tool.bad-radius": {
     "text": "The tool radius for a corner of a contour is negative or not a number.",

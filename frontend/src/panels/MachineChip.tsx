@@ -37,7 +37,7 @@ export function MachineChip() {
         </span>
         {!lost && machine !== undefined && (
           <span className={css.detail}>
-            {there ? (machine.job === null ? "free" : "busy") : "not connected"}
+            {there ? (machine.job === null ? "free" : "busy") : "offline"}
           </span>
         )}
       </span>

@@ -16,7 +16,7 @@ import {
   shifted,
 } from "../state/toolCheck";
 import css from "./station.module.css";
-import { dimensionText } from "./toolText";
+import { dimensionText, kindText } from "./toolText";
 
 interface Props {
   readonly job: Job;
@@ -162,7 +162,7 @@ function ToolFacts({ mounted, detail }: { mounted: Mounted; detail: string }) {
     <dl className={css.toolFacts} data-testid="tool-facts">
       <dt>Tool</dt>
       <dd>
-        {mounted.tool.kind.replaceAll("-", " ")}: {dimensionText(mounted.tool)}
+        {kindText(mounted.tool.kind)}: {dimensionText(mounted.tool)}
       </dd>
       <dt>Wear</dt>
       <dd>{detail}</dd>

@@ -1,4 +1,4 @@
-/** Tools at the end of their lives: the operator puts new ones in, or states why they are used on. */
+/** Tools at the end of their lives: the operator puts new ones in, or states why they stay in use. */
 
 import { IconCheck } from "@tabler/icons-react";
 import { formatMetres } from "../state/checks";
@@ -35,12 +35,14 @@ export function WornTools({ tools }: { tools: WornToolsState }) {
       ))}
       {kept.length > 0 && (
         <label className={css.reason}>
-          {changed.size > 0 ? "Or why the other tool is used on" : "Or why the tool is used on"}
+          {changed.size > 0
+            ? "Or state why the other tool stays in use"
+            : "Or state why the tool stays in use"}
           <input
             type="text"
             value={reason}
             maxLength={REASON_LENGTH}
-            placeholder="Reason, which is recorded"
+            placeholder="Reason (recorded)"
             onChange={(event) => tools.explain(event.currentTarget.value)}
             data-testid="worn-reason"
           />

@@ -1,4 +1,4 @@
-/** Dimensions of tools in words. */
+/** Kinds and dimensions of tools in words. */
 
 import type { Machine } from "../api/client";
 
@@ -13,6 +13,10 @@ const DIMENSIONS: Readonly<Record<string, string>> = {
   width: "tool width",
 };
 const ANGLES = new Set(["tilt", "blade_angle"]);
+
+/** Kind of a tool as a title. */
+export const kindText = (kind: string): string =>
+  kind.charAt(0).toUpperCase() + (kind === "v-cutter" ? kind : kind.replaceAll("-", " ")).slice(1);
 
 export const dimensionText = ({ dimensions }: Machine["stations"][number]["tool"]): string =>
   Object.entries(dimensions)

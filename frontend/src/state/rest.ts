@@ -79,7 +79,7 @@ export const REMAINING_COPIES: RestChoice = {
 export function remainingText({ remaining_copies: count, state }: Job): string {
   const copies = `${pluralize(count, "copy", "copies")} of the batch ${count === 1 ? "is" : "are"}`;
   return state === "interrupted"
-    ? `${copies} not made. Continue or scrap this sheet first; the copies after it are then ordered here.`
+    ? `${copies} not made. Continue or scrap this sheet first, then queue the other copies here.`
     : `${copies} neither made nor queued. Each needs a new sheet.`;
 }
 

@@ -18,7 +18,7 @@ test("only tools at the end of their lives need a decision", () => {
   expect(decisionOf([], new Set(), "")).toEqual({ changed: [], reason: "" });
 });
 
-test("each worn tool is changed, or used on for a reason", () => {
+test("each worn tool is changed, or stays in use for a reason", () => {
   expect(decisionOf(WORN, new Set(), "")).toBeNull();
   expect(decisionOf(WORN, new Set([1]), "  ")).toBeNull();
   expect(decisionOf(WORN, new Set([1]), " last sheet ")).toEqual({

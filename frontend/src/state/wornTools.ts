@@ -12,7 +12,7 @@ export const REASON_LENGTH = 200;
 export interface ToolDecision {
   /** Stations into which new tools were put. */
   readonly changed: number[];
-  /** Why the other ones are used on; empty if all were changed. */
+  /** Why the other ones stay in use; empty if all were changed. */
   readonly reason: string;
 }
 
@@ -32,7 +32,7 @@ export interface WornToolsState {
 export const wornToolsOf = (asked: Confirmation): readonly ToolToConfirm[] =>
   asked.tools.filter(({ warning }) => warning === "over");
 
-/** The decision; null if a tool is neither changed nor used on for a reason. */
+/** The decision; null if a tool is neither changed nor kept for a reason. */
 export function decisionOf(
   worn: readonly ToolToConfirm[],
   changed: ReadonlySet<number>,

@@ -54,7 +54,7 @@ class ConfirmIn(Strict):
     worn_reason: str = Field(
         default="",
         max_length=200,
-        description="Why tools at the end of their lives are used on for this copy; recorded in "
+        description="Why tools at the end of their lives stay in use for this copy; recorded in "
         "the events of the job. If it is empty, the request is refused while such a tool is used",
     )
     by: str = Field(

@@ -316,7 +316,7 @@ MESSAGES: Final[Entries] = {
     "job.worn-tools": entry(
         "Job {job} uses tools at the end of their lives: {tools: }",
         "Put new tools into these stations and confirm the job with the numbers of the stations "
-        "that were changed, or state why the tools are used on.",
+        "that were changed, or state why the tools stay in use.",
         job="text",
         tools="messages",
     ),
