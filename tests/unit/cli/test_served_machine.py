@@ -142,7 +142,7 @@ def test_a_definition_that_this_version_cannot_read_names_its_field(office: Offi
 @pytest.mark.parametrize("url", ["http://127.0.0.1:{port}", "no scheme", "http://[", "ftp://x"])
 def test_a_server_that_cannot_be_reached_is_named(url: str) -> None:
     with socket.socket() as door:
-        door.bind(("127.0.0.1", 0))  # bound, but nobody listens
+        door.bind(("127.0.0.1", 0))  # bound, but not listening
         address = url.format(port=door.getsockname()[1])
         with pytest.raises(JobError) as failed:
             find_machine("own", address, {})
