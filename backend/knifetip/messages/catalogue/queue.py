@@ -100,8 +100,8 @@ MESSAGES: Final[Entries] = {
     "tool-life.over": entry(
         "The tool {name} in station {station} has worked {used:.0f} m, {percent:.0f} % of its "
         "life of {life:.0f} m.",
-        "Change the tool and record the change, or check the tool and state why it stays in use when "
-        "you confirm the job.",
+        "Change the tool and record the change, or check the tool and state why it stays in use "
+        "when you confirm the job.",
         name="text",
         station="count",
         used="number",
