@@ -8,7 +8,7 @@ import sqlalchemy as sa
 
 from knifetip.jobs.compile_result import CompileResult
 from knifetip.jobs.drawing_store import NewDrawing
-from knifetip.jobs.gateway_store import GatewayReport
+from knifetip.jobs.heartbeats import GatewayReport
 from knifetip.jobs.job_store import JobOrder
 from knifetip.jobs.request_key import RequestKey
 from knifetip.jobs.store import Store

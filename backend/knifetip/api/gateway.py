@@ -25,8 +25,9 @@ from knifetip.api.service import ServiceDep, bytes_response
 from knifetip.api.tools import worn_stations
 from knifetip.api.wake import wake_on_change
 from knifetip.errors import MachineBusy, StaleVersion, WrongState
-from knifetip.jobs.gateway_store import GatewayReport, StopPlace
+from knifetip.jobs.heartbeats import GatewayReport
 from knifetip.jobs.job import ON_TABLE, State
+from knifetip.jobs.job_ends import StopPlace
 from knifetip.jobs.station_store import OperationResult, StationReport
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE

@@ -4,17 +4,12 @@ from __future__ import annotations
 
 import sqlalchemy as sa
 
+from knifetip.jobs.claimed_jobs import ClaimedJobs, is_claimed, silent_gateway_message
 from knifetip.jobs.compile_store import CompileStore
 from knifetip.jobs.database import Database
-from knifetip.jobs.gateway_store import (
-    GatewayStore,
-    StopPlace,
-    is_claimed,
-    silent_gateway_message,
-    stopped,
-)
 from knifetip.jobs.interruption import interruption
 from knifetip.jobs.job import CLOCK, LEASED, Action, Confirmation, State
+from knifetip.jobs.job_ends import StopPlace, stopped
 from knifetip.jobs.machine_queues import CLAIMED
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import Transitions
@@ -32,12 +27,12 @@ class LeaseSweep:
         database: Database,
         transitions: Transitions,
         compiles: CompileStore,
-        gateways: GatewayStore,
+        claimed: ClaimedJobs,
     ) -> None:
         self._db = database
         self._transitions = transitions
         self._compiles = compiles
-        self._gateways = gateways
+        self._claimed = claimed
 
     def run(self, *, gateways: bool = True) -> bool:
         """Take back each job whose lease has expired; return whether any job has a lease.
@@ -92,6 +87,6 @@ class LeaseSweep:
                     confirmation=Confirmation.NONE.value,
                 )
             elif is_claimed(row):
-                self._gateways.give_back(session, row, CLOCK, silent_gateway_message(row.owner))
+                self._claimed.give_back(session, row, CLOCK, silent_gateway_message(row.owner))
             elif row.state == State.COMPILING:
                 self._compiles.take_back(session, row)

@@ -16,10 +16,10 @@ import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
 from knifetip.errors import StaleVersion, WrongState
+from knifetip.jobs.claimed_jobs import ClaimedJobs, is_claimed
 from knifetip.jobs.compile_result import CompileResult
 from knifetip.jobs.compile_store import result_columns
 from knifetip.jobs.database import Database, short
-from knifetip.jobs.gateway_store import GatewayStore, is_claimed
 from knifetip.jobs.job import ON_TABLE, Actor, Confirmation, State
 from knifetip.jobs.machine_queues import CLAIMED, is_waiting, last_rank, lock_queue, waiting_jobs
 from knifetip.jobs.tables import Job
@@ -56,12 +56,10 @@ class WaitingChange:
 class QueueStore:
     """Repository operations on the queues of machines."""
 
-    def __init__(
-        self, database: Database, transitions: Transitions, gateways: GatewayStore
-    ) -> None:
+    def __init__(self, database: Database, transitions: Transitions, claimed: ClaimedJobs) -> None:
         self._db = database
         self._transitions = transitions
-        self._gateways = gateways
+        self._claimed = claimed
 
     def jobs(self, machine: str) -> list[Job]:
         """Return the jobs of a machine in the order in which they run.
@@ -232,7 +230,7 @@ class QueueStore:
         """Take a claimed job back from its gateway, so that it can be put on hold."""
         if not change.on_hold or row.confirmation != Confirmation.AWAITED:
             raise _not_waiting_error(row)
-        self._gateways.give_back(session, row, actor, Message("queue.put-on-hold"))
+        self._claimed.give_back(session, row, actor, Message("queue.put-on-hold"))
         return self._transitions.lock(session, row.id)
 
     def transfer(self, row: Job, machine: Definition, result: CompileResult, actor: Actor) -> Job:

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from knifetip.jobs.changes import Changes
+from knifetip.jobs.claimed_jobs import ClaimedJobs
 from knifetip.jobs.compile_store import CompileStore
 from knifetip.jobs.database import Database
 from knifetip.jobs.drawing_store import DrawingStore
@@ -54,9 +55,10 @@ class Store:
         gate = ToolGate(self.tools, self.library)
         self.operators = OperatorStore(self.database, transitions, gate)
         self.machines = MachineQueues(self.database)
-        self.gateways = GatewayStore(self.database, transitions, self.machines)
-        self.queues = QueueStore(self.database, transitions, self.gateways)
-        self.leases = LeaseSweep(self.database, transitions, self.compiles, self.gateways)
+        claimed = ClaimedJobs(self.database, transitions)
+        self.gateways = GatewayStore(self.database, transitions, self.machines, claimed)
+        self.queues = QueueStore(self.database, transitions, claimed)
+        self.leases = LeaseSweep(self.database, transitions, self.compiles, claimed)
         self.profiles = ProfileStore(self.database)
         self.stations = StationStore(self.database)
         self.history = HistoryStore(self.database)

@@ -10,7 +10,7 @@ import pytest
 
 from knifetip.api.waiting import ABSENT, Waiting, waiting_of
 from knifetip.jobs.compile_result import CompileResult
-from knifetip.jobs.gateway_store import GatewayReport
+from knifetip.jobs.heartbeats import GatewayReport
 from knifetip.jobs.station_store import StationReport
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job

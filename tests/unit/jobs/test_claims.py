@@ -13,7 +13,8 @@ from knifetip.errors import (
     StaleEpoch,
     WrongState,
 )
-from knifetip.jobs.gateway_store import GatewayReport, StopPlace
+from knifetip.jobs.heartbeats import GatewayReport
+from knifetip.jobs.job_ends import StopPlace
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.jobs.tool_check import ToolCheck

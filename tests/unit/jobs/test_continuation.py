@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from knifetip.errors import KeyReused, WrongState
-from knifetip.jobs.gateway_store import GatewayReport
+from knifetip.jobs.heartbeats import GatewayReport
 from knifetip.jobs.job import OPERATOR, Confirmation, State
 from knifetip.jobs.job_store import Continuation
 from knifetip.jobs.queue_store import WaitingChange, check_transferable

@@ -10,7 +10,7 @@ from knifetip.errors import (
     StaleEpoch,
     WrongState,
 )
-from knifetip.jobs.gateway_store import GatewayReport
+from knifetip.jobs.heartbeats import GatewayReport
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE

@@ -8,7 +8,7 @@ import pytest
 
 from knifetip.errors import WrongState
 from knifetip.jobs.compile_result import CompileResult, VerdictColumns
-from knifetip.jobs.gateway_store import GatewayReport
+from knifetip.jobs.heartbeats import GatewayReport
 from knifetip.jobs.job import OPERATOR, State
 from knifetip.jobs.job_store import Continuation
 from knifetip.jobs.operator_actions import OperatorAction, allowed_actions

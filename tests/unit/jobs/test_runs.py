@@ -9,7 +9,7 @@ from zoneinfo import ZoneInfo
 import numpy as np
 import pytest
 
-from knifetip.jobs.gateway_store import GatewayReport
+from knifetip.jobs.heartbeats import GatewayReport
 from knifetip.jobs.history_store import HistoryFilter
 from knifetip.jobs.job import Actor, ActorKind
 from knifetip.jobs.statistics_store import period_start

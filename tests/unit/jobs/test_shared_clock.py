@@ -8,7 +8,7 @@ import pytest
 import sqlalchemy as sa
 
 from knifetip.gateway.journal import default_path
-from knifetip.jobs.gateway_store import GatewayReport
+from knifetip.jobs.heartbeats import GatewayReport
 from knifetip.jobs.shared_clock import SharedClock
 from knifetip.jobs.transitions import LEASE
 from tests.support.job_states import running

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from knifetip.errors import NoSuchJob, WrongState
-from knifetip.jobs.gateway_store import GatewayReport
+from knifetip.jobs.heartbeats import GatewayReport
 from knifetip.jobs.job import Actor, ActorKind
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job

@@ -1,0 +1,131 @@
+"""Changes of a job that a gateway owns, each in a transaction of the caller."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sqlalchemy as sa
+from sqlalchemy.orm import Session
+
+from knifetip.jobs.database import Database, rows
+from knifetip.jobs.job import Actor, ActorKind, Confirmation, State, action_between
+from knifetip.jobs.tables import Job
+from knifetip.jobs.transitions import Transitions, stale_epoch_error
+from knifetip.messages import Message
+
+
+class ClaimedJobs:
+    """Changes jobs for their gateways.
+
+    Each method raises ``StaleEpoch`` if the job has got another epoch since the caller read it.
+    """
+
+    def __init__(self, database: Database, transitions: Transitions) -> None:
+        self._db = database
+        self._transitions = transitions
+
+    def change(self, session: Session, row: Job, changes: dict[str, Any]) -> None:
+        """Set columns of a job that the transaction of the caller has locked.
+
+        Parameters
+        ----------
+        session
+            Session with the transaction of the caller.
+        row
+            The locked job.
+        changes
+            New values of columns, by name of the column.
+        """
+        statement = sa.update(Job).where(Job.id == row.id, Job.epoch == row.epoch)
+        statement = statement.execution_options(synchronize_session=False)
+        if not rows(session, statement.values(**changes)):
+            raise stale_epoch_error(row.id, row.state, row.epoch + 1, row.epoch)
+
+    def move(self, session: Session, row: Job, goal: State, event: Message, **changes: Any) -> None:
+        """Move a job to the state ``goal`` in the name of its gateway, and write the event.
+
+        Parameters
+        ----------
+        session
+            Session with the transaction of the caller.
+        row
+            The job.
+        goal
+            The new state.
+        event
+            Description of the transition, for the log of events.
+        **changes
+            New values of further columns, by name of the column.
+        """
+        self._transitions.move(
+            session,
+            row.id,
+            action_between(State(row.state), goal),
+            Actor(ActorKind.GATEWAY, row.owner),
+            event,
+            epoch=row.epoch,
+            **changes,
+        )
+
+    def start(self, session: Session, row: Job, **changes: Any) -> Job:
+        """Move a claimed job to ``running`` and return it.
+
+        This method is called after the operator's confirmation, or if the gateway reports that it
+        has already begun to send the program.
+
+        Parameters
+        ----------
+        session
+            Session with the transaction of the caller.
+        row
+            The job.
+        """
+        confirmed = row.confirmation == Confirmation.GIVEN
+        event = Message("job.started" if confirmed else "job.started-unconfirmed")
+        self.move(session, row, State.RUNNING, event, **changes)
+        return self._transitions.lock(session, row.id)
+
+    def give_back(self, session: Session, row: Job, actor: Actor, cause: Message) -> None:
+        """Put a claimed job that was never started back into the queue, at its former position.
+
+        Parameters
+        ----------
+        session
+            Session with the transaction of the caller.
+        row
+            The job.
+        actor
+            Person or process that returns the job, for the log of events.
+        cause
+            Reason for the return, for the log of events.
+        """
+        self.change(
+            session,
+            row,
+            {
+                "epoch": row.epoch + 1,
+                "owner": "",
+                "lease": 0.0,
+                "requested_action": "",
+                "confirmation": Confirmation.NONE.value,
+                "updated": self._db.clock(),
+            },
+        )
+        event = Message("job.claim-returned", reason=cause)
+        self._transitions.write_event(session, "job", row.id, State.QUEUED, actor, event)
+
+
+def silent_gateway_message(gateway: str) -> Message:
+    """Return the message which states that a gateway has stopped responding.
+
+    Parameters
+    ----------
+    gateway
+        Name of the gateway.
+    """
+    return Message("job.gateway-fell-silent", gateway=gateway)
+
+
+def is_claimed(row: Job) -> bool:
+    """Return whether a gateway has claimed a job and the job is not started yet."""
+    return row.state == State.QUEUED and row.confirmation != Confirmation.NONE

@@ -1,0 +1,159 @@
+"""What the heartbeat of a gateway changes in its job, and the command that answers it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from sqlalchemy.orm import Session
+
+from knifetip.jobs.batches import WornStations, uses_worn_tool
+from knifetip.jobs.claimed_jobs import ClaimedJobs
+from knifetip.jobs.database import Database
+from knifetip.jobs.job import Actor, ActorKind, Confirmation, State
+from knifetip.jobs.tables import Job
+from knifetip.jobs.transitions import LEASE, Transitions
+from knifetip.messages import Message
+
+#: Confirmations with which a machine that feeds its sheets itself begins the next copy.
+_CONTINUES = (Confirmation.NONE, Confirmation.GIVEN)
+
+
+@dataclass(frozen=True, slots=True)
+class GatewayReport:
+    """Progress of a job, as its gateway reports it in a heartbeat."""
+
+    line: int  #: executed lines of the current copy
+    copies_done: int = 0  #: copies completed since this claim
+    held: bool = False
+    waiting: bool = False  #: nothing was sent to the machine; the gateway waits for ``start``
+    position: Sequence[float] | None = None
+    seconds_left: float | None = None
+    #: Number of the phase of the run since the claim.  A new phase begins when the machine goes on
+    #: after a hold, and when the gateway itself begins to wait for the operator: for a new sheet,
+    #: for the confirmation of the end, or because its lease has expired.  A request to resume
+    #: counts only in the phase in which the operator made it.
+    phase: int = 0
+
+
+class Heartbeats:
+    """Stores the heartbeats of gateways and answers them, each in a transaction of the caller."""
+
+    def __init__(self, database: Database, transitions: Transitions, claimed: ClaimedJobs) -> None:
+        self._db = database
+        self._transitions = transitions
+        self._claimed = claimed
+
+    def answer_waiting(self, session: Session, row: Job) -> str:
+        """Return the command for a gateway that has not sent anything to the machine yet.
+
+        The command is one of the following; each answer also renews the lease of the job:
+
+        - ``cancel`` if the operator has cancelled the job;
+        - ``wait`` if the operator has not confirmed the job yet;
+        - ``wait`` if the operator has confirmed the job but requested a hold; the job is stored as
+          ``held`` until the operator resumes it;
+        - ``start`` otherwise; the job is stored as ``running``.
+
+        Parameters
+        ----------
+        session
+            Session with the transaction of the caller.
+        row
+            The job that the gateway has claimed.
+        """
+        renewed: dict[str, Any] = {"lease": self._db.clock() + LEASE}
+        if row.requested_action == "cancel":
+            self._claimed.change(session, row, renewed)
+            return "cancel"
+        if row.confirmation == Confirmation.AWAITED:
+            self._claimed.change(session, row, renewed)
+            return "wait"
+        # If the job is already running, the answer with ``start`` was lost.
+        starts = row.requested_action == "resume" or (
+            row.state != State.HELD and row.requested_action != "hold"
+        )
+        goal = State.RUNNING if starts else State.HELD
+        renewed["requested_action"] = ""
+        if row.state == State.QUEUED:
+            self._claimed.start(session, row, **renewed)
+        elif row.state != goal:
+            event = Message("job.started" if starts else "job.held-before-start")
+            self._claimed.move(session, row, goal, event, **renewed)
+        else:
+            self._claimed.change(session, row, renewed)
+        return "start" if starts else "wait"
+
+    def answer_running(
+        self, session: Session, row: Job, report: GatewayReport, worn: WornStations
+    ) -> str:
+        """Store the report of a gateway on its running job, and return the command for the gateway.
+
+        The command is the first of the following that applies:
+
+        - ``cancel`` if the operator has requested a cancel;
+        - ``hold`` if the operator must first confirm the job, or if the machine is not held
+          although the operator must confirm the next sheet;
+        - ``hold`` or ``resume`` if this action is requested and the machine has not carried it out;
+        - ``continue`` in all other cases.
+
+        Parameters
+        ----------
+        session
+            Session with the transaction of the caller.
+        row
+            The job.
+        report
+            Progress of the job.
+        worn
+            Returns the stations whose tools are at the end of their lives.
+        """
+        copies_done = min(row.copies_before + report.copies_done, row.copies)
+        copy_done = row.copies_done < copies_done < row.copies
+        confirmation, requested = row.confirmation, row.requested_action
+        # The action is completed: a resume must not also start the copy after the next, or confirm
+        # the end of the program.
+        if requested == ("hold" if report.held else "resume") or (
+            requested == "resume" and (copy_done or report.phase != row.phase)
+        ):
+            requested = ""
+        by_hand = confirmation == Confirmation.GIVEN and not row.feeds
+        if copy_done and (by_hand or (row.feeds and uses_worn_tool(row, worn))):
+            confirmation = Confirmation.SHEET
+        elif copy_done and confirmation in _CONTINUES and report.held:
+            # The machine feeds the next sheet itself, unless the operator has requested a hold.
+            requested = "resume" if row.requested_action in ("", "resume") else requested
+        changes: dict[str, Any] = {
+            "line": min(report.line, row.lines),
+            "copies_done": copies_done,
+            "phase": report.phase,
+            "position": None if report.position is None else list(report.position),
+            "seconds_left": report.seconds_left,
+            "lease": self._db.clock() + LEASE,
+            "confirmation": confirmation,
+            "requested_action": requested,
+        }
+        goal = State.HELD if report.held else State.RUNNING
+        event = Message("job.at-line", line=report.line)
+        if copy_done:
+            needs_sheet = confirmation == Confirmation.SHEET
+            event = Message(
+                "job.copy-done-next-sheet" if needs_sheet else "job.copy-done",
+                copy=copies_done,
+                copies=row.copies,
+            )
+        if goal != row.state:
+            self._claimed.move(session, row, goal, event, **changes)
+        else:
+            self._claimed.change(session, row, changes)
+            if copy_done:
+                self._transitions.write_event(
+                    session, "job", row.id, goal, Actor(ActorKind.GATEWAY, row.owner), event
+                )
+        unconfirmed = confirmation == Confirmation.AWAITED or (
+            confirmation == Confirmation.SHEET and not report.held
+        )
+        if unconfirmed and requested != "cancel":
+            return "hold"
+        return requested or "continue"

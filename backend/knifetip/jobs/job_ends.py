@@ -1,0 +1,110 @@
+"""The end of a job, as its gateway reports it: its state, its progress and where it stopped."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from sqlalchemy.orm import Session
+
+from knifetip.jobs.claimed_jobs import ClaimedJobs
+from knifetip.jobs.database import Database
+from knifetip.jobs.interruption import interruption
+from knifetip.jobs.job import Actor, ActorKind, Confirmation, State
+from knifetip.jobs.machine_runs import end_run
+from knifetip.jobs.tables import Job
+from knifetip.jobs.transitions import Transitions
+from knifetip.messages import Message
+
+
+@dataclass(frozen=True, slots=True)
+class StopPlace:
+    """Place at which a machine stopped a job, as its gateway reports it."""
+
+    position: Sequence[float] | None = None  #: on the sheet: x, y, z (mm) and c (degrees)
+    station: int | None = None  #: number of the station in use; None if none or unknown
+
+
+class JobEnds:
+    """Stores the ends of jobs, each in a transaction of the caller."""
+
+    def __init__(self, database: Database, transitions: Transitions, claimed: ClaimedJobs) -> None:
+        self._db = database
+        self._transitions = transitions
+        self._claimed = claimed
+
+    def store(
+        self,
+        session: Session,
+        row: Job,
+        goal: State,
+        cause: Message | None,
+        line: int | None,
+        copies_done: int | None,
+        place: StopPlace,
+    ) -> None:
+        """Store the end of a job; a late report of the same end has no effect.
+
+        Parameters
+        ----------
+        session
+            Session with the transaction of the caller.
+        row
+            The job; its state is ``interrupted`` if the report is late.
+        goal
+            State in which the job ends: ``done``, ``interrupted`` or ``cancelled``.
+        cause
+            Cause that the gateway reports; None if it reports none.
+        line
+            Executed lines of the current copy; None for the number stored in the job.
+        copies_done
+            Completed copies of the job; None for the number stored in the job.
+        place
+            Place at which the machine stopped.
+        """
+        ended: dict[str, Any] = {
+            "requested_action": "",
+            "lease": 0.0,
+            "seconds_left": None,
+            "confirmation": Confirmation.NONE.value,
+        }
+        late = row.state == State.INTERRUPTED
+        event = cause or Message("job.executed" if goal is State.DONE else "job.cancelled")
+        if goal is State.DONE:
+            ended |= {"line": row.lines, "copies_done": row.copies, "seconds_left": 0.0}
+            ended["message"] = None
+            if late:
+                event = Message("job.late-report", report=event)
+        elif goal is State.INTERRUPTED:
+            stop = interruption(row, cause or Message("gateway.no-reason"), line, copies_done)
+            event = stop.message
+            ended |= {"message": event, "line": stop.line, "copies_done": stop.copies_done}
+            ended |= stopped(stop.line, place)
+            if late:
+                if event != row.message:
+                    self._claimed.change(session, row, ended)
+                    end_run(session, row.id, self._db.clock())
+                    owner = Actor(ActorKind.GATEWAY, row.owner)
+                    report = Message("job.late-report", report=event)
+                    self._transitions.write_event(session, "job", row.id, goal, owner, report)
+                return
+        else:
+            ended["line"] = row.line if line is None else min(line, row.lines)
+            ended |= stopped(ended["line"], place)
+        self._claimed.move(session, row, goal, event, **ended)
+
+
+def stopped(line: int, place: StopPlace) -> dict[str, Any]:
+    """Return the columns of a job that record where the machine stopped it.
+
+    Parameters
+    ----------
+    line
+        Number of executed lines of the present copy.
+    place
+        Position and station.
+    """
+    position = None if place.position is None else list(place.position)
+    where = {"line": line, "position": position, "station": place.station}
+    return {"stopped_at": where, "position": position}
