@@ -3,6 +3,7 @@
 import { Button } from "@mantine/core";
 import type { Definition } from "../api/client";
 import { differences, type Fields } from "../state/definitions";
+import { DifferenceTable } from "./DifferenceTable";
 import css from "./library.module.css";
 
 interface Props {
@@ -24,24 +25,7 @@ export function ConflictCard({ theirs, by, mine, onTakeTheirs, onKeepMine }: Pro
         yours was saved.
       </b>
       {changes.length > 0 && (
-        <table className={css.history}>
-          <thead>
-            <tr>
-              <th>Field</th>
-              <th>Version {theirs.version}</th>
-              <th>Yours</th>
-            </tr>
-          </thead>
-          <tbody>
-            {changes.map(({ path, before, after }) => (
-              <tr key={path}>
-                <td>{path}</td>
-                <td>{before}</td>
-                <td>{after}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
+        <DifferenceTable changes={changes} before={`Version ${theirs.version}`} after="Yours" />
       )}
       <div className={css.add}>
         <Button onClick={onTakeTheirs} data-testid="take-theirs">

@@ -6,6 +6,7 @@ import { useState } from "react";
 import type { Definition } from "../api/client";
 import { differences } from "../state/definitions";
 import { queries } from "../state/queries";
+import { DifferenceTable } from "./DifferenceTable";
 import css from "./library.module.css";
 
 export function DefinitionHistory({ definition }: { definition: Definition }) {
@@ -46,24 +47,11 @@ export function DefinitionHistory({ definition }: { definition: Definition }) {
         </tbody>
       </table>
       {old !== undefined && compared !== null && (
-        <table className={css.history} data-testid="differences">
-          <thead>
-            <tr>
-              <th>Field</th>
-              <th>Version {compared}</th>
-              <th>Version {definition.version}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {changes.map(({ path, before, after }) => (
-              <tr key={path}>
-                <td>{path}</td>
-                <td>{before}</td>
-                <td>{after}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
+        <DifferenceTable
+          changes={changes}
+          before={`Version ${compared}`}
+          after={`Version ${definition.version}`}
+        />
       )}
     </section>
   );

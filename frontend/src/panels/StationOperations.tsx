@@ -123,67 +123,74 @@ function Outputs({ machine, station, job, reached }: Props) {
   const spindles = spindlesOf(machine);
   if (outputs.length + spindles.length === 0) return null;
   const reason = reasonAgainst("switch", station, machine, job);
+  const enabled = reached && reason === null;
   return (
     <fieldset className={css.outputs} data-testid="outputs">
       <legend>Outputs by hand, only at rest and with the tool lifted</legend>
-      {outputs.map(({ number, name }) => {
-        const on = station?.outputs.includes(number) === true;
-        return (
-          <button
-            key={number}
-            type="button"
-            role="switch"
-            aria-checked={on}
-            className={css.output}
-            disabled={!reached || reason !== null}
-            title={reason ?? undefined}
-            onClick={() =>
-              void operate(machine.name, `${name} ${on ? "off" : "on"}`, {
-                operation: "switch",
-                output: number,
-                on: !on,
-              })
-            }
-            data-testid={`output-${number}`}
-          >
-            <span>
-              {name}
-              <small>Output {number}</small>
-            </span>
-            <b>{on ? "On" : "Off"}</b>
-          </button>
-        );
-      })}
-      {spindles.map(({ number, name }) => {
-        const on = station?.spindle === number;
-        const label = `${name}: ${motorOf(machine, number)}`;
-        return (
-          <button
-            key={`spindle ${number}`}
-            type="button"
-            role="switch"
-            aria-checked={on}
-            className={css.output}
-            disabled={!reached || reason !== null}
-            title={reason ?? undefined}
-            onClick={() =>
-              void operate(machine.name, `${label} ${on ? "off" : "on"}`, {
-                operation: "spindle",
-                station: number,
-                on: !on,
-              })
-            }
-            data-testid={`spindle-${number}`}
-          >
-            <span>
-              {label}
-              <small>{spindleText(machine, number)}</small>
-            </span>
-            <b>{on ? "On" : "Off"}</b>
-          </button>
-        );
-      })}
+      {outputs.map(({ number, name }) => (
+        <OutputSwitch
+          key={number}
+          name={name}
+          note={`Output ${number}`}
+          on={station?.outputs.includes(number) === true}
+          enabled={enabled}
+          reason={reason}
+          onSwitch={(on, title) =>
+            void operate(machine.name, title, { operation: "switch", output: number, on })
+          }
+          testId={`output-${number}`}
+        />
+      ))}
+      {spindles.map(({ number, name }) => (
+        <OutputSwitch
+          key={`spindle ${number}`}
+          name={`${name}: ${motorOf(machine, number)}`}
+          note={spindleText(machine, number)}
+          on={station?.spindle === number}
+          enabled={enabled}
+          reason={reason}
+          onSwitch={(on, title) =>
+            void operate(machine.name, title, { operation: "spindle", station: number, on })
+          }
+          testId={`spindle-${number}`}
+        />
+      ))}
     </fieldset>
+  );
+}
+
+interface SwitchProps {
+  readonly name: string;
+  /** Text in small letters below the name. */
+  readonly note: string;
+  readonly on: boolean;
+  readonly enabled: boolean;
+  /** Why it cannot be switched now; null if it can. */
+  readonly reason: string | null;
+  /** Switches it; the title says what is done. */
+  readonly onSwitch: (on: boolean, title: string) => void;
+  readonly testId: string;
+}
+
+/** One output or spindle with its present state. */
+function OutputSwitch({ name, note, on, enabled, reason, onSwitch, testId }: SwitchProps) {
+  return (
+    <button
+      type="button"
+      role="switch"
+      aria-checked={on}
+      className={css.output}
+      disabled={!enabled}
+      title={reason ?? undefined}
+      onClick={() => onSwitch(!on, `${name} ${on ? "off" : "on"}`)}
+      data-testid={testId}
+    >
+      <span>
+        {name}
+        <small>{note}</small>
+      </span>
+      <b>{on ? "On" : "Off"}</b>
+    </button>
   );
 }
 
