@@ -7,10 +7,11 @@ import logging
 import re
 from collections.abc import AsyncIterator, Mapping
 from contextlib import asynccontextmanager
+from functools import partial
 from importlib.metadata import version
 
 import sqlalchemy.exc
-from fastapi import FastAPI, Request, Response
+from fastapi import Depends, FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
 from fastapi.routing import APIRoute
 from starlette.exceptions import HTTPException
@@ -35,6 +36,7 @@ from knifetip.api.access import Access
 from knifetip.api.api_version import ApiVersion
 from knifetip.api.description import Description
 from knifetip.api.headers import SecurityHeaders
+from knifetip.api.known_fields import KnownFields, names_near, refuse_unknown
 from knifetip.api.limits import Limits
 from knifetip.api.problems import problem
 from knifetip.api.queue import WorkQueue
@@ -136,6 +138,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         docs_url=None,
         redoc_url=None,
         generate_unique_id_function=_operation_id,
+        dependencies=[Depends(refuse_unknown)],
     )
     for module in _ROUTES:
         app.include_router(module.router, prefix="/api")
@@ -144,6 +147,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_api_route("/api/service", _status, response_model=ServiceOut, tags=["health"])
     description = Description(app)
     app.add_route("/api/openapi.json", description.answer, include_in_schema=False)
+    app.state.known_fields = KnownFields(description.alias())
     app.router.default = Site(chosen.page)
     # The middleware added last is the outermost.
     app.add_middleware(Limits, upload=chosen.upload, body=chosen.body)
@@ -219,11 +223,14 @@ async def _knifetip_problem(request: Request, error: Exception) -> Response:
     )
 
 
-async def _request_problem(_request: Request, error: Exception) -> Response:
+async def _request_problem(request: Request, error: Exception) -> Response:
     assert isinstance(error, RequestValidationError)
     found = error.errors()
     places = [".".join(str(step) for step in fault["loc"])[:200] for fault in found[:20]]
-    faults = [fault_message(fault, place) for fault, place in zip(found[:5], places, strict=False)]
+    faults = [
+        fault_message(fault, place, partial(names_near, request, fault["loc"]))
+        for fault, place in zip(found[:5], places, strict=False)
+    ]
     return problem(
         422,
         Message("request.invalid", faults=faults),

@@ -63,6 +63,7 @@ def describe(app: FastAPI) -> dict[str, Any]:
     own.pop("$defs", None)
     schemas["Problem"] = own
     describe_codes(schemas)
+    _mark_binary(described)
     answer = {
         "description": "Error with a hint",
         "content": {PROBLEM: {"schema": {"$ref": "#/components/schemas/Problem"}}},
@@ -72,3 +73,20 @@ def describe(app: FastAPI) -> dict[str, Any]:
             operation["responses"].pop("422", None)
             operation["responses"]["default"] = answer
     return described
+
+
+def _mark_binary(part: Any) -> None:
+    """Describe bytes as ``format: binary``, from which client generators make files.
+
+    FastAPI describes an uploaded file by its media type, as OpenAPI 3.1 permits; the generators
+    openapi-python-client and openapi-generator then make a text of it.
+    """
+    if isinstance(part, dict):
+        if part.get("type") == "string" and "contentMediaType" in part:
+            del part["contentMediaType"]
+            part["format"] = "binary"
+        for value in part.values():
+            _mark_binary(value)
+    elif isinstance(part, list):
+        for value in part:
+            _mark_binary(value)

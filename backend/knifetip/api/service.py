@@ -90,7 +90,9 @@ async def _service(request: Request) -> Service:
 
 
 ServiceDep = Annotated[Service, Depends(_service)]
-BINARY: dict[str, Any] = {"content": {"application/octet-stream": {"schema": {"type": "string"}}}}
+BINARY: dict[str, Any] = {
+    "content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}}
+}
 
 
 def fingerprint(*parts: str | bytes) -> str:

@@ -1954,6 +1954,7 @@ export interface components {
         Body_upload_drawing: {
             /**
              * File
+             * Format: binary
              * @description Drawing in DXF, CF2, SVG or PDF
              */
             file: string;

@@ -1,0 +1,142 @@
+"""Refuse query parameters and body fields that a route does not have.
+
+The names that a route has are those in the OpenAPI description, so they cannot differ from what is
+documented.  ``refuse_unknown`` is a dependency of every route.  Unknown fields of JSON bodies are
+refused by the models (``schemas.common.Strict``); this module names the nearest known field.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+from fastapi import Request
+from fastapi.exceptions import RequestValidationError
+
+_FORM: Final = "multipart/form-data"
+
+
+@dataclass(frozen=True, slots=True)
+class Operation:
+    """Query parameters and body of an operation."""
+
+    query: tuple[str, ...]
+    bodies: tuple[Mapping[str, Any], ...]  #: schemas of the body, one for each media type
+    form: tuple[str, ...] | None  #: parts of a multipart form; None if the body is no form
+
+    @property
+    def has_body(self) -> bool:
+        """Whether the operation has a body."""
+        return bool(self.bodies)
+
+
+class KnownFields:
+    """Names of the parameters and fields of all operations, from the OpenAPI description."""
+
+    def __init__(self, described: Mapping[str, Any]) -> None:
+        self._schemas = described["components"]["schemas"]
+        self._operations = {
+            operation["operationId"]: _operation(operation, self._schemas)
+            for path in described["paths"].values()
+            for operation in path.values()
+        }
+
+    def of(self, request: Request) -> Operation | None:
+        """Return the operation of a request, None if its route is not described."""
+        route = request.scope.get("route")
+        return self._operations.get(getattr(route, "name", "").strip("_"))
+
+    def near(self, request: Request, place: Sequence[int | str]) -> Sequence[str]:
+        """Return the names that a parameter or field at a place of a request may have.
+
+        Parameters
+        ----------
+        request
+            The request.
+        place
+            Location of the parameter or field, such as ``("body", "sheet", "wdith")``.
+        """
+        operation = self.of(request)
+        if operation is None:
+            return ()
+        if place[:1] == ("query",):
+            return operation.query
+        parts: list[Any] = [_resolved(body, self._schemas) for body in operation.bodies]
+        for step in place[1:-1]:
+            parts = [inner for part in parts for inner in _inner(part, step, self._schemas)]
+        return [name for part in parts for name in part.get("properties", {})]
+
+
+def _operation(operation: Mapping[str, Any], schemas: Mapping[str, Any]) -> Operation:
+    content = operation.get("requestBody", {}).get("content", {})
+    bodies = [media["schema"] for media in content.values() if "schema" in media]
+    form = content.get(_FORM)
+    return Operation(
+        tuple(one["name"] for one in operation.get("parameters", []) if one["in"] == "query"),
+        tuple(bodies),
+        None if form is None else tuple(_resolved(form["schema"], schemas).get("properties", {})),
+    )
+
+
+def _resolved(schema: Mapping[str, Any], schemas: Mapping[str, Any]) -> Mapping[str, Any]:
+    name = schema.get("$ref", "").rpartition("/")[2]
+    return schemas[name] if name else schema
+
+
+def _inner(
+    part: Mapping[str, Any], step: int | str, schemas: Mapping[str, Any]
+) -> Iterator[Mapping[str, Any]]:
+    """Yield the schemas of a property or of the items of a schema."""
+    found = part.get("items") if isinstance(step, int) else part.get("properties", {}).get(step)
+    for schema in () if found is None else found.get("anyOf", [found]):
+        yield _resolved(schema, schemas)
+
+
+async def refuse_unknown(request: Request) -> None:
+    """Raise the error of an invalid request if it has parameters or fields that nothing reads.
+
+    Raises
+    ------
+    RequestValidationError
+        The query, the form or the body of an operation without a body has an unknown name.
+    """
+    known: KnownFields = request.app.state.known_fields
+    operation = known.of(request)
+    if operation is None:
+        return
+    unknown = [("query", name) for name in request.query_params if name not in operation.query]
+    if operation.form is not None and _media(request) == _FORM:
+        # FastAPI has parsed the form; this returns the same one.
+        form = await request.form()
+        unknown += [("body", name) for name in form if name not in operation.form]
+    elif not operation.has_body:
+        unknown += [("body", name) for name in await _json_fields(request)]
+    if unknown:
+        raise RequestValidationError(
+            [{"type": "extra_forbidden", "loc": place, "input": None} for place in unknown]
+        )
+
+
+def names_near(request: Request, place: Sequence[int | str]) -> Sequence[str]:
+    """Return the names that a parameter or field at a place of a request may have."""
+    known: KnownFields = request.app.state.known_fields
+    return known.near(request, place)
+
+
+def _media(request: Request) -> str:
+    return request.headers.get("content-type", "").partition(";")[0].strip().lower()
+
+
+async def _json_fields(request: Request) -> Sequence[str]:
+    """Return the names of the fields of a JSON body; clients send an empty object for no body."""
+    if _media(request) != "application/json":
+        return ()
+    try:
+        content = json.loads(await request.body() or b"null")
+    except (ValueError, RecursionError):
+        return ("",)
+    if isinstance(content, dict):
+        return tuple(content)
+    return () if content is None else ("",)
