@@ -31,6 +31,7 @@
     │   ├── NoSuchController      no controller can ever be reached at the address
     │   └── OperationExpired      an operation of a person was not carried out in time
     ├── RequestError              a valid request that cannot be applied
+    ├── AccessDenied              the sender of a request lacks the scope that it needs
     ├── ServerBusy                too many requests are waiting for a process
     ├── SettingsError             a server cannot be started with these settings
     └── JobError                  the state of the job does not permit the action
@@ -262,6 +263,10 @@ class OperationExpired(ControllerError):
 
 class RequestError(KnifetipError):
     """Raised when a valid request cannot be applied, such as an override that selects no edge."""
+
+
+class AccessDenied(KnifetipError):
+    """The sender of a request lacks the scope that the request needs."""
 
 
 class ServerBusy(KnifetipError):

@@ -21,6 +21,13 @@ from starlette.requests import Request
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from knifetip.api import signin
+from knifetip.api.principal import (
+    ANONYMOUS,
+    EMBEDDED_GATEWAY,
+    LOCAL,
+    SERVER_KEY,
+    Principal,
+)
 from knifetip.api.problems import problem
 from knifetip.messages import Message
 
@@ -48,6 +55,7 @@ class AccessRules:
     """
 
     key: str = ""  #: empty: only requests from this computer are served
+    gateway_key: str = ""  #: key of the gateway in the process of the server; empty for none
     hosts: tuple[str, ...] = ()  #: additional NAME or NAME:PORT accepted in the Host header
     loopback_only: bool = False  #: the server is bound to loopback addresses only
 
@@ -84,8 +92,21 @@ class Refusal:
         return self.message.code == "request.wrong-key"
 
 
-def find_refusal(rules: AccessRules, facts: RequestFacts, now: float) -> Refusal | None:
-    """Return the status and message with which a request is refused, or None if it is accepted.
+@dataclass(frozen=True, slots=True)
+class Proof:
+    """What the database knows about the credentials of a request."""
+
+    principal: Principal | None = None  #: owner of the API key or of the session in the request
+    closed: bool = False  #: an administrator exists, so that requests of this computer need a key
+
+
+_NO_ACCOUNTS = Proof()
+
+
+def find_access(
+    rules: AccessRules, facts: RequestFacts, now: float, proof: Proof = _NO_ACCOUNTS
+) -> Principal | Refusal:
+    """Return who sends a request, or the status and message with which it is refused.
 
     Parameters
     ----------
@@ -95,20 +116,44 @@ def find_refusal(rules: AccessRules, facts: RequestFacts, now: float) -> Refusal
         Method, path, headers and addresses of the request.
     now
         Current time in seconds since 1970, with which the expiry of sign-in sessions is compared.
+    proof
+        What the database knows about the credentials of the request.
     """
-    bearer = _bearer(facts.authorization) if rules.key else None
-    keyed = bearer is not None and same_key(bearer, rules.key)
-    if bearer is not None and not keyed:
-        return Refusal(401, Message("request.wrong-key"))
     host = parse_authority(facts.host or "")
+    bearer = bearer_key(facts.authorization)
+    keyed = None if bearer is None else _owner_of_key(rules, bearer, proof)
+    if bearer is not None and keyed is None and _is_served(rules, facts, host, proof):
+        return Refusal(401, Message("request.wrong-key"))
     # A page of another site cannot make a browser send this header.
     if host is None or not (keyed or _is_listed(rules, facts, host)):
         return _wrong_host(facts)
     return (
         _foreign_page(facts, host)
         or _html_form(facts)
-        or (None if keyed else _without_key(rules, facts, host, now))
+        or keyed
+        or _without_key(rules, facts, host, now, proof)
     )
+
+
+def _owner_of_key(rules: AccessRules, bearer: str, proof: Proof) -> Principal | None:
+    """Return the owner of the key in the header of a request; None for a wrong key."""
+    if rules.key and same_key(bearer, rules.key):
+        return SERVER_KEY
+    if rules.gateway_key and same_key(bearer, rules.gateway_key):
+        return EMBEDDED_GATEWAY
+    return proof.principal
+
+
+def _is_served(
+    rules: AccessRules, facts: RequestFacts, host: Authority | None, proof: Proof
+) -> bool:
+    """Return whether the server serves the sender of a request at all."""
+    return bool(rules.key) or proof.closed or (host is not None and _is_local(rules, facts, host))
+
+
+def _is_local(rules: AccessRules, facts: RequestFacts, host: Authority) -> bool:
+    """Return whether a request comes from this computer and is sent to a loopback address."""
+    return is_loopback(facts.peer or "") and (rules.loopback_only or is_loopback(host[0]))
 
 
 def _wrong_host(facts: RequestFacts) -> Refusal:
@@ -163,12 +208,12 @@ def _html_form(facts: RequestFacts) -> Refusal | None:
 
 
 def _without_key(
-    rules: AccessRules, facts: RequestFacts, host: Authority, now: float
-) -> Refusal | None:
-    """Return a refusal if a request that contains no key is not permitted, otherwise None.
+    rules: AccessRules, facts: RequestFacts, host: Authority, now: float, proof: Proof
+) -> Principal | Refusal:
+    """Return who sends a request that contains no key, or its refusal.
 
-    Such a request is permitted if it is a health check, if it comes from this computer and is sent
-    to a loopback address, or if it has a valid sign-in session.
+    Such a request is permitted if it is a health check, if it has a valid session, or if it comes
+    from this computer, is sent to a loopback address, and no administrator exists.
 
     Parameters
     ----------
@@ -180,16 +225,21 @@ def _without_key(
         Name and port in the Host header of the request.
     now
         Current time in seconds since 1970, with which the expiry of the session is compared.
+    proof
+        What the database knows about the session, and whether an administrator exists.
     """
     if facts.path in OPEN_PATHS and facts.method in _SAFE:
-        return None
-    is_local = is_loopback(facts.peer or "")
-    if is_local and (rules.loopback_only or is_loopback(host[0])):
-        return None
+        return ANONYMOUS
+    if proof.principal is not None:
+        return proof.principal
+    if rules.key and signin.is_session(facts.session or "", rules.key, now):
+        return SERVER_KEY
+    if proof.closed:
+        return Refusal(401, Message("request.key-needed"))
+    if _is_local(rules, facts, host):
+        return LOCAL
     if not rules.key:
         return Refusal(403, Message("request.local-only"))
-    if signin.is_session(facts.session or "", rules.key, now):
-        return None
     return Refusal(401, Message("request.key-needed"))
 
 
@@ -271,7 +321,8 @@ def same_key(request_key: str, key: str) -> bool:
     return hmac.compare_digest(*digests)
 
 
-def _bearer(header: str | None) -> str | None:
+def bearer_key(header: str | None) -> str | None:
+    """Return the key in an Authorization header; None if it has none."""
     scheme, _, key = (header or "").partition(" ")
     return key.strip() if scheme.lower() == "bearer" else None
 
@@ -326,7 +377,10 @@ class Access:
             await send({"type": "websocket.close", "code": 1008})
             return
         facts = request_facts(scope, self._cookie)
-        refused = find_refusal(self.rules, facts, time.time())
+        found = find_access(self.rules, facts, time.time())
+        refused = found if isinstance(found, Refusal) else None
+        if isinstance(found, Principal):
+            scope.setdefault("state", {})["principal"] = found
         answer: Response | None = None
         if self.rules.key and (refused is None or refused.status == 401):
             answer = await self._sign_in(Request(scope, receive), facts, refused)
@@ -347,7 +401,7 @@ class Access:
         request, facts
             The request, and its method, path, headers and addresses.
         refused
-            Result of ``find_refusal`` for the request; None if the request is accepted.
+            Refusal of the request; None if the request is accepted.
         """
         if refused is not None and refused.wrong_key:
             await asyncio.sleep(WRONG_KEY_DELAY)

@@ -40,10 +40,17 @@ from knifetip.api.known_fields import KnownFields, names_near, refuse_unknown
 from knifetip.api.limits import Limits
 from knifetip.api.problems import problem
 from knifetip.api.queue import WorkQueue
+from knifetip.api.routing import (
+    ScopedRouter,
+    public,
+    requires,
+    scoped_operations,
+)
 from knifetip.api.schemas.common import Health, ServiceOut
 from knifetip.api.service import Service, ServiceDep, Settings
 from knifetip.api.site import Site
 from knifetip.fields import fault_message
+from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.compile_service import CompileService
 from knifetip.jobs.process_pool import ProcessPool, TaskCancelled, TaskFailed
 from knifetip.jobs.store import Store
@@ -63,6 +70,7 @@ STATUS: Mapping[type[errors.KnifetipError], int] = {
     errors.StaleVersion: 412,
     errors.StoreError: 503,
     errors.ServerBusy: 503,
+    errors.AccessDenied: 403,
     errors.ControllerError: 502,
 }
 
@@ -142,10 +150,9 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     )
     for module in _ROUTES:
         app.include_router(module.router, prefix="/api")
-    app.add_api_route("/healthz", _health, response_model=Health, tags=["health"])
-    app.add_api_route("/readyz", _ready, response_model=Health, tags=["health"])
-    app.add_api_route("/api/service", _status, response_model=ServiceOut, tags=["health"])
-    description = Description(app)
+    app.include_router(_health_router)
+    # Raises if a route declares no scope.
+    description = Description(app, tuple(scoped_operations(app.routes)))
     app.add_route("/api/openapi.json", description.answer, include_in_schema=False)
     app.state.known_fields = KnownFields(description.alias())
     app.router.default = Site(chosen.page)
@@ -167,11 +174,18 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     return app
 
 
+_health_router = ScopedRouter(tags=["health"])
+
+
+@_health_router.get("/healthz")
+@public
 async def _health() -> Health:
     """Report that the server process is running."""
     return Health(status="ok", version=version("knifetip"))
 
 
+@_health_router.get("/readyz")
+@public
 async def _ready(service: ServiceDep, response: Response) -> Health:
     """Report whether the server can process requests; the HTTP status is 503 if it cannot."""
     checks = {"database": "ok", "workers": "ok" if service.ready else "starting"}
@@ -184,6 +198,8 @@ async def _ready(service: ServiceDep, response: Response) -> Health:
     return Health(status="ok" if good else "starting", version=version("knifetip"), checks=checks)
 
 
+@_health_router.get("/api/service")
+@requires(AccessScope.VIEWER, AccessScope.GATEWAY)
 async def _status(service: ServiceDep) -> ServiceOut:
     """Get the version of the server, and its progress in compiling functions to machine code.
 

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from fastapi import APIRouter
-
 from knifetip.api.parameters import JobId
+from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.confirmation import ConfirmationOut
 from knifetip.api.service import ServiceDep
+from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.operator_actions import awaits_confirmation
 from knifetip.jobs.tool_store import ToolUse
 
-router = APIRouter(prefix="/jobs", tags=["jobs"])
+router = ScopedRouter(prefix="/jobs", tags=["jobs"])
 
 
 @router.get("/{id}/confirmation")
+@requires(AccessScope.VIEWER)
 def get_confirmation(service: ServiceDep, id: JobId) -> ConfirmationOut:
     """Get what the operator confirms before the machine starts a job or its next copy.
 

@@ -9,12 +9,14 @@ from __future__ import annotations
 
 from typing import Annotated, Any
 
-from fastapi import APIRouter, Path, Query, Request, Response
+from fastapi import Path, Query, Request, Response
 
+from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.definitions import DefinitionOut, EntryOut, VersionOut
 from knifetip.api.service import ServiceDep, bytes_response
 from knifetip.api.versions import TOML, TOML_RESPONSE, Body, VersionMatch, version_of
 from knifetip.errors import LibraryError, WrongState
+from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.library_store import VersionNote
 from knifetip.jobs.tables import LibraryVersion
 from knifetip.library import load
@@ -29,7 +31,7 @@ from knifetip.library.definition import (
 )
 from knifetip.library.schema import json_schema
 
-router = APIRouter(tags=["library"])
+router = ScopedRouter(tags=["library"])
 
 EntryName = Annotated[str, Path(description="Name of the machine, board or tool")]
 Version = Annotated[
@@ -41,6 +43,7 @@ Note = Annotated[str, Query(max_length=200, description="What is changed, and wh
 
 
 @router.get("/library")
+@requires(AccessScope.VIEWER)
 def list_library(service: ServiceDep) -> list[EntryOut]:
     """List the machines, boards and tools: those of users and those of knifetip's library."""
     own = [_entry_out(row) for row in service.store.library.all(*Shelf)]
@@ -66,6 +69,7 @@ def _shipped_out(shelf: Shelf, name: str) -> EntryOut:
 
 
 @router.get("/schemas/{kind}")
+@requires(AccessScope.VIEWER)
 def get_schema(
     kind: Annotated[Shelf, Path(description="machines, boards or tools")],
 ) -> dict[str, Any]:
@@ -118,6 +122,7 @@ def _add_routes(shelf: Shelf) -> None:
     }
 
     @router.get(f"{path}/definition", name=f"get_{word}_definition")
+    @requires(AccessScope.VIEWER, AccessScope.GATEWAY)
     def get_definition(
         service: ServiceDep, response: Response, name: EntryName, version: Version = None
     ) -> DefinitionOut:
@@ -135,6 +140,7 @@ def _add_routes(shelf: Shelf) -> None:
         response_class=Response,
         responses=TOML_RESPONSE,
     )
+    @requires(AccessScope.VIEWER, AccessScope.GATEWAY)
     def export(
         service: ServiceDep, request: Request, name: EntryName, version: Version = None
     ) -> Response:
@@ -145,6 +151,7 @@ def _add_routes(shelf: Shelf) -> None:
         return bytes_response(request, content, str(definition.version), media, f"{name}.toml")
 
     @router.get(f"{path}/versions", name=f"list_{word}_versions")
+    @requires(AccessScope.VIEWER)
     def list_versions(service: ServiceDep, name: EntryName) -> list[VersionOut]:
         """List the versions of a definition, newest first; one of knifetip's library has none."""
         service.store.library.definition(shelf, name)
@@ -152,6 +159,7 @@ def _add_routes(shelf: Shelf) -> None:
         return [VersionOut.model_validate(row) for row in rows]
 
     @router.put(path, name=f"save_{word}", openapi_extra=body)
+    @requires(AccessScope.ADMIN)
     def save(
         service: ServiceDep,
         request: Request,
@@ -180,6 +188,7 @@ def _add_routes(shelf: Shelf) -> None:
         return _definition_out(service, Definition(shelf, name, row.version, row.text))
 
     @router.delete(path, name=f"delete_{word}", status_code=204)
+    @requires(AccessScope.ADMIN)
     def delete(service: ServiceDep, name: EntryName, match: VersionMatch = None) -> None:
         """Delete a definition; the status is 409 if a job that has not ended uses it."""
         _check_own(shelf, name)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from fastapi import FastAPI, Request, Response
@@ -10,21 +11,24 @@ from fastapi.responses import JSONResponse
 
 from knifetip.api.api_version import is_versioned, versioned_paths
 from knifetip.api.problems import PROBLEM
+from knifetip.api.routing import ScopedOperation
 from knifetip.api.schemas.common import Problem
 from knifetip.api.schemas.messages import describe_codes
+from knifetip.api.schemas.security import describe_scopes
 
 
 class Description:
     """The OpenAPI description of an application, with the paths of either prefix of the API."""
 
-    def __init__(self, app: FastAPI) -> None:
+    def __init__(self, app: FastAPI, operations: Sequence[ScopedOperation]) -> None:
         self._app = app
+        self._operations = operations
         self._with_alias: dict[str, Any] | None = None
 
     def alias(self) -> dict[str, Any]:
         """Return the description with the paths of the alias, ``/api/…``."""
         if self._with_alias is None:
-            self._with_alias = describe(self._app)
+            self._with_alias = describe(self._app, self._operations)
         return self._with_alias
 
     def versioned(self) -> dict[str, Any]:
@@ -37,10 +41,18 @@ class Description:
         return JSONResponse(chosen())
 
 
-def describe(app: FastAPI) -> dict[str, Any]:
+def describe(app: FastAPI, operations: Sequence[ScopedOperation]) -> dict[str, Any]:
     """Return the OpenAPI 3.1 schema of an application.
 
-    The schema also describes the error responses of all routes and the codes of all messages.
+    The schema also describes the error responses of all routes, the codes of all messages, and who
+    may send which request.
+
+    Parameters
+    ----------
+    app
+        The application.
+    operations
+        Its operations with their scopes.
     """
     described = get_openapi(
         title=app.title,
@@ -72,6 +84,7 @@ def describe(app: FastAPI) -> dict[str, Any]:
         for operation in path.values():
             operation["responses"].pop("422", None)
             operation["responses"]["default"] = answer
+    describe_scopes(described, operations)
     return described
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any
 
-from fastapi import APIRouter, File, Form, Query, Request, Response, UploadFile
+from fastapi import File, Form, Query, Request, Response, UploadFile
 from fastapi.responses import StreamingResponse
 
 from knifetip.api.drawing_requests import (
@@ -20,6 +20,7 @@ from knifetip.api.overrides import merge_overrides
 from knifetip.api.parameters import Cursor, DataFormat, DrawingId, IdempotencyKey, Limit
 from knifetip.api.queue import queued
 from knifetip.api.revisions import IfMatch, IfNoneMatch, etag, is_known
+from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.drawings import (
     CleaningOut,
     DrawingOut,
@@ -41,6 +42,7 @@ from knifetip.api.service import (
 )
 from knifetip.formats import format_of
 from knifetip.jobs import tasks
+from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.interpretations import interpretation_of
 from knifetip.jobs.tables import Drawing
 from knifetip.library import custom_profiles
@@ -50,13 +52,14 @@ from knifetip.presentation.edges import EdgeTable
 from knifetip.presentation.import_report import unpack_rows
 from knifetip.presentation.picture import svg_picture
 
-router = APIRouter(prefix="/drawings", tags=["drawings"])
+router = ScopedRouter(prefix="/drawings", tags=["drawings"])
 
 _SVG: dict[str, Any] = {"content": {"image/svg+xml": {"schema": {"type": "string"}}}}
 _NOT_MODIFIED: dict[int | str, dict[str, Any]] = {304: {"description": "Not modified"}}
 
 
 @router.post("", status_code=201)
+@requires(AccessScope.DESIGNER)
 @queued
 def upload_drawing(
     service: ServiceDep,
@@ -81,6 +84,7 @@ def upload_drawing(
 
 
 @router.get("")
+@requires(AccessScope.VIEWER)
 def list_drawings(
     service: ServiceDep, response: Response, cursor: Cursor = None, limit: Limit = 100
 ) -> list[DrawingSummary]:
@@ -92,6 +96,7 @@ def list_drawings(
 
 
 @router.get("/{id}", response_model=DrawingOut, responses=_NOT_MODIFIED)
+@requires(AccessScope.VIEWER)
 def get_drawing(
     service: ServiceDep, response: Response, id: DrawingId, known: IfNoneMatch = None
 ) -> DrawingOut | Response:
@@ -108,6 +113,7 @@ def get_drawing(
 
 
 @router.patch("/{id}")
+@requires(AccessScope.DESIGNER)
 @queued
 def change_drawing(
     service: ServiceDep,
@@ -140,12 +146,14 @@ def change_drawing(
 
 
 @router.delete("/{id}", status_code=204)
+@requires(AccessScope.DESIGNER)
 def delete_drawing(service: ServiceDep, id: DrawingId) -> None:
     """Delete a drawing; the status is 409 if a job uses the drawing."""
     service.store.drawings.delete(id)
 
 
 @router.get("/{id}/edges", response_model=EdgesOut, responses={200: BINARY, **_NOT_MODIFIED})
+@requires(AccessScope.VIEWER)
 def get_edges(
     service: ServiceDep,
     request: Request,
@@ -164,6 +172,7 @@ def get_edges(
 
 
 @router.get("/{id}/picture", response_class=Response, responses={200: _SVG, **_NOT_MODIFIED})
+@requires(AccessScope.VIEWER)
 def get_picture(service: ServiceDep, request: Request, id: DrawingId) -> Response:
     """Get a small picture of a drawing as SVG, with its edges in the colours of line types."""
     row = service.store.drawings.get_with(id, "edges")
@@ -172,6 +181,7 @@ def get_picture(service: ServiceDep, request: Request, id: DrawingId) -> Respons
 
 
 @router.patch("/{id}/edges")
+@requires(AccessScope.DESIGNER)
 @queued
 def override_edges(
     service: ServiceDep, response: Response, id: DrawingId, patch: EdgesPatch, match: IfMatch = None
@@ -190,6 +200,7 @@ def override_edges(
 
 
 @router.get("/{id}/import-report")
+@requires(AccessScope.VIEWER)
 def get_import_report(
     service: ServiceDep,
     id: DrawingId,
@@ -205,6 +216,7 @@ def get_import_report(
 
 
 @router.get("/{id}/cleaning")
+@requires(AccessScope.VIEWER)
 @queued
 def get_cleaning(service: ServiceDep, id: DrawingId) -> CleaningOut:
     """Get the cleaning report of a drawing: the edges that cleaning changes before planning.
@@ -216,6 +228,7 @@ def get_cleaning(service: ServiceDep, id: DrawingId) -> CleaningOut:
 
 
 @router.get("/{id}/file", response_class=Response, responses={200: BINARY})
+@requires(AccessScope.VIEWER)
 def get_file(service: ServiceDep, request: Request, id: DrawingId) -> Response:
     """Download the uploaded file of a drawing."""
     row = service.store.drawings.get(id)

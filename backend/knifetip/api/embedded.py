@@ -119,7 +119,11 @@ def serve(
         for one in sockets:
             open_sockets.enter_context(one)
         addresses = [one.getsockname()[0] for one in sockets]
-        rules = AccessRules(key, keys.check_hosts(access.hosts), all(map(is_loopback, addresses)))
+        rules = AccessRules(
+            key=key,
+            hosts=keys.check_hosts(access.hosts),
+            loopback_only=all(map(is_loopback, addresses)),
+        )
         settings = Settings(
             database=database,
             compiles=parts.compiles,

@@ -17,23 +17,25 @@ import time
 from collections.abc import AsyncIterator, Collection, Sequence
 from typing import Annotated
 
-from fastapi import APIRouter, Header, Query, Request
+from fastapi import Header, Query, Request
 from fastapi.sse import EventSourceResponse, ServerSentEvent
 
 from knifetip.api.drawing_requests import summary_out
 from knifetip.api.jobs import job_out, jobs_out
 from knifetip.api.machines import station_out
+from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.messages import MessageOut
 from knifetip.api.schemas.stations import StationOut
 from knifetip.api.service import Service
 from knifetip.api.waiting import WaitingFor
 from knifetip.api.wake import wake_on_change
 from knifetip.errors import NoSuchJob
+from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.job import State
 from knifetip.jobs.tables import Event
 from knifetip.model.stage import Stage
 
-router = APIRouter(tags=["events"])
+router = ScopedRouter(tags=["events"])
 
 _PROGRESS_POLL = 0.2  # seconds between two queries for progress
 _EVENT_POLL = 1.0  # seconds between two queries for changes made by other servers
@@ -240,6 +242,7 @@ def _message(kind: str, data: str, number: int | None = None) -> ServerSentEvent
 
 
 @router.get("/events", response_class=EventSourceResponse)
+@requires(AccessScope.VIEWER)
 async def get_events(
     request: Request,
     last: Annotated[

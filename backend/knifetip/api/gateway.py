@@ -12,11 +12,12 @@ import time
 from functools import partial
 from typing import Any
 
-from fastapi import APIRouter, Request, Response
+from fastapi import Request, Response
 from fastapi.responses import PlainTextResponse
 
 from knifetip.api.jobs import job_out
 from knifetip.api.parameters import JobId
+from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.gateway import Claim, ClaimIn, FinishIn, HeartbeatIn, HeartbeatOut
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.schemas.messages import MessageIn
@@ -25,6 +26,7 @@ from knifetip.api.service import ServiceDep, bytes_response
 from knifetip.api.tools import worn_stations
 from knifetip.api.wake import wake_on_change
 from knifetip.errors import MachineBusy, StaleVersion, WrongState
+from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.heartbeats import GatewayReport
 from knifetip.jobs.job import ON_TABLE, State
 from knifetip.jobs.job_ends import StopPlace
@@ -36,7 +38,7 @@ from knifetip.messages import Message
 from knifetip.messages.codes import STORED
 from knifetip.model.machine import Machine
 
-router = APIRouter(prefix="/gateway", tags=["gateway"])
+router = ScopedRouter(prefix="/gateway", tags=["gateway"])
 
 _QUEUE_POLL = 2.0  # seconds between two queries of the queue for changes by other servers
 _CONTACT_INTERVAL = 2.0  # seconds between two records of a gateway's contact
@@ -46,6 +48,7 @@ _OPERATION_POLL, _IDLE_POLL = 0.3, 1.0
 
 
 @router.post("/claim", response_model=Claim, responses={204: {"description": "No job"}})
+@requires(AccessScope.GATEWAY)
 async def claim(service: ServiceDep, request: Request, claimant: ClaimIn) -> Claim | Response:
     """Claim the next job of a machine for a gateway, and wait for one if there is none yet.
 
@@ -124,6 +127,7 @@ def _claim_next(service: ServiceDep, claimant: ClaimIn) -> Job | None:
 
 
 @router.get("/program/{id}", response_class=PlainTextResponse)
+@requires(AccessScope.GATEWAY)
 async def get_gateway_program(service: ServiceDep, request: Request, id: JobId) -> Response:
     """Download the program of a job that a gateway has claimed."""
     job = await service.threads.claims(service.store.jobs.get, id)
@@ -134,6 +138,7 @@ async def get_gateway_program(service: ServiceDep, request: Request, id: JobId) 
 
 
 @router.post("/heartbeat")
+@requires(AccessScope.GATEWAY)
 async def heartbeat(service: ServiceDep, report: HeartbeatIn) -> HeartbeatOut:
     """Report the progress of a job, renew its lease and get the next command for the machine.
 
@@ -158,6 +163,7 @@ async def heartbeat(service: ServiceDep, report: HeartbeatIn) -> HeartbeatOut:
 
 
 @router.post("/finish")
+@requires(AccessScope.GATEWAY)
 async def finish(service: ServiceDep, report: FinishIn) -> JobOut:
     """Report that a job has ended, with its outcome.
 
@@ -169,6 +175,7 @@ async def finish(service: ServiceDep, report: FinishIn) -> JobOut:
 
 
 @router.post("/station")
+@requires(AccessScope.GATEWAY)
 async def report_station(
     service: ServiceDep, request: Request, station: StationIn
 ) -> StationAnswer:

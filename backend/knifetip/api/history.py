@@ -8,16 +8,18 @@ from typing import Annotated
 from urllib.parse import urlencode
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
-from fastapi import APIRouter, Query, Response
+from fastapi import Query, Response
 
 from knifetip.api.jobs import jobs_out
+from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.history import HistoryQuery, StatisticsOut, StatisticsQuery
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.service import Service, ServiceDep, set_next_page
 from knifetip.errors import RequestError
+from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.history_store import HistoryFilter
 
-router = APIRouter(tags=["history"])
+router = ScopedRouter(tags=["history"])
 
 _DAY = 86_400.0
 _PAUSE = 3600.0  # seconds between two deletions of old jobs
@@ -26,6 +28,7 @@ _log = logging.getLogger("knifetip.api")
 
 
 @router.get("/history")
+@requires(AccessScope.VIEWER)
 def list_history(
     service: ServiceDep, response: Response, wanted: Annotated[HistoryQuery, Query()]
 ) -> list[JobOut]:
@@ -51,6 +54,7 @@ def list_history(
 
 
 @router.get("/statistics")
+@requires(AccessScope.VIEWER)
 def get_statistics(
     service: ServiceDep, wanted: Annotated[StatisticsQuery, Query()]
 ) -> list[StatisticsOut]:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Annotated, Any
 
-from fastapi import APIRouter, Query, Request, Response
+from fastapi import Query, Request, Response
 from fastapi.responses import PlainTextResponse
 
 from knifetip.api.exceptions import accept_in_block, find_same_exceptions
@@ -15,6 +15,7 @@ from knifetip.api.overrides import merge_overrides
 from knifetip.api.parameters import Cursor, DataFormat, IdempotencyKey, JobId, Limit
 from knifetip.api.queue import queued
 from knifetip.api.revisions import check_revision
+from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.jobs import ConfirmIn, JobEvent, JobOut, JobState, ResumeIn
 from knifetip.api.schemas.orders import ExceptionsIn, JobIn
 from knifetip.api.schemas.verdicts import EarlierExceptions, VerdictOut, VerdictSummary
@@ -30,6 +31,7 @@ from knifetip.api.service import (
 from knifetip.api.waiting import Waiting, language_of, waiting_of
 from knifetip.errors import OpenQuestions
 from knifetip.jobs import tasks
+from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.interpretations import interpretation_of
 from knifetip.jobs.job import Actor, ActorKind, State
 from knifetip.jobs.job_store import JobOrder
@@ -50,10 +52,11 @@ from knifetip.model.verdict import EDGE_COLUMNS, Acceptance
 from knifetip.presentation.columns import unpack_columns
 from knifetip.presentation.verdict import areas_json, unpack_areas
 
-router = APIRouter(prefix="/jobs", tags=["jobs"])
+router = ScopedRouter(prefix="/jobs", tags=["jobs"])
 
 
 @router.post("", status_code=201)
+@requires(AccessScope.DESIGNER)
 @queued
 def order_job(
     service: ServiceDep, response: Response, order: JobIn, key: IdempotencyKey = None
@@ -149,6 +152,7 @@ def _interpretation(service: Service, order: JobIn, drawing: Drawing) -> Interpr
 
 
 @router.get("")
+@requires(AccessScope.VIEWER)
 def list_jobs(
     service: ServiceDep,
     response: Response,
@@ -169,12 +173,14 @@ def list_jobs(
 
 
 @router.get("/{id}")
+@requires(AccessScope.VIEWER)
 def get_job(service: ServiceDep, id: JobId) -> JobOut:
     """Get a job with its state and its progress."""
     return job_out(service.store, service.store.jobs.get(id))
 
 
 @router.get("/{id}/events")
+@requires(AccessScope.VIEWER)
 def get_job_events(service: ServiceDep, id: JobId) -> list[JobEvent]:
     """List the state changes of a job with their times, causes and descriptions."""
     return [
@@ -194,6 +200,7 @@ def get_job_events(service: ServiceDep, id: JobId) -> list[JobEvent]:
 
 
 @router.get("/{id}/program", response_class=PlainTextResponse)
+@requires(AccessScope.VIEWER, AccessScope.GATEWAY)
 def get_program(service: ServiceDep, request: Request, id: JobId) -> Response:
     """Download the program of a job, byte for byte as it is sent to the machine."""
     row = service.store.jobs.get(id)
@@ -205,6 +212,7 @@ def get_program(service: ServiceDep, request: Request, id: JobId) -> Response:
 
 
 @router.get("/{id}/verdict", response_model=VerdictOut, responses={200: BINARY})
+@requires(AccessScope.VIEWER)
 def get_verdict(
     service: ServiceDep,
     request: Request,
@@ -248,6 +256,7 @@ def verdict_out(block: bytes) -> VerdictOut:
 
 
 @router.get("/{id}/toolpath", response_class=Response, responses={200: BINARY})
+@requires(AccessScope.VIEWER)
 def get_toolpath(service: ServiceDep, request: Request, id: JobId) -> Response:
     """Get the tool path of a job as binary arrays; each of its n moves of the head is one row.
 
@@ -264,6 +273,7 @@ def get_toolpath(service: ServiceDep, request: Request, id: JobId) -> Response:
 
 
 @router.get("/{id}/earlier-exceptions")
+@requires(AccessScope.VIEWER)
 def get_earlier_exceptions(service: ServiceDep, id: JobId) -> EarlierExceptions | None:
     """Get the shortfalls of a refused job that a user accepted for an earlier job.
 
@@ -288,6 +298,7 @@ def get_earlier_exceptions(service: ServiceDep, id: JobId) -> EarlierExceptions 
 
 
 @router.post("/{id}/exceptions")
+@requires(AccessScope.DESIGNER)
 def accept_shortfalls(service: ServiceDep, id: JobId, exceptions: ExceptionsIn) -> JobOut:
     """Accept shortfalls of a refused job, each by its edge and the code of its finding.
 
@@ -314,12 +325,14 @@ def accept_shortfalls(service: ServiceDep, id: JobId, exceptions: ExceptionsIn) 
 
 
 @router.post("/{id}/release")
+@requires(AccessScope.OPERATOR)
 def release_job(service: ServiceDep, id: JobId) -> JobOut:
     """Queue a job that has the state ``ready``, so that its machine can claim it."""
     return job_out(service.store, service.store.operators.release(id))
 
 
 @router.post("/{id}/recompile")
+@requires(AccessScope.DESIGNER)
 def recompile_job(service: ServiceDep, id: JobId) -> JobOut:
     """Compile a job again for the newest versions of its machine and its board.
 
@@ -331,6 +344,7 @@ def recompile_job(service: ServiceDep, id: JobId) -> JobOut:
 
 
 @router.post("/{id}/confirm")
+@requires(AccessScope.OPERATOR)
 def confirm_job(service: ServiceDep, id: JobId, confirmation: ConfirmIn | None = None) -> JobOut:
     """Confirm that table, board and tools are ready; then the machine starts.
 
@@ -353,12 +367,14 @@ def confirm_job(service: ServiceDep, id: JobId, confirmation: ConfirmIn | None =
 
 
 @router.post("/{id}/hold")
+@requires(AccessScope.OPERATOR)
 def hold_job(service: ServiceDep, id: JobId) -> JobOut:
     """Request to hold a job; its state is ``held`` as soon as the machine has stopped."""
     return job_out(service.store, service.store.operators.hold(id))
 
 
 @router.post("/{id}/resume")
+@requires(AccessScope.OPERATOR)
 def resume_job(service: ServiceDep, id: JobId, resume: ResumeIn | None = None) -> JobOut:
     """Request to resume a held job.
 
@@ -372,24 +388,28 @@ def resume_job(service: ServiceDep, id: JobId, resume: ResumeIn | None = None) -
 
 
 @router.post("/{id}/cancel")
+@requires(AccessScope.DESIGNER)
 def cancel_job(service: ServiceDep, id: JobId) -> JobOut:
     """Cancel a job: a running job when the machine has stopped, any other job immediately."""
     return job_out(service.store, service.store.operators.cancel(id))
 
 
 @router.post("/{id}/finish")
+@requires(AccessScope.OPERATOR)
 def finish_job(service: ServiceDep, id: JobId) -> JobOut:
     """Declare that all sheets of an interrupted job are complete."""
     return job_out(service.store, service.store.operators.declare_finished(id))
 
 
 @router.post("/{id}/requeue")
+@requires(AccessScope.OPERATOR)
 def requeue_job(service: ServiceDep, id: JobId) -> JobOut:
     """Queue an interrupted job again, from its first program line; the table must be clear."""
     return job_out(service.store, service.store.operators.requeue(id))
 
 
 @router.post("/{id}/scrap")
+@requires(AccessScope.OPERATOR)
 def scrap_job(service: ServiceDep, id: JobId) -> JobOut:
     """Give up an interrupted job and free the table of its machine."""
     return job_out(service.store, service.store.operators.scrap(id))

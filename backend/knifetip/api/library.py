@@ -4,22 +4,25 @@ from __future__ import annotations
 
 from dataclasses import asdict
 
-from fastapi import APIRouter, Response
+from fastapi import Response
 
 from knifetip.api.parameters import BoardName
+from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.library import BoardOut, CalibrationIn, CalibrationOut, FormatOut
 from knifetip.api.schemas.machines import StationTool
 from knifetip.api.service import ServiceDep
 from knifetip.formats import FORMATS
+from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.library import deflection
 from knifetip.library.load import find_cutter
 from knifetip.model.board import Board, Deflection
 from knifetip.model.tool import kind_of
 
-router = APIRouter(tags=["library"])
+router = ScopedRouter(tags=["library"])
 
 
 @router.get("/formats")
+@requires(AccessScope.VIEWER)
 def list_formats() -> list[FormatOut]:
     """List the file formats from which drawings are imported."""
     return [
@@ -29,12 +32,14 @@ def list_formats() -> list[FormatOut]:
 
 
 @router.get("/boards")
+@requires(AccessScope.VIEWER)
 def list_boards(service: ServiceDep) -> list[BoardOut]:
     """List the boards: those of users and those of knifetip's library."""
     return [_board_out(board) for board in service.store.library.boards()]
 
 
 @router.get("/boards/{name}")
+@requires(AccessScope.VIEWER)
 def get_board(service: ServiceDep, response: Response, name: BoardName) -> BoardOut:
     """Get a board of a user or of knifetip's library."""
     board = service.store.library.board(name)
@@ -48,6 +53,7 @@ def _board_out(board: Board) -> BoardOut:
 
 
 @router.post("/boards/{name}/deflection")
+@requires(AccessScope.DESIGNER)
 def calibrate(service: ServiceDep, name: BoardName, order: CalibrationIn) -> CalibrationOut:
     """Compute the deflection of a cutter in the board ``name`` from points measured on a contour.
 
@@ -76,6 +82,7 @@ def calibrate(service: ServiceDep, name: BoardName, order: CalibrationIn) -> Cal
 
 
 @router.get("/tools")
+@requires(AccessScope.VIEWER)
 def list_tools(service: ServiceDep) -> list[StationTool]:
     """List the tools in the stations of all machines."""
     return [

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from typing import Any
 
-from fastapi import APIRouter, Response
+from fastapi import Response
 
 from knifetip.api.parameters import MachineName, OperationId
+from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.machines import MachineOut
 from knifetip.api.schemas.stations import OperationIn, OperationOut, StationOut
 from knifetip.api.service import Service, ServiceDep
 from knifetip.api.waiting import ABSENT
+from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.station_store import StationView
 from knifetip.jobs.tables import Operation
 from knifetip.library.definition import Shelf
@@ -19,13 +21,14 @@ from knifetip.model.machine import Machine
 from knifetip.model.tool import kind_of
 from knifetip.presentation.machine import machine_json, station_json
 
-router = APIRouter(prefix="/machines", tags=["machines"])
+router = ScopedRouter(prefix="/machines", tags=["machines"])
 
 #: Share of the velocities of the axes in a frame, unless a person asks for another.
 FRAME_SHARE = 0.1
 
 
 @router.get("")
+@requires(AccessScope.VIEWER)
 def list_machines(service: ServiceDep) -> list[MachineOut]:
     """List the machines with their current jobs: those of users and those of the library."""
     connected = service.store.machines.connected_machines(ABSENT)
@@ -37,6 +40,7 @@ def list_machines(service: ServiceDep) -> list[MachineOut]:
 
 
 @router.get("/{name}")
+@requires(AccessScope.VIEWER)
 def get_machine(service: ServiceDep, response: Response, name: MachineName) -> MachineOut:
     """Get a machine of a user or of knifetip's library, with its current job."""
     machine = service.store.library.machine(name)
@@ -54,6 +58,7 @@ async def _check_machine(service: Service, name: str) -> None:
 
 
 @router.get("/{name}/station")
+@requires(AccessScope.VIEWER)
 async def get_station(service: ServiceDep, name: MachineName) -> StationOut:
     """Get the state of a machine for the person at it: its controller, its alarm and its position.
 
@@ -65,6 +70,7 @@ async def get_station(service: ServiceDep, name: MachineName) -> StationOut:
 
 
 @router.post("/{name}/operations", status_code=202)
+@requires(AccessScope.OPERATOR)
 async def ask_for_operation(
     service: ServiceDep, name: MachineName, request: OperationIn
 ) -> OperationOut:
@@ -109,6 +115,7 @@ def _height_above_board(service: Service, machine: str) -> dict[str, Any]:
 
 
 @router.get("/{name}/operations/{id}")
+@requires(AccessScope.VIEWER)
 async def get_operation(service: ServiceDep, name: MachineName, id: OperationId) -> OperationOut:
     """Get the state of an operation of a machine; operations are kept for some minutes."""
     await _check_machine(service, name)

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from fastapi import APIRouter, Request, Response
+from fastapi import Request, Response
 from pydantic import ValidationError
 
 from knifetip.api.parameters import DrawingId, ProfileName
 from knifetip.api.queue import queued
+from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.profiles import PreviewOut, ProfileIn, ProfileOut, ProposalOut
 from knifetip.api.service import (
     ServiceDep,
@@ -24,11 +25,12 @@ from knifetip.api.versions import TOML, TOML_RESPONSE, Body, VersionMatch, versi
 from knifetip.errors import ProfileError
 from knifetip.fields import field_message
 from knifetip.jobs import profiling
+from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.interpretations import interpretation_of
 from knifetip.jobs.tables import Profile
 from knifetip.library import custom_profiles, load
 
-router = APIRouter(tags=["profiles"])
+router = ScopedRouter(tags=["profiles"])
 
 _FORMS: dict[str, Any] = {
     "requestBody": {
@@ -42,6 +44,7 @@ _FORMS: dict[str, Any] = {
 
 
 @router.get("/profiles")
+@requires(AccessScope.VIEWER)
 def list_profiles(service: ServiceDep) -> list[ProfileOut]:
     """List the classification profiles: first those of customers, then those of the library."""
     stored = service.store.profiles.all()
@@ -51,6 +54,7 @@ def list_profiles(service: ServiceDep) -> list[ProfileOut]:
 
 
 @router.get("/profiles/{name}.toml", response_class=Response, responses=TOML_RESPONSE)
+@requires(AccessScope.VIEWER)
 def export_profile(service: ServiceDep, request: Request, name: ProfileName) -> Response:
     """Download a profile as TOML."""
     row = service.store.profiles.get(name)
@@ -64,6 +68,7 @@ def export_profile(service: ServiceDep, request: Request, name: ProfileName) -> 
 
 
 @router.get("/profiles/{name}")
+@requires(AccessScope.VIEWER)
 def get_profile(service: ServiceDep, response: Response, name: ProfileName) -> ProfileOut:
     """Get a classification profile; the first rule that matches an edge is used."""
     row = service.store.profiles.get(name)
@@ -75,6 +80,7 @@ def get_profile(service: ServiceDep, response: Response, name: ProfileName) -> P
 
 
 @router.put("/profiles/{name}", openapi_extra=_FORMS)
+@requires(AccessScope.DESIGNER)
 def keep_profile(
     service: ServiceDep,
     request: Request,
@@ -105,6 +111,7 @@ def keep_profile(
 
 
 @router.delete("/profiles/{name}", status_code=204)
+@requires(AccessScope.DESIGNER)
 def delete_profile(service: ServiceDep, name: ProfileName, match: VersionMatch = None) -> None:
     """Delete a customer's profile; drawings and jobs keep the rules with which they were made."""
     require_customer_profile(service, name)
@@ -112,6 +119,7 @@ def delete_profile(service: ServiceDep, name: ProfileName, match: VersionMatch =
 
 
 @router.post("/drawings/{id}/preview")
+@requires(AccessScope.DESIGNER)
 @queued
 def preview_profile(service: ServiceDep, id: DrawingId, profile: ProfileIn) -> PreviewOut:
     """Get the effect that a profile would have on the edges of a drawing; nothing is stored."""
@@ -126,6 +134,7 @@ def preview_profile(service: ServiceDep, id: DrawingId, profile: ProfileIn) -> P
 
 
 @router.post("/drawings/{id}/learned")
+@requires(AccessScope.DESIGNER)
 @queued
 def learn_from_corrections(service: ServiceDep, id: DrawingId) -> list[ProposalOut]:
     """Propose classification rules from the line types that the user has set in a drawing.

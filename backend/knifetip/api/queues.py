@@ -5,16 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Annotated
 
-from fastapi import APIRouter, Header, Response
+from fastapi import Header, Response
 
 from knifetip.api.jobs import job_out, jobs_out
 from knifetip.api.parameters import JobId, MachineName
 from knifetip.api.queue import queued
+from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.schemas.queues import MoveIn, QueueOut, TransferIn, WaitingChangeIn
 from knifetip.api.service import ServiceDep
 from knifetip.errors import KnifetipError, PlanError
 from knifetip.jobs import tasks
+from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.compile_service import compile_arguments, kernels_for
 from knifetip.jobs.job import Actor, ActorKind, State
 from knifetip.jobs.machine_queues import is_waiting
@@ -24,7 +26,7 @@ from knifetip.jobs.tables import Job
 from knifetip.library.definition import Shelf, machine_of
 from knifetip.messages import Message
 
-router = APIRouter(tags=["queues"])
+router = ScopedRouter(tags=["queues"])
 
 IfMatch = Annotated[
     str | None,
@@ -38,6 +40,7 @@ IfMatch = Annotated[
 
 
 @router.get("/machines/{name}/queue")
+@requires(AccessScope.VIEWER)
 def get_queue(service: ServiceDep, response: Response, name: MachineName) -> QueueOut:
     """Get the queue of a machine in the order in which the jobs run, with estimated times."""
     service.store.library.machine(name)
@@ -94,6 +97,7 @@ def start_times(rows: Sequence[Job]) -> list[float | None]:
 
 
 @router.post("/jobs/{id}/move")
+@requires(AccessScope.OPERATOR)
 def move_job(service: ServiceDep, id: JobId, move: MoveIn, match: IfMatch = None) -> JobOut:
     """Move a waiting job to a place in the queue of its machine.
 
@@ -112,6 +116,7 @@ def _tag(match: str) -> str:
 
 
 @router.patch("/jobs/{id}")
+@requires(AccessScope.OPERATOR)
 def change_job(service: ServiceDep, id: JobId, change: WaitingChangeIn) -> JobOut:
     """Change priority, number of copies or hold of a job that no machine works on yet.
 
@@ -124,6 +129,7 @@ def change_job(service: ServiceDep, id: JobId, change: WaitingChangeIn) -> JobOu
 
 
 @router.post("/jobs/{id}/transfer")
+@requires(AccessScope.OPERATOR)
 @queued
 def transfer_job(service: ServiceDep, id: JobId, target: TransferIn) -> JobOut:
     """Move a ready or waiting job to another machine, for which its program is compiled again.

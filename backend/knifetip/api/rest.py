@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
-from fastapi import APIRouter, Response
+from fastapi import Response
 
 from knifetip.api.jobs import job_out
 from knifetip.api.parameters import IdempotencyKey, JobId
+from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.schemas.rest import RestIn, TrackOut
 from knifetip.api.service import Service, ServiceDep, fingerprint
+from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.job_store import Continuation
 from knifetip.jobs.request_key import RequestKey
 from knifetip.jobs.rest_record import ExecutedWork, Ranges, RestRecord
@@ -20,10 +22,11 @@ from knifetip.presentation.columns import unpack_columns
 from knifetip.presentation.toolpath import unpack_toolpath
 from knifetip.sequencing.tracks import RestChoice, select_rest
 
-router = APIRouter(prefix="/jobs", tags=["jobs"])
+router = ScopedRouter(prefix="/jobs", tags=["jobs"])
 
 
 @router.get("/{id}/tracks")
+@requires(AccessScope.VIEWER)
 def get_tracks(service: ServiceDep, id: JobId) -> list[TrackOut]:
     """List the tracks of a job's program in their order, and which of them are cut.
 
@@ -54,6 +57,7 @@ def get_tracks(service: ServiceDep, id: JobId) -> list[TrackOut]:
 
 
 @router.post("/{id}/rest", status_code=201)
+@requires(AccessScope.OPERATOR)
 def continue_job(
     service: ServiceDep,
     response: Response,

@@ -4,26 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from fastapi import APIRouter
-
 from knifetip.api.parameters import MachineName, StationNumber
+from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.history import ToolChangeIn, ToolEventOut, ToolLifeIn, ToolUseOut
 from knifetip.api.service import Service, ServiceDep
 from knifetip.errors import NoSuchJob
+from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.job import Actor, ActorKind
 from knifetip.jobs.tool_store import ToolUse, warning_message
 from knifetip.model.machine import Machine
 
-router = APIRouter(prefix="/machines/{name}/tools", tags=["tools"])
+router = ScopedRouter(prefix="/machines/{name}/tools", tags=["tools"])
 
 
 @router.get("")
+@requires(AccessScope.VIEWER)
 def list_machine_tools(service: ServiceDep, name: MachineName) -> list[ToolUseOut]:
     """List the tools of a machine with the lengths that they have worked, and their lives."""
     return tools_out(service.store.tools.uses(_machine(service, name)))
 
 
 @router.get("/events")
+@requires(AccessScope.VIEWER)
 def list_tool_events(service: ServiceDep, name: MachineName) -> list[ToolEventOut]:
     """List the last changes of the tools of a machine and of their lives, newest first."""
     _machine(service, name)
@@ -42,6 +44,7 @@ def list_tool_events(service: ServiceDep, name: MachineName) -> list[ToolEventOu
 
 
 @router.post("/{station}/changed")
+@requires(AccessScope.OPERATOR)
 def record_tool_change(
     service: ServiceDep,
     name: MachineName,
@@ -55,6 +58,7 @@ def record_tool_change(
 
 
 @router.put("/{station}/life")
+@requires(AccessScope.OPERATOR)
 def set_tool_life(
     service: ServiceDep, name: MachineName, station: StationNumber, wanted: ToolLifeIn
 ) -> list[ToolUseOut]:

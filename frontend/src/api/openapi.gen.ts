@@ -14,6 +14,8 @@ export interface paths {
         /**
          * List Drawings
          * @description List the drawings, newest first; the header ``Link`` contains the URL of the next page.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["list_drawings"];
         put?: never;
@@ -22,6 +24,8 @@ export interface paths {
          * @description Upload a DXF, CF2, SVG or PDF file; the server reads it and classifies its edges.
          *
          *     The format is detected from the content of the file.
+         *
+         *     Needs the scope `designer`.
          */
         post: operations["upload_drawing"];
         delete?: never;
@@ -42,6 +46,8 @@ export interface paths {
          * @description Get a drawing with its import report and the questions that the user must still answer.
          *
          *     The status is 304 if ``If-None-Match`` contains the ETag of the drawing.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_drawing"];
         put?: never;
@@ -49,6 +55,8 @@ export interface paths {
         /**
          * Delete Drawing
          * @description Delete a drawing; the status is 409 if a job uses the drawing.
+         *
+         *     Needs the scope `designer`.
          */
         delete: operations["delete_drawing"];
         options?: never;
@@ -58,6 +66,8 @@ export interface paths {
          * @description Set the unit of a drawing, or classify it with another profile or profile version.
          *
          *     The drawing is read and classified again, and gets a new revision.
+         *
+         *     Needs the scope `designer`.
          */
         patch: operations["change_drawing"];
         trace?: never;
@@ -72,6 +82,8 @@ export interface paths {
         /**
          * Get Edges
          * @description List the edges of a drawing, as JSON or as binary arrays (``format=columns``).
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_edges"];
         put?: never;
@@ -84,6 +96,8 @@ export interface paths {
          * @description Set line types of edges, which replace the line types found by classification.
          *
          *     A line type that an earlier request set for one of the edges is also replaced.
+         *
+         *     Needs the scope `designer`.
          */
         patch: operations["override_edges"];
         trace?: never;
@@ -98,6 +112,8 @@ export interface paths {
         /**
          * Get Picture
          * @description Get a small picture of a drawing as SVG, with its edges in the colours of line types.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_picture"];
         put?: never;
@@ -118,6 +134,8 @@ export interface paths {
         /**
          * Get Import Report
          * @description Get the import report of a drawing: all entities of its file, or those with one outcome.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_import_report"];
         put?: never;
@@ -140,6 +158,8 @@ export interface paths {
          * @description Get the cleaning report of a drawing: the edges that cleaning changes before planning.
          *
          *     Cleaning merges, shortens, joins and drops edges.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_cleaning"];
         put?: never;
@@ -160,6 +180,8 @@ export interface paths {
         /**
          * Get File
          * @description Download the uploaded file of a drawing.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_file"];
         put?: never;
@@ -180,6 +202,8 @@ export interface paths {
         /**
          * List Jobs
          * @description List the jobs, newest first; the header ``Link`` contains the URL of the next page.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["list_jobs"];
         put?: never;
@@ -190,6 +214,8 @@ export interface paths {
          *     Meanwhile the state of the job is ``received``, then ``compiling``.  If the user must first
          *     answer questions about the drawing, the status is 409 and the response contains the
          *     ``questions``.
+         *
+         *     Needs the scope `designer`.
          */
         post: operations["order_job"];
         delete?: never;
@@ -208,6 +234,8 @@ export interface paths {
         /**
          * Get Job
          * @description Get a job with its state and its progress.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_job"];
         put?: never;
@@ -222,6 +250,8 @@ export interface paths {
          *     A job with a new priority comes after the other jobs of that priority.  A job on hold stays in
          *     the queue, and its machine takes other jobs first.  A job that waits for the confirmation of the
          *     operator returns to the queue when it is put on hold.
+         *
+         *     Needs the scope `operator`.
          */
         patch: operations["change_job"];
         trace?: never;
@@ -236,6 +266,8 @@ export interface paths {
         /**
          * Get Job Events
          * @description List the state changes of a job with their times, causes and descriptions.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_job_events"];
         put?: never;
@@ -256,6 +288,8 @@ export interface paths {
         /**
          * Get Program
          * @description Download the program of a job, byte for byte as it is sent to the machine.
+         *
+         *     Needs the scope `viewer` or `gateway`.
          */
         get: operations["get_program"];
         put?: never;
@@ -276,6 +310,8 @@ export interface paths {
         /**
          * Get Verdict
          * @description Get the verdict on a job's program, with measurements per edge, as JSON or binary arrays.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_verdict"];
         put?: never;
@@ -303,6 +339,8 @@ export interface paths {
          *     (mm/min), ``source`` (row of the processed edge in the drawing; -1 between edges), ``tool``
          *     (station number), ``track`` (number of the track from 0, which is a path between two lifts; -1
          *     between tracks) and ``line`` (number of the program line; -1 for none).
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_toolpath"];
         put?: never;
@@ -328,6 +366,8 @@ export interface paths {
          *     shortfalls; its shortfalls with the same edge, code and measure are listed.  They refuse the
          *     present job until a user accepts them again (`POST /api/jobs/{id}/exceptions`).  Null if there
          *     are none.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_earlier_exceptions"];
         put?: never;
@@ -356,6 +396,8 @@ export interface paths {
          *     refuses the program, the state of the job becomes ``ready``, or ``queued`` for a job that was
          *     created with ``release``.  Faults cannot be accepted: the status is then 422.  The status is 409
          *     if the job is not ``refused``.
+         *
+         *     Needs the scope `designer`.
          */
         post: operations["accept_shortfalls"];
         delete?: never;
@@ -376,6 +418,8 @@ export interface paths {
         /**
          * Release Job
          * @description Queue a job that has the state ``ready``, so that its machine can claim it.
+         *
+         *     Needs the scope `operator`.
          */
         post: operations["release_job"];
         delete?: never;
@@ -400,6 +444,8 @@ export interface paths {
          *     This is necessary if one of them has changed since the compile.  A job that was queued is queued
          *     again when its new program is accepted.  The status is 409 if the job is neither ``ready`` nor
          *     ``queued``, or if its machine or board was deleted.
+         *
+         *     Needs the scope `designer`.
          */
         post: operations["recompile_job"];
         delete?: never;
@@ -426,6 +472,8 @@ export interface paths {
          *     necessary.  The status is 409 if the job does not wait for a confirmation, if the request names
          *     another board than the job or not all stations that the program uses, or if a tool is at the end
          *     of its life and the request states neither that it was changed nor why it stays in use.
+         *
+         *     Needs the scope `operator`.
          */
         post: operations["confirm_job"];
         delete?: never;
@@ -446,6 +494,8 @@ export interface paths {
         /**
          * Hold Job
          * @description Request to hold a job; its state is ``held`` as soon as the machine has stopped.
+         *
+         *     Needs the scope `operator`.
          */
         post: operations["hold_job"];
         delete?: never;
@@ -471,6 +521,8 @@ export interface paths {
          *     the call also confirms that the sheet of the next copy is on the table.  If its machine does not
          *     report the end of a program, the call confirms the end.  The status is 409 if the job went on
          *     since the phase that the request names.
+         *
+         *     Needs the scope `operator`.
          */
         post: operations["resume_job"];
         delete?: never;
@@ -491,6 +543,8 @@ export interface paths {
         /**
          * Cancel Job
          * @description Cancel a job: a running job when the machine has stopped, any other job immediately.
+         *
+         *     Needs the scope `designer`.
          */
         post: operations["cancel_job"];
         delete?: never;
@@ -511,6 +565,8 @@ export interface paths {
         /**
          * Finish Job
          * @description Declare that all sheets of an interrupted job are complete.
+         *
+         *     Needs the scope `operator`.
          */
         post: operations["finish_job"];
         delete?: never;
@@ -531,6 +587,8 @@ export interface paths {
         /**
          * Requeue Job
          * @description Queue an interrupted job again, from its first program line; the table must be clear.
+         *
+         *     Needs the scope `operator`.
          */
         post: operations["requeue_job"];
         delete?: never;
@@ -551,6 +609,8 @@ export interface paths {
         /**
          * Scrap Job
          * @description Give up an interrupted job and free the table of its machine.
+         *
+         *     Needs the scope `operator`.
          */
         post: operations["scrap_job"];
         delete?: never;
@@ -572,6 +632,8 @@ export interface paths {
          *
          *     The operator checks board, tools, placement and sheet at the machine, and then confirms them
          *     with `POST /api/jobs/{id}/confirm`.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_confirmation"];
         put?: never;
@@ -592,6 +654,8 @@ export interface paths {
         /**
          * Get Queue
          * @description Get the queue of a machine in the order in which the jobs run, with estimated times.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_queue"];
         put?: never;
@@ -618,6 +682,8 @@ export interface paths {
          *     The place is given by its neighbours.  If jobs of another priority are on both sides, the job
          *     gets the nearest priority that permits the place.  A repeated request has no effect.  The status
          *     is 412 if the queue was changed so that the neighbours are not next to each other.
+         *
+         *     Needs the scope `operator`.
          */
         post: operations["move_job"];
         delete?: never;
@@ -641,6 +707,8 @@ export interface paths {
          *
          *     The job stays unchanged at its place if it cannot be made on the other machine; the response
          *     contains the reason.
+         *
+         *     Needs the scope `operator`.
          */
         post: operations["transfer_job"];
         delete?: never;
@@ -662,6 +730,8 @@ export interface paths {
          *
          *     A track is a path of one tool between two lifts.  The states are those of the last copy that was
          *     begun, according to the last program line that the machine reported.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_tracks"];
         put?: never;
@@ -692,6 +762,8 @@ export interface paths {
          *     job is queued, an interrupted job becomes ``continued`` and frees its table.  The operator must
          *     confirm the new job on every machine before it starts.  The status is 409 if the other job is on
          *     its machine, if a third job continues its sheet, or if no copies remain to be made.
+         *
+         *     Needs the scope `operator`.
          */
         post: operations["continue_job"];
         delete?: never;
@@ -713,6 +785,8 @@ export interface paths {
          *
          *     Ended jobs are done, refused, interrupted, scrapped, cancelled, or continued by a job for the
          *     rest of the sheet.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["list_history"];
         put?: never;
@@ -735,6 +809,8 @@ export interface paths {
          * @description Get statistics of each machine and period: jobs, sheets, lengths, time and interruptions.
          *
          *     A run counts for the period in which it ended.  Periods without runs are left out.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_statistics"];
         put?: never;
@@ -759,6 +835,8 @@ export interface paths {
          *     ``Last-Event-ID`` or ``after`` is the id of the last event that the client received; the changes
          *     since then are sent first.  If neither is given, only new changes are sent.  The first event is
          *     ``connected``: a client that lists jobs after it misses no change.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_events"];
         put?: never;
@@ -779,6 +857,8 @@ export interface paths {
         /**
          * List Machines
          * @description List the machines with their current jobs: those of users and those of the library.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["list_machines"];
         put?: never;
@@ -799,6 +879,8 @@ export interface paths {
         /**
          * Get Machine
          * @description Get a machine of a user or of knifetip's library, with its current job.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_machine"];
         /**
@@ -807,12 +889,16 @@ export interface paths {
          *
          *     To replace a definition, send the version on which the change is based in the header
          *     ``If-Match``.  Jobs keep the version for which they were compiled.
+         *
+         *     Needs the scope `admin`.
          */
         put: operations["save_machine"];
         post?: never;
         /**
          * Delete Machine
          * @description Delete a definition; the status is 409 if a job that has not ended uses it.
+         *
+         *     Needs the scope `admin`.
          */
         delete: operations["delete_machine"];
         options?: never;
@@ -833,6 +919,8 @@ export interface paths {
          *
          *     While this request is repeated every few seconds, the gateway reports more often, and the stream
          *     of events contains an event ``station`` for each change.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_station"];
         put?: never;
@@ -859,6 +947,8 @@ export interface paths {
          *     It is refused with status 409 while a job is running or held on the machine.  It expires 3 s
          *     after it was asked for, and is never carried out later.  The emergency stop of the machine does
          *     not depend on this route.
+         *
+         *     Needs the scope `operator`.
          */
         post: operations["ask_for_operation"];
         delete?: never;
@@ -877,6 +967,8 @@ export interface paths {
         /**
          * Get Operation
          * @description Get the state of an operation of a machine; operations are kept for some minutes.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_operation"];
         put?: never;
@@ -897,6 +989,8 @@ export interface paths {
         /**
          * List Machine Tools
          * @description List the tools of a machine with the lengths that they have worked, and their lives.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["list_machine_tools"];
         put?: never;
@@ -917,6 +1011,8 @@ export interface paths {
         /**
          * List Tool Events
          * @description List the last changes of the tools of a machine and of their lives, newest first.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["list_tool_events"];
         put?: never;
@@ -939,6 +1035,8 @@ export interface paths {
         /**
          * Record Tool Change
          * @description Record that a person has put a new tool into a station; its used length is 0 again.
+         *
+         *     Needs the scope `operator`.
          */
         post: operations["record_tool_change"];
         delete?: never;
@@ -958,6 +1056,8 @@ export interface paths {
         /**
          * Set Tool Life
          * @description Set the life of the tool in a station; it replaces the life in the file of the machine.
+         *
+         *     Needs the scope `operator`.
          */
         put: operations["set_tool_life"];
         post?: never;
@@ -977,6 +1077,8 @@ export interface paths {
         /**
          * List Formats
          * @description List the file formats from which drawings are imported.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["list_formats"];
         put?: never;
@@ -997,6 +1099,8 @@ export interface paths {
         /**
          * List Boards
          * @description List the boards: those of users and those of knifetip's library.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["list_boards"];
         put?: never;
@@ -1017,6 +1121,8 @@ export interface paths {
         /**
          * Get Board
          * @description Get a board of a user or of knifetip's library.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_board"];
         /**
@@ -1025,12 +1131,16 @@ export interface paths {
          *
          *     To replace a definition, send the version on which the change is based in the header
          *     ``If-Match``.  Jobs keep the version for which they were compiled.
+         *
+         *     Needs the scope `admin`.
          */
         put: operations["save_board"];
         post?: never;
         /**
          * Delete Board
          * @description Delete a definition; the status is 409 if a job that has not ended uses it.
+         *
+         *     Needs the scope `admin`.
          */
         delete: operations["delete_board"];
         options?: never;
@@ -1052,6 +1162,8 @@ export interface paths {
          * @description Compute the deflection of a cutter in the board ``name`` from points measured on a contour.
          *
          *     Nothing is stored; ``toml`` in the response contains the text lines for the file of the board.
+         *
+         *     Needs the scope `designer`.
          */
         post: operations["calibrate"];
         delete?: never;
@@ -1070,6 +1182,8 @@ export interface paths {
         /**
          * List Tools
          * @description List the tools in the stations of all machines.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["list_tools"];
         put?: never;
@@ -1090,6 +1204,8 @@ export interface paths {
         /**
          * List Library
          * @description List the machines, boards and tools: those of users and those of knifetip's library.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["list_library"];
         put?: never;
@@ -1110,6 +1226,8 @@ export interface paths {
         /**
          * Get Schema
          * @description Get the JSON Schema of the definitions of machines, boards or tools.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_schema"];
         put?: never;
@@ -1132,6 +1250,8 @@ export interface paths {
          * @description Get a definition with all its fields, as the TOML files of knifetip's library have them.
          *
          *     The ETag is the version, for ``If-Match``.
+         *
+         *     Needs the scope `viewer` or `gateway`.
          */
         get: operations["get_machine_definition"];
         put?: never;
@@ -1152,6 +1272,8 @@ export interface paths {
         /**
          * Export Machine
          * @description Download a definition as TOML, as it was sent.
+         *
+         *     Needs the scope `viewer` or `gateway`.
          */
         get: operations["export_machine"];
         put?: never;
@@ -1172,6 +1294,8 @@ export interface paths {
         /**
          * List Machine Versions
          * @description List the versions of a definition, newest first; one of knifetip's library has none.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["list_machine_versions"];
         put?: never;
@@ -1194,6 +1318,8 @@ export interface paths {
          * @description Get a definition with all its fields, as the TOML files of knifetip's library have them.
          *
          *     The ETag is the version, for ``If-Match``.
+         *
+         *     Needs the scope `viewer` or `gateway`.
          */
         get: operations["get_board_definition"];
         put?: never;
@@ -1214,6 +1340,8 @@ export interface paths {
         /**
          * Export Board
          * @description Download a definition as TOML, as it was sent.
+         *
+         *     Needs the scope `viewer` or `gateway`.
          */
         get: operations["export_board"];
         put?: never;
@@ -1234,6 +1362,8 @@ export interface paths {
         /**
          * List Board Versions
          * @description List the versions of a definition, newest first; one of knifetip's library has none.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["list_board_versions"];
         put?: never;
@@ -1256,6 +1386,8 @@ export interface paths {
          * @description Get a definition with all its fields, as the TOML files of knifetip's library have them.
          *
          *     The ETag is the version, for ``If-Match``.
+         *
+         *     Needs the scope `viewer` or `gateway`.
          */
         get: operations["get_tool_definition"];
         put?: never;
@@ -1276,6 +1408,8 @@ export interface paths {
         /**
          * Export Tool
          * @description Download a definition as TOML, as it was sent.
+         *
+         *     Needs the scope `viewer` or `gateway`.
          */
         get: operations["export_tool"];
         put?: never;
@@ -1296,6 +1430,8 @@ export interface paths {
         /**
          * List Tool Versions
          * @description List the versions of a definition, newest first; one of knifetip's library has none.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["list_tool_versions"];
         put?: never;
@@ -1320,12 +1456,16 @@ export interface paths {
          *
          *     To replace a definition, send the version on which the change is based in the header
          *     ``If-Match``.  Jobs keep the version for which they were compiled.
+         *
+         *     Needs the scope `admin`.
          */
         put: operations["save_tool"];
         post?: never;
         /**
          * Delete Tool
          * @description Delete a definition; the status is 409 if a job that has not ended uses it.
+         *
+         *     Needs the scope `admin`.
          */
         delete: operations["delete_tool"];
         options?: never;
@@ -1343,6 +1483,8 @@ export interface paths {
         /**
          * List Profiles
          * @description List the classification profiles: first those of customers, then those of the library.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["list_profiles"];
         put?: never;
@@ -1363,6 +1505,8 @@ export interface paths {
         /**
          * Export Profile
          * @description Download a profile as TOML.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["export_profile"];
         put?: never;
@@ -1383,6 +1527,8 @@ export interface paths {
         /**
          * Get Profile
          * @description Get a classification profile; the first rule that matches an edge is used.
+         *
+         *     Needs the scope `viewer`.
          */
         get: operations["get_profile"];
         /**
@@ -1390,12 +1536,16 @@ export interface paths {
          * @description Create or replace the profile of a customer; the request body is the profile as TOML or JSON.
          *
          *     To replace a profile, send the version on which the change is based in the header ``If-Match``.
+         *
+         *     Needs the scope `designer`.
          */
         put: operations["keep_profile"];
         post?: never;
         /**
          * Delete Profile
          * @description Delete a customer's profile; drawings and jobs keep the rules with which they were made.
+         *
+         *     Needs the scope `designer`.
          */
         delete: operations["delete_profile"];
         options?: never;
@@ -1415,6 +1565,8 @@ export interface paths {
         /**
          * Preview Profile
          * @description Get the effect that a profile would have on the edges of a drawing; nothing is stored.
+         *
+         *     Needs the scope `designer`.
          */
         post: operations["preview_profile"];
         delete?: never;
@@ -1437,6 +1589,8 @@ export interface paths {
          * @description Propose classification rules from the line types that the user has set in a drawing.
          *
          *     A proposed rule gives the edges these line types.  Nothing is stored.
+         *
+         *     Needs the scope `designer`.
          */
         post: operations["learn_from_corrections"];
         delete?: never;
@@ -1462,6 +1616,8 @@ export interface paths {
          *     ``confirm`` is true in the response, the gateway must send nothing to the machine before the
          *     operator confirms the job.  The status is 412 if the machine has changed since the gateway
          *     loaded its definition.
+         *
+         *     Needs the scope `gateway`.
          */
         post: operations["claim"];
         delete?: never;
@@ -1480,6 +1636,8 @@ export interface paths {
         /**
          * Get Gateway Program
          * @description Download the program of a job that a gateway has claimed.
+         *
+         *     Needs the scope `gateway`.
          */
         get: operations["get_gateway_program"];
         put?: never;
@@ -1504,6 +1662,8 @@ export interface paths {
          * @description Report the progress of a job, renew its lease and get the next command for the machine.
          *
          *     The lease is the time for which a gateway owns the job without a new heartbeat.
+         *
+         *     Needs the scope `gateway`.
          */
         post: operations["heartbeat"];
         delete?: never;
@@ -1528,6 +1688,8 @@ export interface paths {
          *     The server interrupts a job if it receives no heartbeats from the gateway.  The gateway may
          *     still report the end of the interrupted job: the outcome ``done`` ends the job, and any other
          *     outcome corrects the last executed line and the message of the job.
+         *
+         *     Needs the scope `gateway`.
          */
         post: operations["finish"];
         delete?: never;
@@ -1551,6 +1713,8 @@ export interface paths {
          *
          *     The response is sent as soon as there is an operation, at the latest after ``wait`` seconds, a
          *     field of the request.  Each operation is sent only once, and only if it is younger than 3 s.
+         *
+         *     Needs the scope `gateway`.
          */
         post: operations["report_station"];
         delete?: never;
@@ -1569,6 +1733,8 @@ export interface paths {
         /**
          * Health
          * @description Report that the server process is running.
+         *
+         *     Needs no key.
          */
         get: operations["health"];
         put?: never;
@@ -1589,6 +1755,8 @@ export interface paths {
         /**
          * Ready
          * @description Report whether the server can process requests; the HTTP status is 503 if it cannot.
+         *
+         *     Needs no key.
          */
         get: operations["ready"];
         put?: never;
@@ -1612,6 +1780,8 @@ export interface paths {
          *
          *     The functions are compiled once after an installation; uploads and jobs wait until all of them
          *     are compiled.
+         *
+         *     Needs the scope `viewer` or `gateway`.
          */
         get: operations["status"];
         put?: never;
@@ -5906,7 +6076,7 @@ export interface components {
             revision: number | null;
         };
         /** @enum {string} */
-        MessageCode: "advice.compiling" | "advice.ended" | "advice.interrupted" | "advice.of-reason" | "advice.queued" | "advice.ready" | "advice.running" | "bridges.no-room" | "calibration.bad-points" | "calibration.choose-cutter" | "calibration.missing-column" | "calibration.not-a-number" | "calibration.not-csv" | "calibration.undetermined" | "calibration.wrong-sign" | "cf2.cut-short" | "cf2.decimal-commas" | "cf2.empty" | "cf2.main" | "cf2.section" | "cf2.subroutine" | "classification.around" | "classification.arrow" | "classification.as-its-style" | "classification.bleed" | "classification.board-ends" | "classification.closes-nothing" | "classification.contradicted" | "classification.convention" | "classification.cuts-panel-off" | "classification.dashed" | "classification.divider" | "classification.divides-panels" | "classification.frame" | "classification.free" | "classification.hole" | "classification.inner" | "classification.layer-denies" | "classification.layer-name" | "classification.legend" | "classification.letter" | "classification.like-outline" | "classification.like-outline-not-folds" | "classification.linetype-name" | "classification.mark" | "classification.mirror-cut" | "classification.mirror-folded" | "classification.mixed" | "classification.must-be-processed" | "classification.named" | "classification.no-rule" | "classification.no-rule-but-shape" | "classification.none-closes" | "classification.not-made" | "classification.on-cut" | "classification.open" | "classification.other-style-closes" | "classification.outline" | "classification.override" | "classification.paired" | "classification.panel-hangs" | "classification.panels-hang" | "classification.role-against" | "classification.rule" | "classification.shape" | "classification.slit" | "classification.slot" | "classification.speck" | "classification.stray" | "classification.swapped" | "classification.swapped-both" | "classification.swapped-like" | "classification.table" | "classification.unknown" | "classification.votes" | "classification.with-text" | "classification.without-tabs" | "cleaning.as-drawn" | "cleaning.dropped-off-panel" | "cleaning.dropped-speck" | "cleaning.end-moved" | "cleaning.fitted" | "cleaning.fitted-edge" | "cleaning.folds-trimmed" | "cleaning.ignored" | "cleaning.joined" | "cleaning.joined-edge" | "cleaning.kept" | "cleaning.kept-changed" | "cleaning.length-on-others" | "cleaning.longer" | "cleaning.moved" | "cleaning.no-work" | "cleaning.off-panel" | "cleaning.on-edge" | "cleaning.part-dropped" | "cleaning.part-off-panel" | "cleaning.shortened" | "cleaning.speck" | "cleaning.twice" | "cleaning.unclassified" | "command.bad-corner" | "command.bad-edge" | "command.bad-layer" | "command.bad-line-type" | "command.file-too-large" | "command.no-such-layer" | "command.unreadable-file" | "command.unwritable-file" | "controller.alarm" | "controller.alarm-code" | "controller.alarm-of-unknown-cause" | "controller.alarm-state" | "controller.alarm-unknown" | "controller.answer-lost" | "controller.answer-missing" | "controller.bad-address" | "controller.bad-host" | "controller.bad-serial-address" | "controller.busy" | "controller.check-end-not-confirmed" | "controller.closed" | "controller.connection-failed" | "controller.due" | "controller.in-alarm" | "controller.lift-not-finished" | "controller.line-changed" | "controller.locked" | "controller.locked-by-alarm" | "controller.lost" | "controller.lost-in-buffer" | "controller.no-host-and-port" | "controller.not-in-laser-mode" | "controller.not-ready" | "controller.not-recovered" | "controller.not-secured" | "controller.not-stopped" | "controller.off-heading" | "controller.off-path" | "controller.one-carriage" | "controller.port-busy" | "controller.port-missing" | "controller.port-not-permitted" | "controller.port-unusable" | "controller.ports-found" | "controller.refused-safe-state" | "controller.rejected-command" | "controller.rejected-in-check" | "controller.rejected-line" | "controller.reports-alarm" | "controller.reset" | "controller.reset-not-confirmed" | "controller.silent" | "controller.stopped" | "controller.too-few-outputs" | "controller.unable" | "controller.unexpected-answer" | "controller.unreachable" | "controller.was-reset" | "controller.web-server" | "corner.at" | "corner.bad-interference" | "corner.bad-k" | "corner.bad-k-at" | "corner.bad-place" | "corner.bad-share" | "corner.inside" | "corner.no-contour" | "corner.no-cutter" | "corner.not-found" | "corner.replaced" | "corner.unknown-number" | "corner.unknown-type" | "corner.unknown-type-at" | "crease.tight-bend" | "curve.bad-ellipse" | "curve.bad-spline" | "curve.bad-tolerance" | "curve.not-finite" | "curve.not-fitted" | "curve.parameters" | "curve.too-many-pieces" | "curve.too-many-spans" | "cut.too-many-crossings" | "cut.too-short" | "cutter.interference" | "cutter.misses-bridge" | "cutter.short-lead" | "database.bad-url" | "database.in-memory" | "deflection.exceeds-radius" | "drawing.all-ignored" | "drawing.changing" | "drawing.deleted" | "drawing.empty" | "drawing.fits-turned" | "drawing.in-use" | "drawing.larger-than-table" | "drawing.no-lines" | "drawing.no-lines-reason" | "drawing.open-questions" | "drawing.read" | "drawing.reinterpreted" | "drawing.stale" | "drawing.types-set" | "drawing.unit-for-cleaning" | "drawing.unit-unknown" | "drawing.unknown" | "drawing.upload-too-large" | "dry-run.in-progress" | "dry-run.no-job" | "dry-run.no-lift" | "dry-run.no-work" | "dry-run.not-running" | "dry-run.other-path" | "dry-run.switches" | "dry-run.too-low" | "dry-run.unknown-line" | "dry-run.uses-machine" | "dxf.at-line" | "dxf.blocks-expand-too-far" | "dxf.blocks-too-deep" | "dxf.cut-short" | "dxf.no-section" | "dxf.not-a-group-code" | "dxf.other-kind" | "dxf.too-large-unusual" | "dxf.without-end-mark" | "edge.no-length" | "edge.not-finite" | "edge.place" | "edge.too-crowded" | "edge.too-far" | "edge.too-many-overlaps" | "error.at-edge" | "error.at-edges" | "error.in-file" | "field.above" | "field.above-clearance" | "field.bad-arguments" | "field.below" | "field.blank" | "field.inconsistent" | "field.missing" | "field.misspelt" | "field.no-kind" | "field.no-neighbour" | "field.no-spindle" | "field.no-such-carriage" | "field.not-a-colour" | "field.not-a-line-type" | "field.not-a-list" | "field.not-a-number" | "field.not-a-profile" | "field.not-a-table" | "field.not-above" | "field.not-above-low" | "field.not-below" | "field.not-boolean" | "field.not-json" | "field.not-less-than-caliper" | "field.not-one-of" | "field.not-text" | "field.not-whole" | "field.other" | "field.outside" | "field.park-outside" | "field.parks-too-near" | "field.repeated-letters" | "field.repeated-numbers" | "field.rest-choice" | "field.sheet-size" | "field.spacing" | "field.spindle-of-beam" | "field.too-few" | "field.too-long" | "field.too-many" | "field.too-many-passes" | "field.too-short" | "field.unknown" | "field.unknown-kind" | "field.zone-above-travel" | "file.7z" | "file.bmp" | "file.compound-file" | "file.dwg" | "file.eps" | "file.gif" | "file.gzip" | "file.html" | "file.jpeg" | "file.json" | "file.old-dwg" | "file.png" | "file.postscript" | "file.rar" | "file.riff" | "file.step" | "file.stl" | "file.tiff" | "file.xml" | "file.zip" | "finding.at-edge" | "finding.at-edge-and-line" | "finding.at-line" | "finding.more" | "folder.bad-address" | "folder.deleted" | "folder.not-deleted" | "folder.not-written" | "folder.taken" | "folder.unusable" | "gateway.cancelled" | "gateway.controller-not-idle" | "gateway.job-withdrawn" | "gateway.job-withdrawn-before-start" | "gateway.machine-changed" | "gateway.no-reason" | "gateway.outdated-machine" | "gateway.started-in-dry-run" | "gateway.switched-off" | "gateway.switched-off-before-report" | "gateway.switched-off-in-run" | "gateway.system-error" | "grbl.alarm-1" | "grbl.alarm-10" | "grbl.alarm-11" | "grbl.alarm-12" | "grbl.alarm-14" | "grbl.alarm-17" | "grbl.alarm-2" | "grbl.alarm-3" | "grbl.alarm-4" | "grbl.alarm-5" | "grbl.alarm-6" | "grbl.alarm-7" | "grbl.alarm-8" | "grbl.alarm-9" | "grbl.axis-letter-used" | "grbl.error-1" | "grbl.error-10" | "grbl.error-11" | "grbl.error-12" | "grbl.error-13" | "grbl.error-14" | "grbl.error-15" | "grbl.error-16" | "grbl.error-17" | "grbl.error-18" | "grbl.error-2" | "grbl.error-20" | "grbl.error-21" | "grbl.error-22" | "grbl.error-23" | "grbl.error-24" | "grbl.error-25" | "grbl.error-26" | "grbl.error-27" | "grbl.error-28" | "grbl.error-29" | "grbl.error-3" | "grbl.error-30" | "grbl.error-31" | "grbl.error-32" | "grbl.error-33" | "grbl.error-34" | "grbl.error-35" | "grbl.error-36" | "grbl.error-37" | "grbl.error-38" | "grbl.error-39" | "grbl.error-4" | "grbl.error-5" | "grbl.error-6" | "grbl.error-60" | "grbl.error-7" | "grbl.error-79" | "grbl.error-8" | "grbl.error-9" | "grbl.no-output" | "grbl.no-reverse" | "grbl.no-rotary-axis" | "grbl.unknown-alarm" | "grbl.unknown-error" | "groove.along-edge" | "groove.curved" | "groove.overcut" | "groove.runs-out" | "groove.through-cut" | "groove.through-cut-at-it" | "groove.tight-bend" | "groove.too-deep" | "groove.too-short" | "hpgl.bad-address" | "hpgl.bad-area" | "hpgl.bad-byte" | "hpgl.bad-feed" | "hpgl.bad-number" | "hpgl.bad-range" | "hpgl.datum" | "hpgl.depth-change" | "hpgl.ends-down" | "hpgl.ends-with-pen" | "hpgl.feed-not-supported" | "hpgl.force-out-of-range" | "hpgl.initialised-again" | "hpgl.lone-letter" | "hpgl.loose-number" | "hpgl.moves-before-pa" | "hpgl.needs-no-number" | "hpgl.needs-one-number" | "hpgl.never-down" | "hpgl.no-approach" | "hpgl.no-device" | "hpgl.no-force" | "hpgl.no-force-setting" | "hpgl.no-instruction" | "hpgl.no-pen" | "hpgl.no-pen-selected" | "hpgl.no-speed" | "hpgl.no-speed-setting" | "hpgl.no-terminator" | "hpgl.not-initialised" | "hpgl.not-raised" | "hpgl.not-reached" | "hpgl.outside-area" | "hpgl.pen-cannot" | "hpgl.plunge-without-move" | "hpgl.press" | "hpgl.repeated-pen" | "hpgl.runs-on" | "hpgl.selects-while-down" | "hpgl.send-by-hand" | "hpgl.sets-while-down" | "hpgl.slanted-plunge" | "hpgl.speed-out-of-range" | "hpgl.station-without-pen" | "hpgl.swivel" | "hpgl.tool-not-supported" | "hpgl.trail" | "hpgl.travel" | "hpgl.turn-in-board" | "hpgl.unknown-instruction" | "hpgl.unknown-pen" | "hpgl.wrong-force" | "hpgl.x-without-y" | "import.angles-not-numbers" | "import.annotations" | "import.area-outline" | "import.area-outline-on-page" | "import.array" | "import.bad-operands" | "import.bad-path-data" | "import.bad-place" | "import.bad-points" | "import.bad-radius" | "import.bad-size" | "import.bad-transform" | "import.bad-value" | "import.bad-window" | "import.block-external" | "import.block-in-itself" | "import.block-missing" | "import.bridge" | "import.bridges" | "import.clip-path" | "import.contains-itself" | "import.coordinate-not-a-number" | "import.curves-fitted" | "import.curves-fitted-relative" | "import.damaged" | "import.damaged-or-frame" | "import.dimension" | "import.drawn-twice" | "import.drawn-twice-often" | "import.empty-path" | "import.end-mark" | "import.endless-line" | "import.extrusion-not-a-number" | "import.few-vertices" | "import.filled-area" | "import.filled-area-beside-strokes" | "import.filled-area-on-page" | "import.fit-points" | "import.font-shape" | "import.height-not-a-number" | "import.height-too-far" | "import.hidden" | "import.hidden-layer" | "import.image" | "import.incomplete" | "import.interrupted-path" | "import.invisible" | "import.kept" | "import.kept-changed" | "import.laid-flat" | "import.layer-frozen" | "import.layer-not-plotted" | "import.layer-off" | "import.light" | "import.line-not-numbers" | "import.lone-vertex" | "import.mesh" | "import.missing-id" | "import.missing-subroutine" | "import.multiple-line" | "import.no-length" | "import.no-major-axis" | "import.no-paint" | "import.no-parameter-range" | "import.no-points" | "import.no-scale" | "import.no-size" | "import.no-sweep" | "import.not-a-line" | "import.not-clipped" | "import.not-flat" | "import.not-numbers" | "import.not-svg" | "import.not-visible" | "import.nothing-named" | "import.on-layer" | "import.other-file" | "import.other-pages" | "import.outside-page" | "import.page-ends-early" | "import.paper-space" | "import.parameters-not-numbers" | "import.partly-outside-page" | "import.picture" | "import.picture-block" | "import.pieces-drawn-twice" | "import.pieces-drawn-twice-often" | "import.pieces-no-length" | "import.place-not-a-number" | "import.placement-not-a-number" | "import.places-block" | "import.places-subroutine" | "import.point" | "import.proxy" | "import.region" | "import.repeated" | "import.rules-not-read" | "import.script" | "import.shading" | "import.short-path-data" | "import.solid" | "import.spot-colour" | "import.subroutine-in-itself" | "import.text" | "import.text-unknown-letters" | "import.tilted" | "import.tilted-axis" | "import.too-far" | "import.too-many-fit-points" | "import.uncentred-arc" | "import.underlay" | "import.uneven-height" | "import.unknown-operator" | "import.unknown-record" | "import.unsupported-element" | "import.unused-block" | "import.unused-subroutine" | "import.value-angle" | "import.value-not-numbers" | "import.value-not-transform" | "import.value-transform-numbers" | "import.value-unit" | "import.viewport" | "import.wrong-field-count" | "input.not-finite" | "job.action-requested" | "job.at-line" | "job.awaits-kernels" | "job.being-cancelled" | "job.cancelled" | "job.cancelled-before-request" | "job.claim-returned" | "job.claimed" | "job.claimed-to-confirm" | "job.compile-cancelled" | "job.compile-crashed" | "job.compile-started" | "job.compiles-died" | "job.confirmed-sheet" | "job.confirmed-table" | "job.copy-done" | "job.copy-done-next-sheet" | "job.declared-finished" | "job.exceptions-accepted" | "job.executed" | "job.fully-executed" | "job.gateway-fell-silent" | "job.gateway-lost" | "job.gateway-silent" | "job.held-before-start" | "job.interrupted" | "job.interrupted-at-end" | "job.interrupted-between-copies" | "job.late-report" | "job.no-confirmation-awaited" | "job.no-sheet-awaited" | "job.no-shortfalls" | "job.no-work" | "job.not-confirmed" | "job.not-running" | "job.not-taken" | "job.nothing-sent" | "job.nothing-to-confirm" | "job.of-copy" | "job.ordered" | "job.other-board" | "job.other-phase" | "job.outdated" | "job.program-has-shortfalls" | "job.program-refused" | "job.recompiled" | "job.released" | "job.released-by-order" | "job.requeued" | "job.scrapped" | "job.stale-epoch" | "job.started" | "job.started-unconfirmed" | "job.tool-changed" | "job.tools-not-checked" | "job.unknown" | "job.verified" | "job.worker-silent" | "job.worn-tools" | "job.worn-tools-used" | "job.wrong-state" | "job.wrong-state-for-request" | "language.bad-entry-point" | "language.default-outputs" | "language.few-outputs" | "language.no-driver" | "language.no-linear-axis" | "language.no-rotary-axis" | "language.no-settings" | "language.unknown" | "language.unusable" | "layer.not-finite" | "lead.no-corner" | "lead.no-room" | "library.bad-if-match" | "library.bad-name" | "library.changed-since" | "library.deleted" | "library.deleted-since" | "library.exists" | "library.in-use" | "library.invalid" | "library.large-integer" | "library.nested-too-deep" | "library.not-an-object" | "library.not-json" | "library.not-stored" | "library.not-toml" | "library.not-utf8" | "library.null-in-list" | "library.shipped" | "library.stale" | "library.too-long" | "library.too-many" | "library.unknown" | "library.unknown-file" | "library.unknown-version" | "library.unreadable" | "lift.not-stated" | "linuxcnc.bad-address" | "linuxcnc.cause" | "linuxcnc.estop" | "linuxcnc.folder-not-writable" | "linuxcnc.lost" | "linuxcnc.machine-off" | "linuxcnc.not-at-rest" | "linuxcnc.not-begun" | "linuxcnc.not-homed" | "linuxcnc.not-secured" | "linuxcnc.program-not-opened" | "linuxcnc.refused" | "linuxcnc.rejected-in-check" | "linuxcnc.silent" | "linuxcnc.stopped" | "linuxcnc.unreadable" | "linuxcnc.wrong-password" | "machine.busy" | "machine.busy-with-another" | "machine.no-cutter" | "machine.no-such-cutter" | "mcx314.after-end" | "mcx314.alarm-chip" | "mcx314.alarm-drive" | "mcx314.alarm-emergency" | "mcx314.alarm-limit" | "mcx314.alarm-other" | "mcx314.alarm-unhomed" | "mcx314.axis-too-fast" | "mcx314.axis-too-long" | "mcx314.bad-arc" | "mcx314.bad-axes" | "mcx314.bad-header" | "mcx314.bad-line" | "mcx314.bad-rate" | "mcx314.bad-speed" | "mcx314.ends-lowered" | "mcx314.ends-oscillating" | "mcx314.feed-too-slow" | "mcx314.four-axes" | "mcx314.gave-up" | "mcx314.joins-nothing" | "mcx314.joins-short" | "mcx314.lost" | "mcx314.no-circle" | "mcx314.no-end" | "mcx314.no-newline" | "mcx314.no-pulses" | "mcx314.no-wiring" | "mcx314.not-at-rest" | "mcx314.not-lifted" | "mcx314.not-settled" | "mcx314.other-pulses" | "mcx314.out-of-range" | "mcx314.pulses-of-board" | "mcx314.refused" | "mcx314.reset" | "mcx314.silent" | "mcx314.speed" | "mcx314.spindle-not-supported" | "mcx314.stopped" | "mcx314.too-far" | "mcx314.too-short" | "mcx314.tool-not-supported" | "mcx314.unknown-line" | "mcx314.unknown-output" | "mcx314.unknown-position" | "mcx314.unreadable" | "mcx314.wrong-dwell" | "milling.contours-cross" | "milling.shared-edge" | "motion.feed" | "motion.lead-in" | "motion.lead-out" | "motion.lift" | "motion.plunge" | "motion.rapid" | "motion.swivel" | "motion.unknown" | "offset.bad-distance" | "offset.bad-interference" | "offset.bad-side" | "offset.cusp" | "offset.dead-end" | "offset.interference" | "offset.mixed-group" | "offset.self-contact" | "operation.bad-feed" | "operation.beyond-travel" | "operation.expired" | "operation.gateway-absent" | "operation.job-on-machine" | "operation.job-running" | "operation.missing-argument" | "operation.no-controller" | "operation.no-result" | "operation.no-spindle" | "operation.no-station" | "operation.not-at-rest" | "operation.not-lifted" | "operation.not-locked" | "operation.stopped" | "operation.unknown" | "operation.unknown-axis" | "operation.unknown-output" | "operation.unreported" | "operation.unsupported" | "override.ambiguous" | "override.no-edges-there" | "override.no-such-edge" | "override.no-such-handle" | "override.of-colour" | "override.on-layer" | "pdf.blank" | "pdf.content-damaged" | "pdf.cut-short" | "pdf.encrypted" | "pdf.expands-too-far" | "pdf.form" | "pdf.form-named" | "pdf.illustrator-only" | "pdf.layers-too-deep" | "pdf.nested-arrays" | "pdf.no-header" | "pdf.no-page" | "pdf.open-array" | "pdf.open-image" | "pdf.open-text" | "pdf.page" | "pdf.page-too-large" | "pdf.part-missing" | "pdf.stream-cut-short" | "pdf.stream-damaged" | "pdf.stream-too-large" | "pdf.too-many-states" | "profile.bad-name" | "profile.exists" | "profile.invalid-field" | "profile.nested-too-deep" | "profile.not-an-extension" | "profile.not-kept" | "profile.not-toml" | "profile.not-utf8" | "profile.not-utf8-byte" | "profile.shipped" | "profile.shipped-command" | "profile.stale" | "profile.too-long" | "profile.too-many" | "program.bad-tolerance" | "program.control-byte" | "program.line-too-long" | "program.line-too-long-to-send" | "program.no-placement" | "program.not-bytes" | "program.not-fetched" | "program.too-large" | "program.too-many-lines" | "program.too-many-moves" | "program.wrong-checksum" | "question.guess" | "question.line-type" | "question.shape" | "question.tool" | "question.unit" | "question.unit-contradicted" | "question.unit-doubtful" | "question.unit-evidence" | "question.unit-not-stated" | "question.unit-size" | "question.unit-unreadable" | "queue.after" | "queue.before" | "queue.changed" | "queue.claimed" | "queue.copies-changed" | "queue.copies-done" | "queue.does-not-fit" | "queue.let-go" | "queue.moved" | "queue.no-neighbour" | "queue.not-waiting" | "queue.priority-changed" | "queue.put-on-hold" | "queue.transferred" | "reading.crashed" | "reading.damaged" | "reading.empty" | "reading.expands-too-far" | "reading.nested-too-deep" | "reading.too-large" | "reading.too-many-elements" | "reading.too-many-entities" | "reading.too-many-segments" | "reading.too-slow" | "reading.truncated" | "reading.unexpected" | "reading.unknown-kind" | "request.body-too-large" | "request.body-unreadable" | "request.foreign-origin" | "request.foreign-page" | "request.html-form" | "request.invalid" | "request.key-needed" | "request.key-reused" | "request.local-only" | "request.no-host" | "request.not-marked" | "request.not-storable" | "request.nothing-there" | "request.refused" | "request.unknown-zone" | "request.upload-too-large" | "request.wrong-host" | "request.wrong-key" | "request.wrong-method" | "rest.bound-to-sheet" | "rest.continued-already" | "rest.continued-by" | "rest.continues" | "rest.copy-of" | "rest.line-changed" | "rest.no-copies" | "rest.no-such-station" | "rest.no-such-track" | "rest.no-tracks" | "rest.not-again" | "rest.not-executed" | "rest.old-program" | "rest.ordered" | "rest.sheet-first" | "rest.whole-ordered" | "rest.wrong-state" | "rs274.active-comment" | "rs274.after-end" | "rs274.arc-of-other-carriage" | "rs274.axis-without-motion" | "rs274.bad-arc" | "rs274.bad-character" | "rs274.bad-feed" | "rs274.bad-line-number" | "rs274.centre-without-arc" | "rs274.change-without-station" | "rs274.control-byte" | "rs274.ends-lowered" | "rs274.ends-oscillating" | "rs274.ends-output-on" | "rs274.ends-with-offset" | "rs274.g64-unsupported" | "rs274.incomplete-arc" | "rs274.letter-without-number" | "rs274.line-too-long" | "rs274.missing-p" | "rs274.mode-g17" | "rs274.mode-g21" | "rs274.mode-g40" | "rs274.mode-g49" | "rs274.mode-g54" | "rs274.mode-g90" | "rs274.mode-g91-1" | "rs274.mode-g92-1" | "rs274.mode-g94" | "rs274.motion-without-axis" | "rs274.moves-and-switches" | "rs274.moves-other-carriage" | "rs274.moves-unstated" | "rs274.nested-comment" | "rs274.no-end" | "rs274.no-feed" | "rs274.not-settled" | "rs274.number-too-large" | "rs274.offset-without-station" | "rs274.open-comment" | "rs274.repeated-word" | "rs274.speed-without-m3" | "rs274.spindle-of-other-station" | "rs274.stray-p" | "rs274.stray-q" | "rs274.switches-while-moving" | "rs274.timed-without-f" | "rs274.too-many-digits" | "rs274.unbounded-rounding" | "rs274.unknown-letter" | "rs274.unknown-output" | "rs274.unknown-station" | "rs274.unknown-word" | "rs274.wrong-direction" | "rs274.wrong-dwell" | "rs274.wrong-speed" | "rule.block" | "rule.colour" | "rule.conditions" | "rule.entity" | "rule.everything" | "rule.layer" | "rule.linetype" | "run.executed" | "run.in-buffer" | "run.nothing-sent" | "segment.not-finite" | "server.address-in-use" | "server.answered" | "server.busy" | "server.database-silent" | "server.internal-error" | "server.not-started" | "server.stopping" | "server.unreachable" | "settings.bad-host" | "settings.bad-key" | "settings.key-file" | "settings.two-keys" | "sheet.bad-size" | "sheet.off-table" | "sheet.smaller-than-drawing" | "sheet.without-outline" | "store.no-column" | "store.unknown" | "stored.text" | "svg.cut-short" | "svg.damaged-at" | "svg.empty" | "svg.external-entity" | "svg.long-entity" | "svg.markup-entity" | "svg.nested-too-deep" | "svg.other-xml" | "svg.packed-cut-short" | "svg.packed-damaged" | "svg.too-many-rules" | "svg.unpacks-too-far" | "tool-check.in-zone" | "tool-check.large-shift" | "tool-check.not-lowered" | "tool-check.not-lowered-beam" | "tool-check.not-reached" | "tool-life.near" | "tool-life.no-station" | "tool-life.over" | "tool.bad-radius" | "tool.cannot-work" | "tool.missing" | "tool.shallow-lead" | "tool.short-lead" | "tool.tilted" | "tool.without-power" | "tool.without-speed" | "toolpath.arc-too-long" | "toolpath.empty" | "toolpath.feed-too-fast" | "toolpath.move" | "toolpath.no-approach" | "toolpath.no-feed" | "toolpath.not-finite" | "toolpath.rapid-arc" | "toolpath.row" | "toolpath.row-of-edge" | "toolpath.swivel-without-turn" | "toolpath.too-far" | "toolpath.unknown-motion" | "toolpath.unknown-station" | "track.too-flat" | "travel.above" | "travel.below" | "travel.heads-too-near" | "unit.cf2-inches" | "unit.cf2-millimetres" | "unit.cf2-none" | "unit.cf2-scale-applied" | "unit.cf2-scale-invalid" | "unit.cf2-scale-not-applied" | "unit.cf2-scale-undecided" | "unit.cf2-scaled" | "unit.dimensions-larger" | "unit.dimensions-smaller" | "unit.drawn-in-imperial" | "unit.drawn-in-inches" | "unit.drawn-in-metric" | "unit.drawn-in-millimetres" | "unit.given" | "unit.header" | "unit.header-decimal-inches" | "unit.header-factor" | "unit.header-fractions" | "unit.header-imperial" | "unit.header-metric" | "unit.header-missing" | "unit.header-not-a-number" | "unit.header-undefined" | "unit.header-unitless" | "unit.header-unsupported" | "unit.imprecise" | "unit.inconclusive" | "unit.multiples" | "unit.no-number-matches" | "unit.not-given" | "unit.number" | "unit.number-in" | "unit.numbers-match" | "unit.numbers-match-often" | "unit.overruled" | "unit.page-in-pixels" | "unit.page-in-points" | "unit.paper-size" | "unit.part-drawn-twice" | "unit.parts-differ" | "unit.pdf" | "unit.pdf-scaled" | "unit.read-against-evidence" | "unit.read-against-header" | "unit.scale-mentioned" | "unit.share-stated" | "unit.share-unstated" | "unit.shortest-edges" | "unit.size-unusual" | "unit.size-usual" | "unit.svg-no-size" | "unit.svg-no-unit" | "unit.svg-pixel" | "unit.svg-pixel-illustrator" | "unit.svg-size" | "unit.svg-size-in-pixels" | "unit.text-states" | "unit.unsupported" | "verify.bad-tolerance" | "verify.beam-on-rapid" | "verify.beam-refocused" | "verify.beside-line" | "verify.beyond-rotation" | "verify.beyond-travel" | "verify.bridge-near-corner" | "verify.bridge-spacing" | "verify.bridge-spare" | "verify.bridge-width" | "verify.centre-off-path" | "verify.cleaning-beyond" | "verify.cleaning-dropped" | "verify.cleaning-incomplete" | "verify.cleaning-invented" | "verify.cleaning-moved" | "verify.cleaning-type" | "verify.comes-out-anywhere" | "verify.comes-out-past" | "verify.comes-out-short" | "verify.contour-unreached" | "verify.crease-meets-cuts" | "verify.crease-stops-at-cut" | "verify.crease-too-short" | "verify.cut-both-ways" | "verify.cut-too-short" | "verify.cuts-part" | "verify.cutter-at-rest" | "verify.feed-of-other-axis" | "verify.flank-inside" | "verify.flank-outside" | "verify.flank-through-cut" | "verify.fold-angle" | "verify.goes-in-anywhere" | "verify.groove-arc" | "verify.groove-past-ends" | "verify.groove-shallower" | "verify.groove-shifted" | "verify.groove-too-short" | "verify.hanging-piece" | "verify.head-not-located" | "verify.heads-too-near" | "verify.idle-head-low" | "verify.in-zone" | "verify.inside-part" | "verify.knife-at-rest" | "verify.laser-off" | "verify.loose-piece" | "verify.lowers-second" | "verify.made-before" | "verify.moves-before-stated" | "verify.moves-overlap" | "verify.moves-with-beam" | "verify.never-stated" | "verify.no-station" | "verify.no-such-shortfall" | "verify.not-acceptable" | "verify.not-worked" | "verify.off-curve" | "verify.off-line" | "verify.oscillation-on" | "verify.other-placement" | "verify.outline-begun" | "verify.output" | "verify.output-off" | "verify.pass-alone" | "verify.pass-too-deep" | "verify.past-end" | "verify.past-open-cut" | "verify.past-stop" | "verify.perforation-bridge" | "verify.perforation-cut" | "verify.perforation-gap" | "verify.perforation-uneven" | "verify.plunge-without-move" | "verify.rapid-in-board" | "verify.rapid-near-sheet" | "verify.rapid-too-low" | "verify.released-before" | "verify.slanted" | "verify.spindle" | "verify.stray" | "verify.stray-along" | "verify.stray-plunge" | "verify.stray-plunge-along" | "verify.switches-at-unknown-height" | "verify.switches-low" | "verify.too-few-bridges" | "verify.turn-at-feed" | "verify.turn-in-board" | "verify.turn-off-path" | "verify.turn-overlaps" | "verify.two-lowered" | "verify.unclassified" | "verify.unknown-beside-zone" | "verify.unknown-position" | "verify.unreached" | "verify.where-from-start" | "verify.where-past-end" | "verify.where-past-start" | "verify.wide-slit" | "verify.work-creased" | "verify.work-cut" | "verify.work-grooved" | "verify.work-grooved-from-end" | "verify.work-grooved-from-start" | "verify.wrong-depth" | "verify.wrong-feed" | "verify.wrong-heading" | "verify.wrong-time" | "waiting.confirmed" | "waiting.for-end" | "waiting.for-gateway" | "waiting.for-machine" | "waiting.for-person" | "waiting.for-rest" | "waiting.for-sheet" | "waiting.for-start" | "waiting.for-turn" | "waiting.on-hold" | "waiting.outdated" | "waiting.sheet-outline" | "waiting.sheet-size" | "waiting.taken" | "waiting.taken-interrupted" | "waiting.taken-unconfirmed" | "waiting.tool" | "waiting.tools" | "waiting.unconfirmed-run" | "waiting.unfinished-sheet" | "worker.died" | "worker.memory" | "worker.timeout" | "zone.work";
+        MessageCode: "advice.compiling" | "advice.ended" | "advice.interrupted" | "advice.of-reason" | "advice.queued" | "advice.ready" | "advice.running" | "bridges.no-room" | "calibration.bad-points" | "calibration.choose-cutter" | "calibration.missing-column" | "calibration.not-a-number" | "calibration.not-csv" | "calibration.undetermined" | "calibration.wrong-sign" | "cf2.cut-short" | "cf2.decimal-commas" | "cf2.empty" | "cf2.main" | "cf2.section" | "cf2.subroutine" | "classification.around" | "classification.arrow" | "classification.as-its-style" | "classification.bleed" | "classification.board-ends" | "classification.closes-nothing" | "classification.contradicted" | "classification.convention" | "classification.cuts-panel-off" | "classification.dashed" | "classification.divider" | "classification.divides-panels" | "classification.frame" | "classification.free" | "classification.hole" | "classification.inner" | "classification.layer-denies" | "classification.layer-name" | "classification.legend" | "classification.letter" | "classification.like-outline" | "classification.like-outline-not-folds" | "classification.linetype-name" | "classification.mark" | "classification.mirror-cut" | "classification.mirror-folded" | "classification.mixed" | "classification.must-be-processed" | "classification.named" | "classification.no-rule" | "classification.no-rule-but-shape" | "classification.none-closes" | "classification.not-made" | "classification.on-cut" | "classification.open" | "classification.other-style-closes" | "classification.outline" | "classification.override" | "classification.paired" | "classification.panel-hangs" | "classification.panels-hang" | "classification.role-against" | "classification.rule" | "classification.shape" | "classification.slit" | "classification.slot" | "classification.speck" | "classification.stray" | "classification.swapped" | "classification.swapped-both" | "classification.swapped-like" | "classification.table" | "classification.unknown" | "classification.votes" | "classification.with-text" | "classification.without-tabs" | "cleaning.as-drawn" | "cleaning.dropped-off-panel" | "cleaning.dropped-speck" | "cleaning.end-moved" | "cleaning.fitted" | "cleaning.fitted-edge" | "cleaning.folds-trimmed" | "cleaning.ignored" | "cleaning.joined" | "cleaning.joined-edge" | "cleaning.kept" | "cleaning.kept-changed" | "cleaning.length-on-others" | "cleaning.longer" | "cleaning.moved" | "cleaning.no-work" | "cleaning.off-panel" | "cleaning.on-edge" | "cleaning.part-dropped" | "cleaning.part-off-panel" | "cleaning.shortened" | "cleaning.speck" | "cleaning.twice" | "cleaning.unclassified" | "command.bad-corner" | "command.bad-edge" | "command.bad-layer" | "command.bad-line-type" | "command.file-too-large" | "command.no-such-layer" | "command.unreadable-file" | "command.unwritable-file" | "controller.alarm" | "controller.alarm-code" | "controller.alarm-of-unknown-cause" | "controller.alarm-state" | "controller.alarm-unknown" | "controller.answer-lost" | "controller.answer-missing" | "controller.bad-address" | "controller.bad-host" | "controller.bad-serial-address" | "controller.busy" | "controller.check-end-not-confirmed" | "controller.closed" | "controller.connection-failed" | "controller.due" | "controller.in-alarm" | "controller.lift-not-finished" | "controller.line-changed" | "controller.locked" | "controller.locked-by-alarm" | "controller.lost" | "controller.lost-in-buffer" | "controller.no-host-and-port" | "controller.not-in-laser-mode" | "controller.not-ready" | "controller.not-recovered" | "controller.not-secured" | "controller.not-stopped" | "controller.off-heading" | "controller.off-path" | "controller.one-carriage" | "controller.port-busy" | "controller.port-missing" | "controller.port-not-permitted" | "controller.port-unusable" | "controller.ports-found" | "controller.refused-safe-state" | "controller.rejected-command" | "controller.rejected-in-check" | "controller.rejected-line" | "controller.reports-alarm" | "controller.reset" | "controller.reset-not-confirmed" | "controller.silent" | "controller.stopped" | "controller.too-few-outputs" | "controller.unable" | "controller.unexpected-answer" | "controller.unreachable" | "controller.was-reset" | "controller.web-server" | "corner.at" | "corner.bad-interference" | "corner.bad-k" | "corner.bad-k-at" | "corner.bad-place" | "corner.bad-share" | "corner.inside" | "corner.no-contour" | "corner.no-cutter" | "corner.not-found" | "corner.replaced" | "corner.unknown-number" | "corner.unknown-type" | "corner.unknown-type-at" | "crease.tight-bend" | "curve.bad-ellipse" | "curve.bad-spline" | "curve.bad-tolerance" | "curve.not-finite" | "curve.not-fitted" | "curve.parameters" | "curve.too-many-pieces" | "curve.too-many-spans" | "cut.too-many-crossings" | "cut.too-short" | "cutter.interference" | "cutter.misses-bridge" | "cutter.short-lead" | "database.bad-url" | "database.in-memory" | "deflection.exceeds-radius" | "drawing.all-ignored" | "drawing.changing" | "drawing.deleted" | "drawing.empty" | "drawing.fits-turned" | "drawing.in-use" | "drawing.larger-than-table" | "drawing.no-lines" | "drawing.no-lines-reason" | "drawing.open-questions" | "drawing.read" | "drawing.reinterpreted" | "drawing.stale" | "drawing.types-set" | "drawing.unit-for-cleaning" | "drawing.unit-unknown" | "drawing.unknown" | "drawing.upload-too-large" | "dry-run.in-progress" | "dry-run.no-job" | "dry-run.no-lift" | "dry-run.no-work" | "dry-run.not-running" | "dry-run.other-path" | "dry-run.switches" | "dry-run.too-low" | "dry-run.unknown-line" | "dry-run.uses-machine" | "dxf.at-line" | "dxf.blocks-expand-too-far" | "dxf.blocks-too-deep" | "dxf.cut-short" | "dxf.no-section" | "dxf.not-a-group-code" | "dxf.other-kind" | "dxf.too-large-unusual" | "dxf.without-end-mark" | "edge.no-length" | "edge.not-finite" | "edge.place" | "edge.too-crowded" | "edge.too-far" | "edge.too-many-overlaps" | "error.at-edge" | "error.at-edges" | "error.in-file" | "field.above" | "field.above-clearance" | "field.bad-arguments" | "field.below" | "field.blank" | "field.inconsistent" | "field.missing" | "field.misspelt" | "field.no-kind" | "field.no-neighbour" | "field.no-spindle" | "field.no-such-carriage" | "field.not-a-colour" | "field.not-a-line-type" | "field.not-a-list" | "field.not-a-number" | "field.not-a-profile" | "field.not-a-table" | "field.not-above" | "field.not-above-low" | "field.not-below" | "field.not-boolean" | "field.not-json" | "field.not-less-than-caliper" | "field.not-one-of" | "field.not-text" | "field.not-whole" | "field.other" | "field.outside" | "field.park-outside" | "field.parks-too-near" | "field.repeated-letters" | "field.repeated-numbers" | "field.rest-choice" | "field.sheet-size" | "field.spacing" | "field.spindle-of-beam" | "field.too-few" | "field.too-long" | "field.too-many" | "field.too-many-passes" | "field.too-short" | "field.unknown" | "field.unknown-kind" | "field.zone-above-travel" | "file.7z" | "file.bmp" | "file.compound-file" | "file.dwg" | "file.eps" | "file.gif" | "file.gzip" | "file.html" | "file.jpeg" | "file.json" | "file.old-dwg" | "file.png" | "file.postscript" | "file.rar" | "file.riff" | "file.step" | "file.stl" | "file.tiff" | "file.xml" | "file.zip" | "finding.at-edge" | "finding.at-edge-and-line" | "finding.at-line" | "finding.more" | "folder.bad-address" | "folder.deleted" | "folder.not-deleted" | "folder.not-written" | "folder.taken" | "folder.unusable" | "gateway.cancelled" | "gateway.controller-not-idle" | "gateway.job-withdrawn" | "gateway.job-withdrawn-before-start" | "gateway.machine-changed" | "gateway.no-reason" | "gateway.outdated-machine" | "gateway.started-in-dry-run" | "gateway.switched-off" | "gateway.switched-off-before-report" | "gateway.switched-off-in-run" | "gateway.system-error" | "grbl.alarm-1" | "grbl.alarm-10" | "grbl.alarm-11" | "grbl.alarm-12" | "grbl.alarm-14" | "grbl.alarm-17" | "grbl.alarm-2" | "grbl.alarm-3" | "grbl.alarm-4" | "grbl.alarm-5" | "grbl.alarm-6" | "grbl.alarm-7" | "grbl.alarm-8" | "grbl.alarm-9" | "grbl.axis-letter-used" | "grbl.error-1" | "grbl.error-10" | "grbl.error-11" | "grbl.error-12" | "grbl.error-13" | "grbl.error-14" | "grbl.error-15" | "grbl.error-16" | "grbl.error-17" | "grbl.error-18" | "grbl.error-2" | "grbl.error-20" | "grbl.error-21" | "grbl.error-22" | "grbl.error-23" | "grbl.error-24" | "grbl.error-25" | "grbl.error-26" | "grbl.error-27" | "grbl.error-28" | "grbl.error-29" | "grbl.error-3" | "grbl.error-30" | "grbl.error-31" | "grbl.error-32" | "grbl.error-33" | "grbl.error-34" | "grbl.error-35" | "grbl.error-36" | "grbl.error-37" | "grbl.error-38" | "grbl.error-39" | "grbl.error-4" | "grbl.error-5" | "grbl.error-6" | "grbl.error-60" | "grbl.error-7" | "grbl.error-79" | "grbl.error-8" | "grbl.error-9" | "grbl.no-output" | "grbl.no-reverse" | "grbl.no-rotary-axis" | "grbl.unknown-alarm" | "grbl.unknown-error" | "groove.along-edge" | "groove.curved" | "groove.overcut" | "groove.runs-out" | "groove.through-cut" | "groove.through-cut-at-it" | "groove.tight-bend" | "groove.too-deep" | "groove.too-short" | "hpgl.bad-address" | "hpgl.bad-area" | "hpgl.bad-byte" | "hpgl.bad-feed" | "hpgl.bad-number" | "hpgl.bad-range" | "hpgl.datum" | "hpgl.depth-change" | "hpgl.ends-down" | "hpgl.ends-with-pen" | "hpgl.feed-not-supported" | "hpgl.force-out-of-range" | "hpgl.initialised-again" | "hpgl.lone-letter" | "hpgl.loose-number" | "hpgl.moves-before-pa" | "hpgl.needs-no-number" | "hpgl.needs-one-number" | "hpgl.never-down" | "hpgl.no-approach" | "hpgl.no-device" | "hpgl.no-force" | "hpgl.no-force-setting" | "hpgl.no-instruction" | "hpgl.no-pen" | "hpgl.no-pen-selected" | "hpgl.no-speed" | "hpgl.no-speed-setting" | "hpgl.no-terminator" | "hpgl.not-initialised" | "hpgl.not-raised" | "hpgl.not-reached" | "hpgl.outside-area" | "hpgl.pen-cannot" | "hpgl.plunge-without-move" | "hpgl.press" | "hpgl.repeated-pen" | "hpgl.runs-on" | "hpgl.selects-while-down" | "hpgl.send-by-hand" | "hpgl.sets-while-down" | "hpgl.slanted-plunge" | "hpgl.speed-out-of-range" | "hpgl.station-without-pen" | "hpgl.swivel" | "hpgl.tool-not-supported" | "hpgl.trail" | "hpgl.travel" | "hpgl.turn-in-board" | "hpgl.unknown-instruction" | "hpgl.unknown-pen" | "hpgl.wrong-force" | "hpgl.x-without-y" | "import.angles-not-numbers" | "import.annotations" | "import.area-outline" | "import.area-outline-on-page" | "import.array" | "import.bad-operands" | "import.bad-path-data" | "import.bad-place" | "import.bad-points" | "import.bad-radius" | "import.bad-size" | "import.bad-transform" | "import.bad-value" | "import.bad-window" | "import.block-external" | "import.block-in-itself" | "import.block-missing" | "import.bridge" | "import.bridges" | "import.clip-path" | "import.contains-itself" | "import.coordinate-not-a-number" | "import.curves-fitted" | "import.curves-fitted-relative" | "import.damaged" | "import.damaged-or-frame" | "import.dimension" | "import.drawn-twice" | "import.drawn-twice-often" | "import.empty-path" | "import.end-mark" | "import.endless-line" | "import.extrusion-not-a-number" | "import.few-vertices" | "import.filled-area" | "import.filled-area-beside-strokes" | "import.filled-area-on-page" | "import.fit-points" | "import.font-shape" | "import.height-not-a-number" | "import.height-too-far" | "import.hidden" | "import.hidden-layer" | "import.image" | "import.incomplete" | "import.interrupted-path" | "import.invisible" | "import.kept" | "import.kept-changed" | "import.laid-flat" | "import.layer-frozen" | "import.layer-not-plotted" | "import.layer-off" | "import.light" | "import.line-not-numbers" | "import.lone-vertex" | "import.mesh" | "import.missing-id" | "import.missing-subroutine" | "import.multiple-line" | "import.no-length" | "import.no-major-axis" | "import.no-paint" | "import.no-parameter-range" | "import.no-points" | "import.no-scale" | "import.no-size" | "import.no-sweep" | "import.not-a-line" | "import.not-clipped" | "import.not-flat" | "import.not-numbers" | "import.not-svg" | "import.not-visible" | "import.nothing-named" | "import.on-layer" | "import.other-file" | "import.other-pages" | "import.outside-page" | "import.page-ends-early" | "import.paper-space" | "import.parameters-not-numbers" | "import.partly-outside-page" | "import.picture" | "import.picture-block" | "import.pieces-drawn-twice" | "import.pieces-drawn-twice-often" | "import.pieces-no-length" | "import.place-not-a-number" | "import.placement-not-a-number" | "import.places-block" | "import.places-subroutine" | "import.point" | "import.proxy" | "import.region" | "import.repeated" | "import.rules-not-read" | "import.script" | "import.shading" | "import.short-path-data" | "import.solid" | "import.spot-colour" | "import.subroutine-in-itself" | "import.text" | "import.text-unknown-letters" | "import.tilted" | "import.tilted-axis" | "import.too-far" | "import.too-many-fit-points" | "import.uncentred-arc" | "import.underlay" | "import.uneven-height" | "import.unknown-operator" | "import.unknown-record" | "import.unsupported-element" | "import.unused-block" | "import.unused-subroutine" | "import.value-angle" | "import.value-not-numbers" | "import.value-not-transform" | "import.value-transform-numbers" | "import.value-unit" | "import.viewport" | "import.wrong-field-count" | "input.not-finite" | "job.action-requested" | "job.at-line" | "job.awaits-kernels" | "job.being-cancelled" | "job.cancelled" | "job.cancelled-before-request" | "job.claim-returned" | "job.claimed" | "job.claimed-to-confirm" | "job.compile-cancelled" | "job.compile-crashed" | "job.compile-started" | "job.compiles-died" | "job.confirmed-sheet" | "job.confirmed-table" | "job.copy-done" | "job.copy-done-next-sheet" | "job.declared-finished" | "job.exceptions-accepted" | "job.executed" | "job.fully-executed" | "job.gateway-fell-silent" | "job.gateway-lost" | "job.gateway-silent" | "job.held-before-start" | "job.interrupted" | "job.interrupted-at-end" | "job.interrupted-between-copies" | "job.late-report" | "job.no-confirmation-awaited" | "job.no-sheet-awaited" | "job.no-shortfalls" | "job.no-work" | "job.not-confirmed" | "job.not-running" | "job.not-taken" | "job.nothing-sent" | "job.nothing-to-confirm" | "job.of-copy" | "job.ordered" | "job.other-board" | "job.other-phase" | "job.outdated" | "job.program-has-shortfalls" | "job.program-refused" | "job.recompiled" | "job.released" | "job.released-by-order" | "job.requeued" | "job.scrapped" | "job.stale-epoch" | "job.started" | "job.started-unconfirmed" | "job.tool-changed" | "job.tools-not-checked" | "job.unknown" | "job.verified" | "job.worker-silent" | "job.worn-tools" | "job.worn-tools-used" | "job.wrong-state" | "job.wrong-state-for-request" | "language.bad-entry-point" | "language.default-outputs" | "language.few-outputs" | "language.no-driver" | "language.no-linear-axis" | "language.no-rotary-axis" | "language.no-settings" | "language.unknown" | "language.unusable" | "layer.not-finite" | "lead.no-corner" | "lead.no-room" | "library.bad-if-match" | "library.bad-name" | "library.changed-since" | "library.deleted" | "library.deleted-since" | "library.exists" | "library.in-use" | "library.invalid" | "library.large-integer" | "library.nested-too-deep" | "library.not-an-object" | "library.not-json" | "library.not-stored" | "library.not-toml" | "library.not-utf8" | "library.null-in-list" | "library.shipped" | "library.stale" | "library.too-long" | "library.too-many" | "library.unknown" | "library.unknown-file" | "library.unknown-version" | "library.unreadable" | "lift.not-stated" | "linuxcnc.bad-address" | "linuxcnc.cause" | "linuxcnc.estop" | "linuxcnc.folder-not-writable" | "linuxcnc.lost" | "linuxcnc.machine-off" | "linuxcnc.not-at-rest" | "linuxcnc.not-begun" | "linuxcnc.not-homed" | "linuxcnc.not-secured" | "linuxcnc.program-not-opened" | "linuxcnc.refused" | "linuxcnc.rejected-in-check" | "linuxcnc.silent" | "linuxcnc.stopped" | "linuxcnc.unreadable" | "linuxcnc.wrong-password" | "machine.busy" | "machine.busy-with-another" | "machine.no-cutter" | "machine.no-such-cutter" | "mcx314.after-end" | "mcx314.alarm-chip" | "mcx314.alarm-drive" | "mcx314.alarm-emergency" | "mcx314.alarm-limit" | "mcx314.alarm-other" | "mcx314.alarm-unhomed" | "mcx314.axis-too-fast" | "mcx314.axis-too-long" | "mcx314.bad-arc" | "mcx314.bad-axes" | "mcx314.bad-header" | "mcx314.bad-line" | "mcx314.bad-rate" | "mcx314.bad-speed" | "mcx314.ends-lowered" | "mcx314.ends-oscillating" | "mcx314.feed-too-slow" | "mcx314.four-axes" | "mcx314.gave-up" | "mcx314.joins-nothing" | "mcx314.joins-short" | "mcx314.lost" | "mcx314.no-circle" | "mcx314.no-end" | "mcx314.no-newline" | "mcx314.no-pulses" | "mcx314.no-wiring" | "mcx314.not-at-rest" | "mcx314.not-lifted" | "mcx314.not-settled" | "mcx314.other-pulses" | "mcx314.out-of-range" | "mcx314.pulses-of-board" | "mcx314.refused" | "mcx314.reset" | "mcx314.silent" | "mcx314.speed" | "mcx314.spindle-not-supported" | "mcx314.stopped" | "mcx314.too-far" | "mcx314.too-short" | "mcx314.tool-not-supported" | "mcx314.unknown-line" | "mcx314.unknown-output" | "mcx314.unknown-position" | "mcx314.unreadable" | "mcx314.wrong-dwell" | "milling.contours-cross" | "milling.shared-edge" | "motion.feed" | "motion.lead-in" | "motion.lead-out" | "motion.lift" | "motion.plunge" | "motion.rapid" | "motion.swivel" | "motion.unknown" | "offset.bad-distance" | "offset.bad-interference" | "offset.bad-side" | "offset.cusp" | "offset.dead-end" | "offset.interference" | "offset.mixed-group" | "offset.self-contact" | "operation.bad-feed" | "operation.beyond-travel" | "operation.expired" | "operation.gateway-absent" | "operation.job-on-machine" | "operation.job-running" | "operation.missing-argument" | "operation.no-controller" | "operation.no-result" | "operation.no-spindle" | "operation.no-station" | "operation.not-at-rest" | "operation.not-lifted" | "operation.not-locked" | "operation.stopped" | "operation.unknown" | "operation.unknown-axis" | "operation.unknown-output" | "operation.unreported" | "operation.unsupported" | "override.ambiguous" | "override.no-edges-there" | "override.no-such-edge" | "override.no-such-handle" | "override.of-colour" | "override.on-layer" | "pdf.blank" | "pdf.content-damaged" | "pdf.cut-short" | "pdf.encrypted" | "pdf.expands-too-far" | "pdf.form" | "pdf.form-named" | "pdf.illustrator-only" | "pdf.layers-too-deep" | "pdf.nested-arrays" | "pdf.no-header" | "pdf.no-page" | "pdf.open-array" | "pdf.open-image" | "pdf.open-text" | "pdf.page" | "pdf.page-too-large" | "pdf.part-missing" | "pdf.stream-cut-short" | "pdf.stream-damaged" | "pdf.stream-too-large" | "pdf.too-many-states" | "profile.bad-name" | "profile.exists" | "profile.invalid-field" | "profile.nested-too-deep" | "profile.not-an-extension" | "profile.not-kept" | "profile.not-toml" | "profile.not-utf8" | "profile.not-utf8-byte" | "profile.shipped" | "profile.shipped-command" | "profile.stale" | "profile.too-long" | "profile.too-many" | "program.bad-tolerance" | "program.control-byte" | "program.line-too-long" | "program.line-too-long-to-send" | "program.no-placement" | "program.not-bytes" | "program.not-fetched" | "program.too-large" | "program.too-many-lines" | "program.too-many-moves" | "program.wrong-checksum" | "question.guess" | "question.line-type" | "question.shape" | "question.tool" | "question.unit" | "question.unit-contradicted" | "question.unit-doubtful" | "question.unit-evidence" | "question.unit-not-stated" | "question.unit-size" | "question.unit-unreadable" | "queue.after" | "queue.before" | "queue.changed" | "queue.claimed" | "queue.copies-changed" | "queue.copies-done" | "queue.does-not-fit" | "queue.let-go" | "queue.moved" | "queue.no-neighbour" | "queue.not-waiting" | "queue.priority-changed" | "queue.put-on-hold" | "queue.transferred" | "reading.crashed" | "reading.damaged" | "reading.empty" | "reading.expands-too-far" | "reading.nested-too-deep" | "reading.too-large" | "reading.too-many-elements" | "reading.too-many-entities" | "reading.too-many-segments" | "reading.too-slow" | "reading.truncated" | "reading.unexpected" | "reading.unknown-kind" | "request.body-too-large" | "request.body-unreadable" | "request.foreign-origin" | "request.foreign-page" | "request.html-form" | "request.invalid" | "request.key-needed" | "request.key-reused" | "request.local-only" | "request.no-host" | "request.not-marked" | "request.not-storable" | "request.nothing-there" | "request.refused" | "request.scope-missing" | "request.unknown-zone" | "request.upload-too-large" | "request.wrong-host" | "request.wrong-key" | "request.wrong-method" | "rest.bound-to-sheet" | "rest.continued-already" | "rest.continued-by" | "rest.continues" | "rest.copy-of" | "rest.line-changed" | "rest.no-copies" | "rest.no-such-station" | "rest.no-such-track" | "rest.no-tracks" | "rest.not-again" | "rest.not-executed" | "rest.old-program" | "rest.ordered" | "rest.sheet-first" | "rest.whole-ordered" | "rest.wrong-state" | "rs274.active-comment" | "rs274.after-end" | "rs274.arc-of-other-carriage" | "rs274.axis-without-motion" | "rs274.bad-arc" | "rs274.bad-character" | "rs274.bad-feed" | "rs274.bad-line-number" | "rs274.centre-without-arc" | "rs274.change-without-station" | "rs274.control-byte" | "rs274.ends-lowered" | "rs274.ends-oscillating" | "rs274.ends-output-on" | "rs274.ends-with-offset" | "rs274.g64-unsupported" | "rs274.incomplete-arc" | "rs274.letter-without-number" | "rs274.line-too-long" | "rs274.missing-p" | "rs274.mode-g17" | "rs274.mode-g21" | "rs274.mode-g40" | "rs274.mode-g49" | "rs274.mode-g54" | "rs274.mode-g90" | "rs274.mode-g91-1" | "rs274.mode-g92-1" | "rs274.mode-g94" | "rs274.motion-without-axis" | "rs274.moves-and-switches" | "rs274.moves-other-carriage" | "rs274.moves-unstated" | "rs274.nested-comment" | "rs274.no-end" | "rs274.no-feed" | "rs274.not-settled" | "rs274.number-too-large" | "rs274.offset-without-station" | "rs274.open-comment" | "rs274.repeated-word" | "rs274.speed-without-m3" | "rs274.spindle-of-other-station" | "rs274.stray-p" | "rs274.stray-q" | "rs274.switches-while-moving" | "rs274.timed-without-f" | "rs274.too-many-digits" | "rs274.unbounded-rounding" | "rs274.unknown-letter" | "rs274.unknown-output" | "rs274.unknown-station" | "rs274.unknown-word" | "rs274.wrong-direction" | "rs274.wrong-dwell" | "rs274.wrong-speed" | "rule.block" | "rule.colour" | "rule.conditions" | "rule.entity" | "rule.everything" | "rule.layer" | "rule.linetype" | "run.executed" | "run.in-buffer" | "run.nothing-sent" | "segment.not-finite" | "server.address-in-use" | "server.answered" | "server.busy" | "server.database-silent" | "server.internal-error" | "server.not-started" | "server.stopping" | "server.unreachable" | "settings.bad-host" | "settings.bad-key" | "settings.key-file" | "settings.two-keys" | "sheet.bad-size" | "sheet.off-table" | "sheet.smaller-than-drawing" | "sheet.without-outline" | "store.no-column" | "store.unknown" | "stored.text" | "svg.cut-short" | "svg.damaged-at" | "svg.empty" | "svg.external-entity" | "svg.long-entity" | "svg.markup-entity" | "svg.nested-too-deep" | "svg.other-xml" | "svg.packed-cut-short" | "svg.packed-damaged" | "svg.too-many-rules" | "svg.unpacks-too-far" | "tool-check.in-zone" | "tool-check.large-shift" | "tool-check.not-lowered" | "tool-check.not-lowered-beam" | "tool-check.not-reached" | "tool-life.near" | "tool-life.no-station" | "tool-life.over" | "tool.bad-radius" | "tool.cannot-work" | "tool.missing" | "tool.shallow-lead" | "tool.short-lead" | "tool.tilted" | "tool.without-power" | "tool.without-speed" | "toolpath.arc-too-long" | "toolpath.empty" | "toolpath.feed-too-fast" | "toolpath.move" | "toolpath.no-approach" | "toolpath.no-feed" | "toolpath.not-finite" | "toolpath.rapid-arc" | "toolpath.row" | "toolpath.row-of-edge" | "toolpath.swivel-without-turn" | "toolpath.too-far" | "toolpath.unknown-motion" | "toolpath.unknown-station" | "track.too-flat" | "travel.above" | "travel.below" | "travel.heads-too-near" | "unit.cf2-inches" | "unit.cf2-millimetres" | "unit.cf2-none" | "unit.cf2-scale-applied" | "unit.cf2-scale-invalid" | "unit.cf2-scale-not-applied" | "unit.cf2-scale-undecided" | "unit.cf2-scaled" | "unit.dimensions-larger" | "unit.dimensions-smaller" | "unit.drawn-in-imperial" | "unit.drawn-in-inches" | "unit.drawn-in-metric" | "unit.drawn-in-millimetres" | "unit.given" | "unit.header" | "unit.header-decimal-inches" | "unit.header-factor" | "unit.header-fractions" | "unit.header-imperial" | "unit.header-metric" | "unit.header-missing" | "unit.header-not-a-number" | "unit.header-undefined" | "unit.header-unitless" | "unit.header-unsupported" | "unit.imprecise" | "unit.inconclusive" | "unit.multiples" | "unit.no-number-matches" | "unit.not-given" | "unit.number" | "unit.number-in" | "unit.numbers-match" | "unit.numbers-match-often" | "unit.overruled" | "unit.page-in-pixels" | "unit.page-in-points" | "unit.paper-size" | "unit.part-drawn-twice" | "unit.parts-differ" | "unit.pdf" | "unit.pdf-scaled" | "unit.read-against-evidence" | "unit.read-against-header" | "unit.scale-mentioned" | "unit.share-stated" | "unit.share-unstated" | "unit.shortest-edges" | "unit.size-unusual" | "unit.size-usual" | "unit.svg-no-size" | "unit.svg-no-unit" | "unit.svg-pixel" | "unit.svg-pixel-illustrator" | "unit.svg-size" | "unit.svg-size-in-pixels" | "unit.text-states" | "unit.unsupported" | "verify.bad-tolerance" | "verify.beam-on-rapid" | "verify.beam-refocused" | "verify.beside-line" | "verify.beyond-rotation" | "verify.beyond-travel" | "verify.bridge-near-corner" | "verify.bridge-spacing" | "verify.bridge-spare" | "verify.bridge-width" | "verify.centre-off-path" | "verify.cleaning-beyond" | "verify.cleaning-dropped" | "verify.cleaning-incomplete" | "verify.cleaning-invented" | "verify.cleaning-moved" | "verify.cleaning-type" | "verify.comes-out-anywhere" | "verify.comes-out-past" | "verify.comes-out-short" | "verify.contour-unreached" | "verify.crease-meets-cuts" | "verify.crease-stops-at-cut" | "verify.crease-too-short" | "verify.cut-both-ways" | "verify.cut-too-short" | "verify.cuts-part" | "verify.cutter-at-rest" | "verify.feed-of-other-axis" | "verify.flank-inside" | "verify.flank-outside" | "verify.flank-through-cut" | "verify.fold-angle" | "verify.goes-in-anywhere" | "verify.groove-arc" | "verify.groove-past-ends" | "verify.groove-shallower" | "verify.groove-shifted" | "verify.groove-too-short" | "verify.hanging-piece" | "verify.head-not-located" | "verify.heads-too-near" | "verify.idle-head-low" | "verify.in-zone" | "verify.inside-part" | "verify.knife-at-rest" | "verify.laser-off" | "verify.loose-piece" | "verify.lowers-second" | "verify.made-before" | "verify.moves-before-stated" | "verify.moves-overlap" | "verify.moves-with-beam" | "verify.never-stated" | "verify.no-station" | "verify.no-such-shortfall" | "verify.not-acceptable" | "verify.not-worked" | "verify.off-curve" | "verify.off-line" | "verify.oscillation-on" | "verify.other-placement" | "verify.outline-begun" | "verify.output" | "verify.output-off" | "verify.pass-alone" | "verify.pass-too-deep" | "verify.past-end" | "verify.past-open-cut" | "verify.past-stop" | "verify.perforation-bridge" | "verify.perforation-cut" | "verify.perforation-gap" | "verify.perforation-uneven" | "verify.plunge-without-move" | "verify.rapid-in-board" | "verify.rapid-near-sheet" | "verify.rapid-too-low" | "verify.released-before" | "verify.slanted" | "verify.spindle" | "verify.stray" | "verify.stray-along" | "verify.stray-plunge" | "verify.stray-plunge-along" | "verify.switches-at-unknown-height" | "verify.switches-low" | "verify.too-few-bridges" | "verify.turn-at-feed" | "verify.turn-in-board" | "verify.turn-off-path" | "verify.turn-overlaps" | "verify.two-lowered" | "verify.unclassified" | "verify.unknown-beside-zone" | "verify.unknown-position" | "verify.unreached" | "verify.where-from-start" | "verify.where-past-end" | "verify.where-past-start" | "verify.wide-slit" | "verify.work-creased" | "verify.work-cut" | "verify.work-grooved" | "verify.work-grooved-from-end" | "verify.work-grooved-from-start" | "verify.wrong-depth" | "verify.wrong-feed" | "verify.wrong-heading" | "verify.wrong-time" | "waiting.confirmed" | "waiting.for-end" | "waiting.for-gateway" | "waiting.for-machine" | "waiting.for-person" | "waiting.for-rest" | "waiting.for-sheet" | "waiting.for-start" | "waiting.for-turn" | "waiting.on-hold" | "waiting.outdated" | "waiting.sheet-outline" | "waiting.sheet-size" | "waiting.taken" | "waiting.taken-interrupted" | "waiting.taken-unconfirmed" | "waiting.tool" | "waiting.tools" | "waiting.unconfirmed-run" | "waiting.unfinished-sheet" | "worker.died" | "worker.memory" | "worker.timeout" | "zone.work";
         /** @description A code with its arguments. */
         Message: {
             /** @constant */
@@ -11161,6 +11331,14 @@ export interface components {
             code: "request.refused";
             arguments: {
                 status: number;
+            };
+        } | {
+            /** @constant */
+            code: "request.scope-missing";
+            arguments: {
+                principal: string;
+                scope: string;
+                scopes: string[];
             };
         } | {
             /** @constant */

@@ -3531,6 +3531,10 @@ export const TEXTS = {
     "text": "The request was rejected with the HTTP status {status}.",
     "hint": "Correct the request as /api/openapi.json describes."
   },
+  "request.scope-missing": {
+    "text": "{principal} may not do this, because the scope {scope} is missing (present: {scopes:, }).",
+    "hint": "Sign in as a user with the role {scope}, or use an API key with this scope."
+  },
   "request.unknown-zone": {
     "text": "{zone!r} is not the name of a time zone.",
     "hint": "Use a name such as Europe/Berlin or UTC."

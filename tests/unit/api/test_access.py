@@ -11,7 +11,24 @@ import pytest
 from starlette.responses import PlainTextResponse
 
 from knifetip.api import access, signin
-from knifetip.api.access import Access, AccessRules, RequestFacts, find_refusal, parse_authority
+from knifetip.api.access import (
+    Access,
+    AccessRules,
+    Proof,
+    Refusal,
+    RequestFacts,
+    find_access,
+    parse_authority,
+)
+from knifetip.api.principal import (
+    ANONYMOUS,
+    EMBEDDED_GATEWAY,
+    LOCAL,
+    SERVER_KEY,
+    Principal,
+    PrincipalKind,
+)
+from knifetip.jobs.accounts.scopes import ALL_SCOPES, AccessScope
 from knifetip.messages import hint
 
 KEY = "correct-horse-battery"
@@ -19,6 +36,7 @@ NOW = 1_000_000.0
 HOME = AccessRules(loopback_only=True)
 OPEN = AccessRules()
 KEYED = AccessRules(key=KEY)
+OWNER = Principal(PrincipalKind.KEY, "the ERP", "k1")
 #: Facts of a request: curl on this machine reads a list.
 CURL = RequestFacts(
     method="GET",
@@ -37,10 +55,10 @@ PAGE = replace(BROWSER, origins=("http://localhost:8080",), fetch_site="same-ori
 LAN = replace(CURL, host="192.168.1.20:8080", peer="192.168.1.77", server=("192.168.1.20", 8080))
 
 
-def status(rules: AccessRules, facts: RequestFacts) -> int:
+def status(rules: AccessRules, facts: RequestFacts, proof: Proof | None = None) -> int:
     """Return the HTTP status with which the rules refuse a request, 200 if they accept it."""
-    found = find_refusal(rules, facts, NOW)
-    return 200 if found is None else found.status
+    found = find_access(rules, facts, NOW, proof or Proof())
+    return found.status if isinstance(found, Refusal) else 200
 
 
 @pytest.mark.parametrize(
@@ -136,7 +154,9 @@ def test_a_change_must_show_that_no_foreign_page_sent_it(
     method: str, seen: dict[str, Any], expected: int
 ) -> None:
     asked = replace(BROWSER, method=method, **seen)
-    assert status(HOME, asked) == expected
+    # Here "x" is the secret of an API key.
+    proof = Proof(OWNER) if asked.authorization else Proof()
+    assert status(HOME, asked, proof) == expected
     if not seen.get("origins"):
         # A request of a foreign page is refused even with the key; a wrong key is not accepted.
         signed_in = replace(asked, session=signin.new_session(KEY, NOW))
@@ -170,8 +190,8 @@ def test_plain_forms_are_no_requests_of_the_api(kind: str, expected: int) -> Non
 def test_without_a_key_only_this_machine_is_served() -> None:
     assert status(OPEN, CURL) == 200
     assert status(OPEN, LAN) == 403
-    refused = find_refusal(OPEN, LAN, NOW)
-    assert refused is not None
+    refused = find_access(OPEN, LAN, NOW)
+    assert isinstance(refused, Refusal)
     assert "--key" in hint(refused.message)
     # A name that resolves to this machine, and another machine that sends the name localhost.
     assert status(OPEN, replace(LAN, peer="127.0.0.1", server=("127.0.0.1", 8080))) == 421
@@ -209,10 +229,47 @@ def test_a_wrong_key_gives_no_access(header: str) -> None:
 
 
 def test_a_wrong_key_is_refused_on_this_machine_too() -> None:
-    found = find_refusal(KEYED, replace(CURL, authorization="Bearer nonsense"), NOW)
-    assert found is not None
+    found = find_access(KEYED, replace(CURL, authorization="Bearer nonsense"), NOW)
+    assert isinstance(found, Refusal)
     assert found.status == 401
     assert found.wrong_key
+
+
+@pytest.mark.parametrize("rules", [HOME, OPEN, KEYED])
+def test_a_wrong_key_is_refused_on_this_machine_also_without_any_key(rules: AccessRules) -> None:
+    assert status(rules, replace(CURL, authorization="Bearer nonsense")) == 401
+    assert status(rules, replace(CURL, authorization="Bearer ")) == 401
+
+
+def test_the_sender_of_a_request_is_found() -> None:
+    bearer = replace(CURL, authorization=f"Bearer {KEY}")
+    inner = AccessRules(gateway_key="of this process")
+    embedded = replace(CURL, authorization="Bearer of this process")
+    cookie = replace(LAN, session=signin.new_session(KEY, NOW))
+    probe = replace(LAN, path="/readyz")
+    proof = Proof(OWNER, closed=True)
+    for rules, facts, known, sender in (
+        (HOME, CURL, Proof(), LOCAL),
+        (KEYED, bearer, Proof(), SERVER_KEY),
+        (KEYED, bearer, Proof(closed=True), SERVER_KEY),
+        (KEYED, cookie, Proof(closed=True), SERVER_KEY),
+        (inner, embedded, Proof(closed=True), EMBEDDED_GATEWAY),
+        (OPEN, replace(LAN, authorization="Bearer x"), proof, OWNER),
+        (OPEN, LAN, proof, OWNER),
+        (OPEN, probe, Proof(closed=True), ANONYMOUS),
+    ):
+        assert find_access(rules, facts, NOW, known) == sender
+    assert status(inner, replace(embedded, authorization="Bearer of another process")) == 401
+    assert EMBEDDED_GATEWAY.scopes == {AccessScope.GATEWAY}
+    assert LOCAL.scopes == SERVER_KEY.scopes == ALL_SCOPES
+
+
+@pytest.mark.parametrize("rules", [HOME, OPEN, KEYED])
+def test_this_machine_needs_a_key_as_well_when_an_administrator_exists(rules: AccessRules) -> None:
+    assert status(rules, CURL) == 200
+    for facts in (CURL, RELEASE, PAGE, LAN):
+        assert status(rules, facts, Proof(closed=True)) == 401
+    assert status(rules, PAGE, Proof(OWNER, closed=True)) == 200
 
 
 def test_the_key_proves_intent_under_any_name_and_a_session_does_not() -> None:

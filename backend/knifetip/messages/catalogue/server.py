@@ -118,6 +118,13 @@ MESSAGES: Final[Entries] = {
         "Correct the request as /api/openapi.json describes.",
         status="count",
     ),
+    "request.scope-missing": entry(
+        "{principal} may not do this, because the scope {scope} is missing (present: {scopes:, }).",
+        "Sign in as a user with the role {scope}, or use an API key with this scope.",
+        principal="text",
+        scope="text",
+        scopes="texts",
+    ),
     "request.unknown-zone": entry(
         "{zone!r} is not the name of a time zone.",
         "Use a name such as Europe/Berlin or UTC.",

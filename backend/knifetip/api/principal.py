@@ -1,0 +1,88 @@
+"""Principals: who sends a request, and whether its scopes permit the request (ADR 83)."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Annotated, Final
+
+from fastapi import Depends, Request
+
+from knifetip.errors import AccessDenied
+from knifetip.jobs.accounts.scopes import ALL_SCOPES, ROLES, AccessScope
+
+
+class PrincipalKind(StrEnum):
+    """How a principal has proved who it is."""
+
+    USER = "user"  #: a user who has signed in
+    KEY = "key"  #: an API key
+    LOCAL = "local"  #: a program on this computer, while no administrator exists
+    SERVER_KEY = "server-key"  #: the key with which the server was started
+    NONE = "none"  #: not at all
+
+
+@dataclass(frozen=True, slots=True)
+class Principal:
+    """The sender of a request, with its scopes."""
+
+    kind: PrincipalKind
+    name: str = ""  #: name of the user, or title of the API key
+    id: str = ""  #: id of the user or of the API key; "" for the others
+    scopes: frozenset[AccessScope] = frozenset()
+
+
+ANONYMOUS: Final = Principal(PrincipalKind.NONE, "anonymous")
+LOCAL: Final = Principal(PrincipalKind.LOCAL, "local", scopes=ALL_SCOPES)
+SERVER_KEY: Final = Principal(PrincipalKind.SERVER_KEY, "server key", scopes=ALL_SCOPES)
+#: The gateway that runs in the process of the server.
+EMBEDDED_GATEWAY: Final = Principal(
+    PrincipalKind.KEY, "embedded gateway", scopes=frozenset({AccessScope.GATEWAY})
+)
+
+
+def missing_scope(principal: Principal, needed: Collection[AccessScope]) -> AccessScope | None:
+    """Return the scope that a principal lacks for a request; None if it may send the request.
+
+    Parameters
+    ----------
+    principal
+        Sender of the request.
+    needed
+        Scopes of which one is sufficient; empty for a request that every sender may send.
+
+    Returns
+    -------
+    The least of the needed scopes: first those that are roles, then ``gateway``.
+    """
+    if not needed or principal.scopes.intersection(needed):
+        return None
+    roles = [role for role in ROLES if role in needed]
+    return roles[0] if roles else AccessScope.GATEWAY
+
+
+def demand(principal: Principal, *needed: AccessScope) -> None:
+    """Raise ``AccessDenied`` if a principal has none of the needed scopes."""
+    missing = missing_scope(principal, needed)
+    if missing is not None:
+        raise AccessDenied(
+            "request.scope-missing",
+            principal=principal.name,
+            scope=missing.value,
+            scopes=sorted(principal.scopes),
+        )
+
+
+def principal_of(request: Request) -> Principal:
+    """Return the principal of a request, which the access control has found."""
+    principal: Principal = request.scope.get("state", {}).get("principal", ANONYMOUS)
+    return principal
+
+
+# A coroutine: FastAPI would run a plain function on a thread of the shared pool.
+async def _principal(request: Request) -> Principal:
+    return principal_of(request)
+
+
+PrincipalDep = Annotated[Principal, Depends(_principal)]

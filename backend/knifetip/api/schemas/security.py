@@ -1,0 +1,48 @@
+"""How the OpenAPI schema describes who may send which request."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any, Final
+
+from knifetip.api.routing import ScopedOperation
+
+_SCHEMES: Final = {
+    "key": {
+        "type": "http",
+        "scheme": "bearer",
+        "description": "An API key (`kt_...`), or the key with which the server was started. On "
+        "the computer of the server no key is needed while no administrator exists.",
+    },
+    "session": {
+        "type": "apiKey",
+        "in": "cookie",
+        "name": "knifetip-session-8080",
+        "description": "Session of a user who has signed in with a browser; the name ends with "
+        "the port of the server.",
+    },
+}
+
+
+def describe_scopes(described: dict[str, Any], operations: Iterable[ScopedOperation]) -> None:
+    """Add the security schemes, and the scopes of each operation, to an OpenAPI schema.
+
+    Parameters
+    ----------
+    described
+        The schema, which is changed.
+    operations
+        The operations with their scopes.
+    """
+    described["components"]["securitySchemes"] = _SCHEMES
+    for one in operations:
+        operation = described["paths"].get(one.path, {}).get(one.method.lower())
+        if operation is None:
+            continue
+        operation["security"] = [
+            {scheme: [scope.value]} for scope in one.needed for scheme in _SCHEMES
+        ]
+        words = " or ".join(f"`{scope.value}`" for scope in one.needed)
+        sentence = f"Needs the scope {words}." if words else "Needs no key."
+        text = operation.get("description", "")
+        operation["description"] = f"{text}\n\n{sentence}".strip()
