@@ -115,7 +115,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         service = Service(chosen, store, pool, work, warm_up)
         app.state.service = service
         app.state.stream = events.Stream(service)
-        await asyncio.to_thread(store.migrate)
+        await asyncio.to_thread(store.prepare)
         await asyncio.to_thread(compiling.start)
         tasks = [
             asyncio.create_task(app.state.stream.run()),

@@ -35,6 +35,7 @@ from knifetip.errors import KnifetipError, StoreError
 from knifetip.gateway import claim, simulator
 from knifetip.gateway.job_server import GatewaySettings
 from knifetip.gateway.journal import default_path
+from knifetip.jobs.database_url import hide_password
 from knifetip.jobs.process_pool import TaskCancelled
 from knifetip.languages.registry import find_language
 from knifetip.library import load
@@ -143,7 +144,7 @@ def serve(
             )
         server.run(sockets=sockets)
     if not server.started:
-        raise StoreError("server.not-started", database=database)
+        raise StoreError("server.not-started", database=hide_password(database))
 
 
 def _listen(host: str, port: int) -> list[socket.socket]:

@@ -145,7 +145,7 @@ def import_profile(
 
     store = Store(url)
     try:
-        store.migrate()
+        store.prepare()
         row = store.profiles.save(profile_name, rules.title, text, None, anyway=replace)
     finally:
         store.close()

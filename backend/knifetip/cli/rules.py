@@ -48,7 +48,7 @@ def stored_profiles(database: str | None) -> dict[str, str]:
 
     store = Store(url)
     try:
-        store.migrate()
+        store.prepare()
         return {row.name: row.text for row in store.profiles.all()}
     finally:
         store.close()

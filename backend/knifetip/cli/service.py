@@ -6,7 +6,7 @@ import asyncio
 import signal
 import threading
 from collections.abc import Coroutine
-from contextlib import suppress
+from contextlib import closing, suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from knifetip.cli.database_options import DatabaseOptions
 from knifetip.cli.options import expand
 from knifetip.cli.terminal import print_stderr
 from knifetip.errors import StaleVersion, StoreError
@@ -22,7 +23,6 @@ from knifetip.library import load
 if TYPE_CHECKING:
     from knifetip.gateway.controller import Controller, Driver, SafeState
 
-Database = Annotated[str, typer.Option(help="SQLAlchemy URL of an SQLite or PostgreSQL database.")]
 Host = Annotated[
     str, typer.Option(help="IP address or host name to listen on; 0.0.0.0 for all networks.")
 ]
@@ -37,7 +37,14 @@ Speed = Annotated[
 #: Exit code of a process that SIGTERM has ended.
 _TERMINATED = 143
 
-DATABASE = "sqlite:///knifetip.sqlite"
+Migrate = Annotated[
+    bool,
+    typer.Option(
+        "--migrate",
+        help="Migrate the tables of an older PostgreSQL database; those of an SQLite database are "
+        "always migrated. No other server may be running.",
+    ),
+]
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,8 +118,9 @@ def serve(
     port: Annotated[
         int, typer.Option(min=0, max=65535, help="TCP port to listen on; 0 chooses a free port.")
     ] = 8080,
-    database: Database = DATABASE,
+    migrate: Migrate = False,
     *,
+    storage: DatabaseOptions,
     parts: PartOptions,
     access: AccessOptions,
 ) -> None:
@@ -122,10 +130,11 @@ def serve(
     """
     from knifetip.api import embedded  # imported here: takes a second
 
+    _prepare(storage, migrate)
     embedded.serve(
         host,
         port,
-        database,
+        storage.url,
         embedded.Parts(
             parts.samples, parts.simulator, parts.speed, parts.compiles, parts.keep_history
         ),
@@ -134,8 +143,18 @@ def serve(
     )
 
 
+def _prepare(storage: DatabaseOptions, migrate: bool) -> None:
+    """Make the tables of a database ready, and print what was migrated."""
+    from knifetip.cli.database import describe_migration
+    from knifetip.jobs.store import Store
+
+    with closing(Store(storage.url)) as store:
+        done = store.prepare(migrate=migrate)
+    if done is not None and done.before:
+        print_stderr(describe_migration(done))
+
+
 def worker(
-    database: Database = DATABASE,
     name: Annotated[
         str,
         typer.Option(
@@ -146,20 +165,23 @@ def worker(
     processes: Annotated[
         int, typer.Option(min=1, max=64, help="Number of jobs to compile at the same time.")
     ] = 1,
+    migrate: Migrate = False,
+    *,
+    storage: DatabaseOptions,
 ) -> None:
     """Run a compile worker for a database until Ctrl-C."""
     from knifetip.jobs.compile_service import CompileService
     from knifetip.jobs.process_pool import ProcessPool
     from knifetip.jobs.store import Store
 
-    store = Store(database)
-    store.migrate()
+    _prepare(storage, migrate)
+    store = Store(storage.url)
     service = CompileService(store, ProcessPool(processes), name, True, processes, gateways=False)
     stop_requested = threading.Event()
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda _number, _frame: stop_requested.set())
     service.start()
-    print_stderr(f"compile worker for {database}")
+    print_stderr(f"compile worker for {storage.shown}")
     stop_requested.wait()
     service.stop()
     store.close()

@@ -9,19 +9,18 @@ from pathlib import Path
 from typing import Any, cast
 
 import sqlalchemy as sa
-from alembic import command
-from alembic.config import Config
 from sqlalchemy import event as on
 from sqlalchemy.orm import Session
 
-from knifetip.errors import NoSuchJob, StoreError, WrongState
+from knifetip.errors import NoSuchJob, WrongState
+from knifetip.jobs import schema
 from knifetip.jobs.changes import Changes
+from knifetip.jobs.database_url import sqlite_file
+from knifetip.jobs.schema import Migration, Schema
 from knifetip.jobs.shared_clock import SharedClock
+from knifetip.jobs.sqlite_copy import copy_database
 from knifetip.jobs.tables import Drawing, Job
 from knifetip.jobs.turns import NoTurns, Turns
-
-_MIGRATIONS = Path(__file__).parent / "migrations"
-_MIGRATING = 0x6B6E_6966  # PostgreSQL's advisory lock of the migration
 
 
 def _sqlite(engine: sa.Engine) -> None:
@@ -42,17 +41,9 @@ def _sqlite(engine: sa.Engine) -> None:
 
 
 def _check(url: str) -> None:
-    try:
-        parts = sa.make_url(url)
-        backend = parts.get_backend_name()
-    except sa.exc.ArgumentError:
-        backend = ""
-    if backend not in ("sqlite", "postgresql"):
-        raise StoreError("database.bad-url", url=url)
-    if backend == "sqlite":
-        if parts.database in (None, "", ":memory:"):
-            raise StoreError("database.in-memory")
-        Path(parts.database).parent.mkdir(parents=True, exist_ok=True)
+    file = sqlite_file(url)
+    if file is not None:
+        file.parent.mkdir(parents=True, exist_ok=True)
 
 
 def dialect_url(url: str) -> str:
@@ -100,15 +91,68 @@ class Database:
             self.timer = self.clock = clock or SharedClock(self._server_time)
         self._writer = self._engine.execution_options(writes=True)
 
-    def migrate(self) -> None:
-        """Create the tables, or migrate existing tables to the current schema."""
-        settings = Config()
-        settings.set_main_option("script_location", str(_MIGRATIONS).replace("%", "%%"))
+    def schema(self) -> Schema:
+        """Return the revision of the tables, and the newest one that this version knows."""
+        with self._engine.connect() as connection:
+            return schema.read_schema(connection)
+
+    def prepare(self, *, migrate: bool = False) -> Migration | None:
+        """Make the tables ready for a server; return the migration that was necessary, or None.
+
+        Tables of an empty database are created, and those of an older SQLite database are migrated.
+        Several servers may use one PostgreSQL database, so that its tables are migrated on request
+        only.
+
+        Parameters
+        ----------
+        migrate
+            Whether the tables of an older PostgreSQL database are migrated.
+
+        Raises
+        ------
+        StoreError
+            The tables must be migrated first, or a newer version of knifetip has made them.
+        """
+        found = self.schema()
+        schema.require_not_newer(found, self.url)
+        if not (migrate or found.is_empty or self._engine.dialect.name == "sqlite"):
+            schema.require_migrated(found, self.url)
+        return None if found.is_current else self.migrate()
+
+    def migrate(self) -> Migration | None:
+        """Create the tables, or migrate existing tables to the newest revision.
+
+        A copy of an SQLite database that is not empty is made beside it first.
+
+        Returns
+        -------
+        Migration or None
+            None if the tables had the newest revision.
+
+        Raises
+        ------
+        StoreError
+            A newer version of knifetip has made the tables, or the copy cannot be made.
+        """
         with self._writer.begin() as connection:
-            if connection.dialect.name == "postgresql":
-                connection.execute(sa.select(sa.func.pg_advisory_xact_lock(_MIGRATING)))
-            settings.attributes["connection"] = connection
-            command.upgrade(settings, "head")
+            schema.lock_migrations(connection)
+            found = schema.read_schema(connection)
+            schema.require_not_newer(found, self.url)
+            if found.is_current:
+                return None
+            copy = None if found.is_empty else self._copy_before(found.revision)
+            schema.upgrade(connection, time.time())
+        return Migration(found.revision, found.newest, copy)
+
+    def _copy_before(self, revision: str) -> Path | None:
+        """Copy an SQLite database of a revision to a file beside it; return the file."""
+        file = sqlite_file(self.url)
+        if file is None:
+            return None
+        moment = time.strftime("%Y%m%dT%H%M%SZ", time.gmtime())
+        copy = file.with_name(f"{file.name}.revision-{revision}.{moment}")
+        copy_database(file, copy)
+        return copy
 
     def _server_time(self) -> float:
         """Return the time of the PostgreSQL server: seconds since 1970."""

@@ -25,6 +25,7 @@ from knifetip.jobs.machine_queues import MachineQueues
 from knifetip.jobs.operator_store import OperatorStore
 from knifetip.jobs.profile_store import ProfileStore
 from knifetip.jobs.queue_store import QueueStore
+from knifetip.jobs.schema import Migration
 from knifetip.jobs.station_store import StationStore
 from knifetip.jobs.statistics_store import StatisticsStore
 from knifetip.jobs.tool_check import ToolGate
@@ -69,9 +70,13 @@ class Store:
         """Notifier that calls its subscribers after each transaction that wrote an event."""
         return self.database.changes
 
-    def migrate(self) -> None:
-        """Create the tables of the database, or migrate them to the current schema."""
-        self.database.migrate()
+    def migrate(self) -> Migration | None:
+        """Create or migrate the tables of the database; see ``Database.migrate``."""
+        return self.database.migrate()
+
+    def prepare(self, *, migrate: bool = False) -> Migration | None:
+        """Make the tables of the database ready for a server; see ``Database.prepare``."""
+        return self.database.prepare(migrate=migrate)
 
     def alive(self) -> bool:
         """Return True if the database answers a query, else raise the error of the database."""

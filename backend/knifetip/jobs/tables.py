@@ -26,6 +26,17 @@ class Base(DeclarativeBase):
     """Base class of all tables."""
 
 
+class DatabaseVersion(Base):
+    """A migration of the database, with the version of knifetip that carried it out."""
+
+    __tablename__ = "database_version"
+
+    id: Mapped[int] = mapped_column(_SERIAL, primary_key=True, autoincrement=True)
+    version: Mapped[str] = mapped_column(sa.String(64))  #: of knifetip
+    revision: Mapped[str] = mapped_column(sa.String(32))  #: of the tables after the migration
+    at: Mapped[float] = mapped_column(sa.Double)  #: seconds since 1970
+
+
 class Profile(Base):
     """A classification profile of a customer."""
 

@@ -31,6 +31,30 @@ export const TEXTS = {
     "text": "Hold, resume or cancel the job.",
     "hint": ""
   },
+  "backup.exists": {
+    "text": "The file {file} already exists.",
+    "hint": "Choose another file, or replace it with --replace."
+  },
+  "backup.foreign": {
+    "text": "The database in the file {file} has no tables of knifetip.",
+    "hint": "Choose a file that knifetip backup has written."
+  },
+  "backup.missing-row": {
+    "text": "The file {file} is damaged: a row of the table {table} refers to a row that is missing.",
+    "hint": "Choose another backup."
+  },
+  "backup.not-a-backup": {
+    "text": "The file {file} is not a backup of a knifetip database: {reason}.",
+    "hint": "Choose a file that knifetip backup has written."
+  },
+  "backup.postgresql": {
+    "text": "The database {url} is on a PostgreSQL server, which has its own commands for backups.",
+    "hint": "Back it up with: pg_dump --format=custom --file=FILE DATABASE. Restore it to an empty database with: pg_restore --exit-on-error --dbname=DATABASE FILE."
+  },
+  "backup.unwritable": {
+    "text": "The database cannot be copied to {file}: {reason}.",
+    "hint": "Make room on the disk or choose another folder. The database was not changed."
+  },
   "bridges.no-room": {
     "text": "The contour at edge {edge} is {length:.1f} mm long, which is too short for {fewest:# bridge|# bridges} of {gap:.2f} mm width. The board requires bridges (uncut gaps that hold a part) at most {spacing:.1f} mm apart, and away from corners and narrow slots.",
     "hint": "Choose narrower bridges or a larger spacing of bridges in the board file, or choose a board without bridges."
@@ -762,6 +786,34 @@ export const TEXTS = {
   "database.in-memory": {
     "text": "The server cannot use an in-memory database, because all jobs would be lost when the server stops.",
     "hint": "Use a database file: sqlite:///FILE."
+  },
+  "database.in-use": {
+    "text": "The database {file} is in use.",
+    "hint": "Stop the server and the workers that use it, then try again."
+  },
+  "database.missing": {
+    "text": "There is no database {file}.",
+    "hint": "Name the database with --database."
+  },
+  "database.newer": {
+    "text": "The database {url} was written by knifetip {writer} (revision {revision}). knifetip {version} knows revisions up to {newest} and would damage it.",
+    "hint": "Start that version of knifetip or a newer one. To go back to version {version}, restore a backup from before the upgrade."
+  },
+  "database.newer-unrecorded": {
+    "text": "The database {url} has revision {revision} of a newer or changed knifetip. knifetip {version} knows revisions up to {newest} and would damage it.",
+    "hint": "Start the version of knifetip that wrote it. To go back to version {version}, restore a backup from before the upgrade."
+  },
+  "database.no-password": {
+    "text": "The file {file} contains no password for the database.",
+    "hint": "Write only the password to the file, in UTF-8."
+  },
+  "database.older": {
+    "text": "The database {url} has revision {revision}; knifetip {version} needs revision {newest}.",
+    "hint": "Stop all servers and workers, make a backup, and run: knifetip db upgrade. Or start one server with --migrate."
+  },
+  "database.password-file": {
+    "text": "The password of the database cannot be read from {file}: {reason}.",
+    "hint": "Name a file that contains only the password and that this user can read."
   },
   "deflection.exceeds-radius": {
     "text": "The deflection of {deflection:.3f} mm cannot be corrected, because it is not smaller than the cutter's radius of {radius:.3f} mm.",

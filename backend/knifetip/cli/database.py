@@ -1,0 +1,187 @@
+"""knifetip db, backup and restore: migrate a database, copy it to a file, and bring it back.
+
+db current        print the revision of the tables
+db check          exit with 1 if the tables must be migrated before a server can start
+db upgrade        migrate the tables; a copy of an SQLite database is kept beside it
+backup, restore   copy an SQLite database, also while a server uses it, and put a copy in its place
+"""
+
+from __future__ import annotations
+
+import time
+from contextlib import closing
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from knifetip.cli.database_options import DatabaseOptions
+from knifetip.cli.options import expand
+from knifetip.errors import StoreError
+
+if TYPE_CHECKING:
+    from knifetip.jobs.database import Database
+    from knifetip.jobs.schema import Migration, Schema
+
+#: Exit code of ``db check`` if the tables must be migrated.
+_MUST_MIGRATE = 1
+
+Replace = Annotated[bool, typer.Option("--replace", help="Replace an existing file.")]
+
+
+def register(app: typer.Typer) -> None:
+    """Add the commands ``db``, ``backup`` and ``restore`` to a Typer application."""
+    db = typer.Typer(
+        help="Show or migrate the tables of a database.",
+        no_args_is_help=True,
+    )
+    app.add_typer(db, name="db")
+    db.command("current")(expand(show_schema))
+    db.command("check")(expand(check_schema))
+    db.command("upgrade")(expand(upgrade_schema))
+    app.command("backup")(expand(back_up))
+    app.command("restore")(expand(restore))
+
+
+def show_schema(chosen: DatabaseOptions) -> None:
+    """Print the revision of the tables, and the version of knifetip that made them."""
+    with closing(_open_existing(chosen)) as database:
+        typer.echo(_describe(database.schema()))
+
+
+def check_schema(chosen: DatabaseOptions) -> None:
+    """Exit with 0 if a server of this version can use the tables as they are.
+
+    Exit with 1 if they must be migrated first, and with 3 if they are too new.
+    """
+    from knifetip.jobs.schema import require_not_newer
+
+    with closing(_open_existing(chosen)) as database:
+        found = database.schema()
+        require_not_newer(found, database.url)
+        typer.echo(_describe(found))
+        if not found.is_current:
+            raise typer.Exit(_MUST_MIGRATE)
+
+
+def upgrade_schema(chosen: DatabaseOptions) -> None:
+    """Create the tables, or migrate them to those of this version.
+
+    A copy of an SQLite database is kept beside it.  Stop all servers and workers first.
+    """
+    from knifetip.jobs.database import Database
+
+    with closing(Database(chosen.url)) as database:
+        done = database.migrate()
+        text = "The tables are up to date." if done is None else describe_migration(done)
+        typer.echo(text)
+
+
+def back_up(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="File of the copy.")],
+    replace: Replace = False,
+    *,
+    chosen: DatabaseOptions,
+) -> None:
+    """Copy an SQLite database to a file.  Its server and its workers may run meanwhile."""
+    from knifetip.jobs.sqlite_copy import copy_database
+
+    source = _file(chosen, must_exist=True)
+    if file.exists() and not replace:
+        raise StoreError("backup.exists", file=file)
+    copy_database(source, file)
+    typer.echo(f"{file}: {file.stat().st_size / 1e6:.1f} MB")
+
+
+def restore(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="File that backup has written.")],
+    replace: Annotated[
+        bool,
+        typer.Option(
+            "--replace", help="Replace an existing database; it is kept under another name."
+        ),
+    ] = False,
+    *,
+    chosen: DatabaseOptions,
+) -> None:
+    """Put a copy of an SQLite database in its place.
+
+    Stop the server and its workers first.
+    """
+    from knifetip.jobs import sqlite_copy
+
+    target = _file(chosen, must_exist=False)
+    found = _schema_of_copy(file)
+    if target.exists():
+        if not replace:
+            raise StoreError("backup.exists", file=target)
+        sqlite_copy.require_unused(target)
+        moment = time.strftime("%Y%m%dT%H%M%SZ", time.gmtime())
+        kept = target.with_name(f"{target.name}.replaced.{moment}")
+        sqlite_copy.copy_database(target, kept)
+        typer.echo(f"The former database is kept as {kept}.")
+    sqlite_copy.copy_database(file, target)
+    typer.echo(f"{target}: {_describe(found)}")
+
+
+def describe_migration(done: Migration) -> str:
+    """Return a sentence about a completed migration."""
+    before = f"from revision {done.before} " if done.before else ""
+    copy = f" A copy from before the migration is {done.copy}." if done.copy else ""
+    return f"The tables were migrated {before}to revision {done.after}.{copy}"
+
+
+def _describe(found: Schema) -> str:
+    if found.is_empty:
+        return f"no tables; knifetip needs revision {found.newest}"
+    writer = f", made by knifetip {found.writer}" if found.writer else ""
+    if found.is_current:
+        return f"revision {found.revision}{writer}, up to date"
+    age = "newer than" if found.is_newer else "older than"
+    return f"revision {found.revision}{writer}, {age} revision {found.newest} of this version"
+
+
+def _open_existing(chosen: DatabaseOptions) -> Database:
+    """Return a database; an SQLite database is not created by a look at it."""
+    from knifetip.jobs.database import Database
+    from knifetip.jobs.database_url import sqlite_file
+
+    file = sqlite_file(chosen.url)
+    if file is not None and not file.is_file():
+        raise StoreError("database.missing", file=file)
+    return Database(chosen.url)
+
+
+def _file(chosen: DatabaseOptions, *, must_exist: bool) -> Path:
+    """Return the file of an SQLite database."""
+    from knifetip.jobs.database_url import sqlite_file
+
+    file = sqlite_file(chosen.url)
+    if file is None:
+        raise StoreError("backup.postgresql", url=chosen.shown)
+    if must_exist and not file.is_file():
+        raise StoreError("database.missing", file=file)
+    return file
+
+
+def _schema_of_copy(file: Path) -> Schema:
+    """Return the revision of the tables in a copy; the copy is checked and not changed."""
+    import sqlalchemy as sa
+
+    from knifetip.jobs.schema import read_schema, require_not_newer
+    from knifetip.jobs.sqlite_copy import check_copy
+
+    if not file.is_file():
+        raise StoreError("database.missing", file=file)
+    check_copy(file)
+    address = f"sqlite:///file:{file.resolve().as_uri().removeprefix('file://')}?mode=ro&uri=true"
+    engine = sa.create_engine(address)
+    try:
+        with engine.connect() as connection:
+            found = read_schema(connection)
+    finally:
+        engine.dispose()
+    if found.is_empty:
+        raise StoreError("backup.foreign", file=file)
+    require_not_newer(found, str(file))
+    return found

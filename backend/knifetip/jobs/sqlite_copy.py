@@ -1,0 +1,108 @@
+"""sqlite_copy: copy an SQLite database while other processes write to it.
+
+The copy is made by SQLite's online backup in one step: it shows the database as it was at one
+moment, between two transactions.  In the WAL mode, which the store uses, no writer waits for it.
+"""
+
+from __future__ import annotations
+
+import os
+import sqlite3
+from contextlib import closing, suppress
+from pathlib import Path
+
+from knifetip.errors import StoreError
+
+_BUSY = 30.0  # seconds to wait for a lock
+
+
+def copy_database(source: Path, target: Path) -> None:
+    """Copy a database to a new file, which only its owner can read.
+
+    The file appears under its name when it is complete and on the disk.  An existing file of this
+    name is replaced.
+
+    Parameters
+    ----------
+    source
+        File of the database.
+    target
+        File of the copy, one file without a write-ahead log.
+
+    Raises
+    ------
+    StoreError
+        The copy cannot be made; ``target`` is then as it was.
+    """
+    part = target.with_name(f"{target.name}.part")
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        part.unlink(missing_ok=True)
+        os.close(os.open(part, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600))
+        with (
+            closing(_connect(source)) as original,
+            closing(sqlite3.connect(part, timeout=_BUSY)) as copy,
+        ):
+            original.backup(copy)
+            # Otherwise the copy would need a write-ahead log, and a folder that can be written to.
+            copy.execute("PRAGMA journal_mode=DELETE")
+        _sync(part)
+        part.replace(target)
+        _sync(target.parent)
+    except (OSError, sqlite3.Error) as reason:
+        with suppress(OSError):
+            part.unlink(missing_ok=True)
+        cause = getattr(reason, "strerror", None) or str(reason)
+        raise StoreError("backup.unwritable", file=target, reason=cause) from reason
+
+
+def check_copy(file: Path) -> None:
+    """Check the structure of an SQLite database and the references between its tables.
+
+    Raises
+    ------
+    StoreError
+        The file is damaged, or it is no SQLite database.
+    """
+    try:
+        with closing(sqlite3.connect(f"{file.resolve().as_uri()}?mode=ro", uri=True)) as database:
+            faults = [row[0] for row in database.execute("PRAGMA integrity_check(1)")]
+            if faults != ["ok"]:
+                raise StoreError("backup.not-a-backup", file=file, reason=faults[0])
+            if row := database.execute("PRAGMA foreign_key_check").fetchone():
+                raise StoreError("backup.missing-row", file=file, table=row[0])
+    except sqlite3.Error as reason:
+        raise StoreError("backup.not-a-backup", file=file, reason=reason) from reason
+
+
+def require_unused(file: Path) -> None:
+    """Raise an error if another process has opened a database; move its write-ahead log into it.
+
+    Raises
+    ------
+    StoreError
+        Another process uses the database.
+    """
+    try:
+        with closing(sqlite3.connect(file, timeout=0.5)) as database:
+            # SQLite leaves the WAL mode only if no other connection is open.
+            database.execute("PRAGMA journal_mode=DELETE")
+    except sqlite3.OperationalError as reason:
+        raise StoreError("database.in-use", file=file) from reason
+    except sqlite3.DatabaseError:
+        return  # not a database, which may be what is to be replaced
+
+
+def _connect(file: Path) -> sqlite3.Connection:
+    return sqlite3.connect(f"{file.resolve().as_uri()}?mode=rw", uri=True, timeout=_BUSY)
+
+
+def _sync(path: Path) -> None:
+    """Wait until a file, or the names in a folder, are on the disk."""
+    if path.is_dir() and os.name == "nt":
+        return  # Windows cannot open a folder
+    handle = os.open(path, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)

@@ -1,0 +1,234 @@
+"""The revision of a database: created, migrated from the first one with data, refused if newer."""
+
+from __future__ import annotations
+
+import hashlib
+import sqlite3
+import threading
+from collections.abc import Iterator
+from contextlib import closing
+from importlib.metadata import version
+from pathlib import Path
+
+import pytest
+import sqlalchemy as sa
+from alembic import command
+from alembic.config import Config
+
+from knifetip.errors import StoreError
+from knifetip.jobs import migrations
+from knifetip.jobs.database import Database
+from knifetip.jobs.database_url import add_password, hide_password
+from knifetip.jobs.job import State
+from knifetip.jobs.schema import Migration
+from knifetip.jobs.store import Store
+from tests.support.job_states import ordered
+
+MIGRATIONS = Path(migrations.__file__).parent
+PROGRAM = b"G21\nG1 X10\nM2\n"
+#: States of the first revision, each on a machine of its own.
+STATES = tuple(str(state) for state in State if state != State.CONTINUED)
+
+
+def run_alembic(url: str, revision: str, *, down: bool = False) -> None:
+    """Migrate a database up or down to a revision, as Alembic does it."""
+    settings = Config()
+    settings.set_main_option("script_location", str(MIGRATIONS))
+    engine = sa.create_engine(url)
+    with engine.begin() as connection:
+        settings.attributes["connection"] = connection
+        (command.downgrade if down else command.upgrade)(settings, revision)
+    engine.dispose()
+
+
+def execute(url: str, statement: str, **values: object) -> None:
+    engine = sa.create_engine(url)
+    with engine.begin() as connection:
+        connection.execute(sa.text(statement), values)
+    engine.dispose()
+
+
+def fill_first_revision(url: str) -> None:
+    """Create the tables of the first revision, with a drawing and a job in every state."""
+    run_alembic(url, "0001")
+    engine = sa.create_engine(url)
+    tables = sa.MetaData()
+    with engine.begin() as connection:
+        tables.reflect(connection)
+        drawing, job, event = (tables.tables[name] for name in ("drawing", "job", "event"))
+        connection.execute(sa.insert(drawing).values(_row(drawing, id="d1", content=b"0\nEOF\n")))
+        for number, state in enumerate(STATES):
+            row = _row(job, id=f"j{number}", drawing="d1", state=state, machine=f"m{number}")
+            row |= {"program": PROGRAM, "program_sha256": hashlib.sha256(PROGRAM).hexdigest()}
+            connection.execute(sa.insert(job).values(row))
+            connection.execute(
+                sa.insert(event).values(_row(event, kind="job", subject=f"j{number}", state=state))
+            )
+    engine.dispose()
+
+
+def _row(table: sa.Table, **values: object) -> dict[str, object]:
+    """Return the columns of a row: the given ones, and an empty value for the others."""
+    row: dict[str, object] = {}
+    for column in table.columns:
+        kind = column.type
+        if column.nullable or column.autoincrement is True or column.name in ("serial",):
+            continue
+        if table.name == "event" and column.name == "id":
+            continue
+        if isinstance(kind, sa.JSON):
+            row[column.name] = {} if column.name == "summary" else []
+        elif isinstance(kind, sa.LargeBinary):
+            row[column.name] = b""
+        elif isinstance(kind, sa.Boolean):
+            row[column.name] = False
+        elif isinstance(kind, sa.String):
+            row[column.name] = ""
+        else:
+            row[column.name] = 0
+    return row | values
+
+
+@pytest.fixture
+def newer_url(database_url: str) -> str:
+    """URL of a database that a newer version of knifetip has migrated."""
+    with closing(Database(database_url)) as database:
+        database.migrate()
+    execute(database_url, "UPDATE alembic_version SET version_num = '9999'")
+    execute(
+        database_url,
+        "INSERT INTO database_version (version, revision, at) VALUES ('7.1.0', '9999', 0)",
+    )
+    return database_url
+
+
+@pytest.fixture
+def database(database_url: str) -> Iterator[Database]:
+    with closing(Database(database_url)) as database:
+        yield database
+
+
+def test_a_database_is_created_once_and_records_the_version_that_created_it(
+    database: Database,
+) -> None:
+    assert database.schema().is_empty
+    done = database.prepare()
+    assert done is not None
+    assert (done.before, done.copy) == ("", None)
+    found = database.schema()
+    assert found.is_current
+    assert not found.is_newer
+    assert found.writer == version("knifetip")
+    assert database.prepare() is None
+
+
+def test_data_of_the_first_revision_is_there_after_all_migrations(database_url: str) -> None:
+    fill_first_revision(database_url)
+    with closing(Store(database_url)) as store:
+        assert store.database.schema().revision == "0001"
+        done = store.prepare(migrate=True)
+        assert done is not None
+        assert done.before == "0001"
+        assert store.drawings.column("d1", "content") == b"0\nEOF\n"
+        for number, state in enumerate(STATES):
+            job = store.jobs.get(f"j{number}")
+            assert (job.state, job.drawing, job.machine) == (state, "d1", f"m{number}")
+            program = store.jobs.column(job.id, "program")
+            assert hashlib.sha256(program).hexdigest() == job.program_sha256
+            (event,) = store.events.of_job(job.id)
+            assert event.state == state
+        assert ordered(store).state == "received"
+
+
+@pytest.mark.parametrize("work", [Database.prepare, Database.migrate])
+def test_a_database_of_a_newer_version_is_refused_and_not_changed(
+    newer_url: str, work: object
+) -> None:
+    assert callable(work)
+    with closing(Database(newer_url)) as database:
+        with pytest.raises(
+            StoreError, match=r"written by knifetip 7\.1\.0 \(revision 9999\)"
+        ) as no:
+            work(database)
+        assert "newer" in no.value.hint
+        assert "backup" in no.value.hint
+        assert database.schema().revision == "9999"
+
+
+def test_an_older_postgresql_database_is_migrated_on_request_only(postgresql_url: str) -> None:
+    fill_first_revision(postgresql_url)
+    with closing(Database(postgresql_url)) as database:
+        with pytest.raises(StoreError, match="has revision 0001") as older:
+            database.prepare()
+        assert "knifetip db upgrade" in older.value.hint
+        assert database.schema().revision == "0001"
+        assert database.prepare(migrate=True) is not None
+        assert database.schema().is_current
+
+
+def test_servers_that_start_together_migrate_a_database_once(database_url: str) -> None:
+    fill_first_revision(database_url)
+    together = threading.Barrier(4)
+    results: list[Migration | None] = []
+
+    def start() -> None:
+        with closing(Database(database_url)) as database:
+            together.wait(30.0)
+            results.append(database.prepare(migrate=True))
+
+    servers = [threading.Thread(target=start) for _ in range(4)]
+    for server in servers:
+        server.start()
+    for server in servers:
+        server.join(60.0)
+    assert len(results) == 4
+    assert sum(result is not None for result in results) == 1
+    with closing(Database(database_url)) as database:
+        assert database.schema().is_current
+
+
+def test_a_copy_of_an_older_sqlite_database_is_kept_beside_it(tmp_path: Path) -> None:
+    url = f"sqlite:///{tmp_path}/shop.sqlite"
+    fill_first_revision(url)
+    with closing(Database(url)) as database:
+        done = database.prepare()
+    assert done is not None
+    assert done.copy is not None
+    assert done.copy.parent == tmp_path
+    assert done.copy.name.startswith("shop.sqlite.revision-0001.")
+    assert done.copy.stat().st_mode & 0o077 == 0
+    with closing(Database(f"sqlite:///{done.copy}")) as copy:
+        assert copy.schema().revision == "0001"
+    with closing(sqlite3.connect(done.copy)) as copied:
+        assert copied.execute("SELECT count(*) FROM job").fetchone() == (len(STATES),)
+        assert "corners" not in {row[1] for row in copied.execute("PRAGMA table_info(job)")}
+
+
+def test_a_database_that_cannot_be_copied_is_not_migrated(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    url = f"sqlite:///{tmp_path}/shop.sqlite"
+    fill_first_revision(url)
+
+    def full(*_arguments: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("knifetip.jobs.sqlite_copy.os.fsync", full)
+    with closing(Database(url)) as database:
+        with pytest.raises(StoreError, match="No space left on device"):
+            database.prepare()
+        assert database.schema().revision == "0001"
+    assert not list(tmp_path.glob("*.part"))
+
+
+def test_the_password_comes_from_a_file_and_is_not_shown(tmp_path: Path) -> None:
+    file = tmp_path / "password"
+    file.write_text("p@ss/w:rd\n")
+    url = add_password("postgresql://shop@db.local:5432/knifetip", file)
+    assert sa.make_url(url).password == "p@ss/w:rd"
+    assert "ss" not in hide_password(url)
+    file.write_text("\n")
+    with pytest.raises(StoreError, match="contains no password"):
+        add_password("postgresql://shop@db.local/knifetip", file)
+    with pytest.raises(StoreError, match="No such file"):
+        add_password("postgresql://shop@db.local/knifetip", tmp_path / "none")
