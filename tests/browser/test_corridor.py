@@ -12,6 +12,7 @@ import pytest
 from playwright.sync_api import FloatRect, Page, expect
 
 from knifetip.dxf.samples import samples
+from tests.browser.accessibility import record_view
 from tests.support.writers import dxf_text as text
 
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(240)]
@@ -157,12 +158,12 @@ def test_a_dropped_dieline_is_compiled_sent_confirmed_and_done(
     for line_type in types:
         expect(page.get_by_test_id(f"legend-{line_type}")).to_be_visible()
     assert ink(page) > 500
-    page.screenshot(path=screenshots / f"{stem}-1-dropped.png")
+    record_view(page, screenshots / f"{stem}-1-dropped.png")
 
     compile_on(page, board)
     expect(page.get_by_test_id("verdict")).to_have_attribute("data-accepted", "true")
     expect(page.get_by_test_id("job-state")).to_have_text("Ready to send")
-    page.screenshot(path=screenshots / f"{stem}-2-verified.png")
+    record_view(page, screenshots / f"{stem}-2-verified.png")
 
     page.get_by_test_id("send").click()
     # The machine does not move before the operator has confirmed the sheet.
@@ -171,7 +172,7 @@ def test_a_dropped_dieline_is_compiled_sent_confirmed_and_done(
     expect(card).to_contain_text("waits for the operator")
     for word in (board, *tools):
         expect(card).to_contain_text(word)
-    page.screenshot(path=screenshots / f"{stem}-3-confirm.png")
+    record_view(page, screenshots / f"{stem}-3-confirm.png")
     expect(page.get_by_test_id("confirm")).to_have_text("Table is ready: start machine")
     page.get_by_test_id("confirm").click()
     expect(page.get_by_test_id("job-state")).to_have_text("Running")
@@ -182,7 +183,7 @@ def test_a_dropped_dieline_is_compiled_sent_confirmed_and_done(
     page.get_by_test_id("resume").click()
     expect(page.get_by_test_id("done")).to_be_visible(timeout=120_000)
     expect(page.get_by_test_id("job-state")).to_have_text("Finished")
-    page.screenshot(path=screenshots / f"{stem}-4-done.png")
+    record_view(page, screenshots / f"{stem}-4-done.png")
 
 
 def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_first(
@@ -220,7 +221,7 @@ def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_fi
     expect(page.get_by_test_id("confirm-text")).to_contain_text(
         "lifts the tool and releases its stations"
     )
-    page.screenshot(path=screenshots / "copies-2-cancel.png")
+    record_view(page, screenshots / "copies-2-cancel.png")
     page.get_by_test_id("confirm-no").click()
     expect(page.get_by_test_id("confirm-text")).to_be_hidden()
     expect(state).to_have_text("Paused")
@@ -231,7 +232,7 @@ def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_fi
     # Now the second job waits for its confirmation, also in the queue.
     queued = page.get_by_test_id("queue-of-demo-table").get_by_test_id("confirmation")
     expect(queued).to_contain_text("Greyboard 2.0 mm")
-    page.screenshot(path=screenshots / "copies-3-queue.png")
+    record_view(page, screenshots / "copies-3-queue.png")
     queued.get_by_test_id("confirm").click()
     expect(queued).to_be_hidden()
     page.get_by_test_id("queue-row").first.click()
@@ -341,7 +342,7 @@ def test_a_file_that_is_no_drawing_is_refused_with_a_message(page: Page, screens
     )
     report = page.get_by_test_id("report")
     expect(report).to_contain_text("letter.dxf")
-    page.screenshot(path=screenshots / "refused.png")
+    record_view(page, screenshots / "refused.png")
     report.get_by_role("button", name="Close this message").click()
     expect(report).to_be_hidden()
 
@@ -479,7 +480,7 @@ def test_the_shortfalls_of_an_earlier_job_are_accepted_again_in_one_action(
     page.get_by_test_id("accept-by").fill("")
     expect(button).to_be_disabled()
     page.get_by_test_id("accept-by").fill("Grace")
-    page.screenshot(path=screenshots / "accept-again.png")
+    record_view(page, screenshots / "accept-again.png")
     button.click()
     expect(page.get_by_test_id("job-state")).to_have_text("Ready to send")
     expect(page.get_by_test_id("acceptance").first).to_contain_text(

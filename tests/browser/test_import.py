@@ -11,6 +11,7 @@ import pytest
 from playwright.sync_api import FilePayload, Locator, Page, expect
 
 from knifetip.dxf.samples import samples
+from tests.browser.accessibility import record_view
 from tests.support.writers import dxf_text as text
 
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(240)]
@@ -105,7 +106,7 @@ def test_an_unknown_unit_is_asked_with_sizes_and_evidence(page: Page, screenshot
     expect(other).not_to_contain_text("multiples of")
     page.get_by_test_id("unit-evidence").click()
     expect(other).to_contain_text("multiples of")
-    page.screenshot(path=screenshots / "import-1-asked.png")
+    record_view(page, screenshots / "import-1-asked.png")
 
     page.get_by_test_id("unit-in").click()
     expect(page.get_by_test_id("drawing-size")).to_have_text(re.compile(r"^101\.6 × 76\.2"))
@@ -226,7 +227,7 @@ def test_a_profile_is_edited_exported_and_imported_as_toml(page: Page, screensho
     page.get_by_role("combobox", name="Line type of rule 1").click()
     page.get_by_role("option", name="Combi").click()
     expect(page.get_by_test_id("profile-outcome")).to_contain_text("type of 2 edges")
-    page.screenshot(path=screenshots / "import-3-profile.png")
+    record_view(page, screenshots / "import-3-profile.png")
 
     # Undo in the editor affects the profile only, not the drawing.
     page.get_by_test_id("undo").click()
@@ -307,7 +308,7 @@ def test_lengths_in_the_report_add_up_and_its_rows_select_edges(
     )
     expect(page.get_by_test_id("selection")).to_be_hidden()
     expect(page.get_by_test_id("picture")).to_have_attribute("data-pin", "20,20,20,20")
-    page.screenshot(path=screenshots / "import-4-report.png")
+    record_view(page, screenshots / "import-4-report.png")
     page.keyboard.press("Escape")
     expect(page.get_by_test_id("picture")).not_to_have_attribute("data-pin", "20,20,20,20")
     # The report is filtered by outcome.

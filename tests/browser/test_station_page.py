@@ -26,6 +26,7 @@ from knifetip.dxf.samples import samples
 from knifetip.gateway.simulator import Server, serve
 from knifetip.gateway.table import Table
 from knifetip.library import load
+from tests.browser.accessibility import record_view
 
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(300)]
 
@@ -238,9 +239,9 @@ def test_a_job_is_confirmed_held_resumed_stopped_and_the_machine_moved_by_touch(
         expect(checks).to_contain_text(text)
     assert_reachable(page)
     page.wait_for_timeout(800)
-    page.screenshot(path=screenshots / f"{name}-1-checks.png")
+    record_view(page, screenshots / f"{name}-1-checks.png")
     tick_all(page)
-    page.screenshot(path=screenshots / f"{name}-2-ticked.png")
+    record_view(page, screenshots / f"{name}-2-ticked.png")
     page.get_by_test_id("station-start").tap()
     expect(state).to_have_text("Running")
     expect(page.get_by_test_id("station-copy")).to_have_text("copy 1 of 2")
@@ -255,7 +256,7 @@ def test_a_job_is_confirmed_held_resumed_stopped_and_the_machine_moved_by_touch(
     expect(page.get_by_test_id("operation-home")).to_be_disabled()
     expect(page.get_by_test_id("jog-x1")).to_have_attribute("aria-disabled", "true")
     page.get_by_test_id("tab-job").tap()
-    page.screenshot(path=screenshots / f"{name}-3-held.png")
+    record_view(page, screenshots / f"{name}-3-held.png")
     page.get_by_test_id("station-resume").tap()
     expect(state).to_have_text("Running")
 
@@ -266,7 +267,7 @@ def test_a_job_is_confirmed_held_resumed_stopped_and_the_machine_moved_by_touch(
     expect(page.get_by_test_id("question-text")).to_be_hidden()
     expect(page.get_by_test_id("after-interruption")).to_contain_text("head stopped")
     page.wait_for_timeout(800)
-    page.screenshot(path=screenshots / f"{name}-4-stopped.png")
+    record_view(page, screenshots / f"{name}-4-stopped.png")
     wait_until(lambda: station(api)["state"] == "idle", "the machine is not at rest")
 
     # An alarm, its meaning and the ways out.
@@ -275,7 +276,7 @@ def test_a_job_is_confirmed_held_resumed_stopped_and_the_machine_moved_by_touch(
     expect(alarm).to_be_visible()
     expect(state).to_have_text("Alarm")
     assert_reachable(page)
-    page.screenshot(path=screenshots / f"{name}-5-alarm.png")
+    record_view(page, screenshots / f"{name}-5-alarm.png")
     page.get_by_test_id("alarm-unlock").tap()
     assert_done(page, "Unlock")
     expect(alarm).to_be_hidden()
@@ -286,7 +287,7 @@ def test_a_job_is_confirmed_held_resumed_stopped_and_the_machine_moved_by_touch(
     # One step, then as long as the finger is down.
     expect(page.get_by_test_id("jog-x1")).to_have_attribute("aria-disabled", "false")
     assert_reachable(page)
-    page.screenshot(path=screenshots / f"{name}-6-machine.png")
+    record_view(page, screenshots / f"{name}-6-machine.png")
     page.get_by_test_id("spindle-1").tap()
     assert_done(page, "Oscillating knife: oscillation on")
     assert workshop.table.table.oscillating
@@ -327,7 +328,7 @@ def test_a_waiting_job_is_run_above_the_board_by_touch(
     page.get_by_test_id("share-50").tap()
     page.get_by_test_id("dry-run").scroll_into_view_if_needed()
     assert_reachable(page)
-    page.screenshot(path=screenshots / f"{name}-8-dry-run-offered.png")
+    record_view(page, screenshots / f"{name}-8-dry-run-offered.png")
     page.get_by_test_id("operation-dry_run").tap()
     expect(state).to_have_text("Dry run")
     assert_done(page, "Begin dry run")
@@ -339,7 +340,7 @@ def test_a_waiting_job_is_run_above_the_board_by_touch(
     page.get_by_test_id("station-hold").tap()
     expect(state).to_have_text("Dry run paused")
     page.wait_for_timeout(500)
-    page.screenshot(path=screenshots / f"{name}-9-dry-run-held.png")
+    record_view(page, screenshots / f"{name}-9-dry-run-held.png")
     page.get_by_test_id("station-resume").tap()
     expect(state).to_have_text("Dry run")
     page.get_by_test_id("station-stop").tap()
@@ -350,7 +351,7 @@ def test_a_waiting_job_is_run_above_the_board_by_touch(
     expect(state).to_have_text("Frame")
     expect(page.get_by_test_id("dry-run-end")).to_contain_text("Frame has ended", timeout=60_000)
     page.get_by_test_id("dry-run").scroll_into_view_if_needed()
-    page.screenshot(path=screenshots / f"{name}-10-framed.png")
+    record_view(page, screenshots / f"{name}-10-framed.png")
 
     # Nothing was cut, and nothing counts as cut.
     assert table.trace.samples()[before:, 3].min() >= 20.0 - 1e-9
@@ -397,14 +398,14 @@ def test_a_tool_at_the_end_of_its_life_is_changed_or_kept_for_a_reason(
         check.tap()
     expect(start).to_be_disabled()
     assert_reachable(page)
-    page.screenshot(path=screenshots / f"{name}-11-worn.png")
+    record_view(page, screenshots / f"{name}-11-worn.png")
     page.get_by_test_id("worn-reason").fill("last sheet")
     expect(start).to_be_enabled()
     page.get_by_test_id("worn-reason").fill("")
     expect(start).to_be_disabled()
     changed.check(force=True)
     expect(page.get_by_test_id("worn-reason")).to_be_hidden()
-    page.screenshot(path=screenshots / f"{name}-12-changed.png")
+    record_view(page, screenshots / f"{name}-12-changed.png")
     start.tap()
     wait_until(lambda: api.get(f"/api/jobs/{job}").json()["state"] == "running", "not started")
     tools = api.get(f"/api/machines/{MACHINE}/tools").json()
@@ -444,7 +445,7 @@ def test_a_tool_is_checked_above_a_point_and_its_offset_corrected_by_touch(
     expect(page.get_by_test_id("shift-X")).to_contain_text("0.40")
     expect(page.get_by_test_id("tool-check-right")).to_be_disabled()
     page.wait_for_timeout(500)
-    page.screenshot(path=screenshots / f"{name}-11-tool-check.png")
+    record_view(page, screenshots / f"{name}-11-tool-check.png")
     page.get_by_test_id("tool-check-move").tap()
     wait_until(
         lambda: table.position == pytest.approx((-39.6, 20.0, 4.0, -0.2), abs=1e-3),
@@ -457,7 +458,7 @@ def test_a_tool_is_checked_above_a_point_and_its_offset_corrected_by_touch(
     outcome = page.get_by_test_id("outcome")
     expect(outcome).to_contain_text("belongs to the library")
     expect(outcome).to_contain_text("Copy it under a name of its own")
-    page.screenshot(path=screenshots / f"{name}-12-not-saved.png")
+    record_view(page, screenshots / f"{name}-12-not-saved.png")
     page.get_by_test_id("tool-check-lift").tap()
     assert_done(page, "Lift")
     assert table.position[2] == pytest.approx(20.0)
@@ -487,7 +488,7 @@ def test_outputs_are_switched_and_the_zero_is_set_by_hand(
     expect(output).to_have_attribute("aria-checked", "true")
     assert_reachable(page)
     output.scroll_into_view_if_needed()
-    page.screenshot(path=screenshots / f"{name}-13-output-on.png")
+    record_view(page, screenshots / f"{name}-13-output-on.png")
     output.tap()
     assert_done(page, "Crease wheel off")
     expect(output).to_have_attribute("aria-checked", "false")
@@ -513,7 +514,7 @@ def test_outputs_are_switched_and_the_zero_is_set_by_hand(
     page.get_by_test_id("question-yes").tap()
     assert_done(page, "Set X Y zero here")
     expect(position).to_contain_text(re.compile(r"X\s*0\.0\s*Y\s*0\.0"))
-    page.screenshot(path=screenshots / f"{name}-14-zero.png")
+    record_view(page, screenshots / f"{name}-14-zero.png")
     page.get_by_test_id("operation-home").tap()
     assert_done(page, "Home")
     # The zero of the other tests is where the machine is homed.
@@ -544,7 +545,7 @@ def test_a_second_tap_neither_answers_a_question_nor_moves_the_buttons_below(
     expect(yes).to_be_enabled()
     assert box_of(output) == before
     assert page.get_by_test_id("outcome").count() == 0
-    page.screenshot(path=screenshots / f"{name}-15-question.png")
+    record_view(page, screenshots / f"{name}-15-question.png")
     page.get_by_test_id("question-no").tap()
     expect(yes).to_be_hidden()
     assert box_of(output) == before
@@ -585,7 +586,7 @@ def test_a_corrected_offset_becomes_a_new_version_for_which_the_job_is_compiled_
     expect(state).to_have_text("Out of date")
     again = page.get_by_test_id("station-recompile")
     again.scroll_into_view_if_needed()
-    page.screenshot(path=screenshots / "station-1024-13-out-of-date.png")
+    record_view(page, screenshots / "station-1024-13-out-of-date.png")
     again.tap()
     # The gateway loads the new version by itself, and takes the job again.
     expect(state).to_have_text("Waiting for operator")
@@ -624,6 +625,6 @@ def test_a_page_without_server_shows_this_and_disables_its_buttons(
     for test_id in ("operation-home", "operation-park", "station-start", "station-stop"):
         expect(page.get_by_test_id(test_id)).to_be_disabled()
     expect(page.get_by_test_id("jog-x1")).to_have_attribute("aria-disabled", "true")
-    page.screenshot(path=screenshots / f"{name}-7-no-server.png")
+    record_view(page, screenshots / f"{name}-7-no-server.png")
     page.context.set_offline(False)
     expect(page.get_by_test_id("no-server")).to_be_hidden()

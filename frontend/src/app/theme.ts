@@ -42,10 +42,24 @@ const green: MantineColorsTuple = [
   "#065234",
 ];
 
+/** Dark enough for white text. */
+const red: MantineColorsTuple = [
+  "#fff5f5",
+  "#ffe3e3",
+  "#ffc9c9",
+  "#ffa8a8",
+  "#ff8787",
+  "#fa5252",
+  "#e03131",
+  "#c92a2a",
+  "#b02525",
+  "#971f1f",
+];
+
 export const theme = createTheme({
   fontFamily: '"Inter Variable", system-ui, sans-serif',
   fontFamilyMonospace: 'ui-monospace, "SF Mono", Menlo, Consolas, monospace',
-  colors: { dark, blue, green },
+  colors: { dark, blue, green, red },
   primaryColor: "blue",
   primaryShade: 7,
   defaultRadius: 8,
@@ -61,5 +75,12 @@ export const theme = createTheme({
       styles: { label: { color: "var(--ink-2)", fontSize: 12, fontWeight: 500, marginBottom: 4 } },
     },
     Button: { defaultProps: { fw: 600 } },
+    Modal: {
+      defaultProps: {
+        closeButtonProps: { "aria-label": "Close" },
+        // Its header is an HTML header, and the page has a banner already.
+        attributes: { header: { role: "presentation" } },
+      },
+    },
   },
 });

@@ -94,9 +94,9 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
             <IconArrowLeft size={17} />
           </ActionIcon>
         </Tooltip>
-        <h2 className={panels.docName} style={{ margin: 0, flex: 1 }}>
+        <h1 className={panels.docName} style={{ margin: 0, flex: 1 }}>
           {profile.shipped ? "New profile" : profile.title}
-        </h2>
+        </h1>
         <ProfileFiles profile={profile} />
       </div>
       {profile.fault !== "" && <p className={css.fault}>{profile.fault}</p>}

@@ -1,0 +1,29 @@
+"""Check a page against WCAG 2.2 levels A and AA and best practice, with axe-core."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from playwright.sync_api import Page
+
+AXE = Path(__file__).resolve().parents[2] / "frontend/node_modules/axe-core/axe.min.js"
+RUN = """async () => {
+  const { passes, violations } = await axe.run(document, { resultTypes: ["violations", "passes"] });
+  return [passes.length, violations.map(({ id, help, nodes }) =>
+    `${id}: ${help}: ${nodes.map((node) => node.html.slice(0, 120)).join(" | ")}`)];
+}"""
+
+
+def record_view(page: Page, screenshot: Path) -> None:
+    """Take a screenshot of what the page shows now, and assert that it is accessible."""
+    page.screenshot(path=screenshot)
+    assert_accessible(page)
+
+
+def assert_accessible(page: Page) -> None:
+    """Assert that axe-core finds no violation in what the page shows now."""
+    # Evaluated by the debugger, because the page's Content-Security-Policy refuses other scripts.
+    page.evaluate(AXE.read_text())
+    passed, violations = page.evaluate(RUN)
+    assert passed > 0, "axe-core checked nothing"
+    assert not violations, "\n".join(violations)
