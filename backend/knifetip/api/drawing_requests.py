@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import hashlib
+import json
 import unicodedata
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Final
 
 from fastapi import Response
 
 from knifetip.api.revisions import check_match, etag
 from knifetip.api.schemas.drawings import DrawingOut, DrawingSummary
+from knifetip.api.schemas.order_details import details_fields
+from knifetip.api.schemas.times import rfc3339
 from knifetip.api.service import Service, customer_rules, fingerprint
 from knifetip.errors import (
     DrawingTooLarge,
@@ -23,6 +26,7 @@ from knifetip.errors import (
 from knifetip.jobs import tasks
 from knifetip.jobs.drawing_store import NewDrawing
 from knifetip.jobs.interpretations import drawing_columns
+from knifetip.jobs.order_details import Details
 from knifetip.jobs.process_pool import TaskFailed
 from knifetip.jobs.request_key import RequestKey
 from knifetip.jobs.tables import Drawing
@@ -37,14 +41,24 @@ _ATTEMPTS: Final = 3
 _MAX_ROWS: Final = 2000
 
 
+@dataclass(frozen=True, slots=True)
+class Upload:
+    """A drawing that a client has sent, and what it stated about it."""
+
+    name: str  #: file name
+    content: bytes
+    unit: str = ""  #: unit given by the user; "" for the unit of the file
+    profile: str = "default"  #: name of the classification profile
+    details: Details = field(default_factory=dict)  #: columns of ``order_details``
+
+    def fingerprint(self, sha256: str) -> str:
+        """Return a hash of the upload, whose content has the hash ``sha256``."""
+        details = json.dumps(self.details, sort_keys=True)
+        return fingerprint(self.name, sha256, self.unit, self.profile, details)
+
+
 def add_drawing(
-    service: Service,
-    response: Response | None,
-    name: str,
-    content: bytes,
-    unit: str,
-    profile: str,
-    key: str | None = None,
+    service: Service, response: Response, upload: Upload, key: str | None = None
 ) -> DrawingOut:
     """Read, classify and store a drawing, and return its API model.
 
@@ -53,15 +67,9 @@ def add_drawing(
     service
         The server.
     response
-        Gets the headers ``Location`` and ``ETag``, unless it is None.
-    name
-        File name of the drawing.
-    content
-        Bytes of the file.
-    unit
-        Unit given by the user; "" for the unit of the file.
-    profile
-        Name of the classification profile.
+        Gets the headers ``Location`` and ``ETag``.
+    upload
+        The drawing.
     key
         Idempotency-Key of the request, or None.  If the key was used before, the drawing that was
         stored with it is returned.
@@ -75,32 +83,38 @@ def add_drawing(
     ReadError
         The file cannot be read.
     """
-    if len(content) > service.settings.upload:
-        raise DrawingTooLarge(
-            "drawing.upload-too-large", name=name, limit=service.settings.upload >> 20
-        )
-    rules = customer_rules(service, profile)
-    sha256 = hashlib.sha256(content).hexdigest()
-    request = RequestKey(key, fingerprint(name, sha256, unit, profile)) if key else None
-    row = service.store.drawings.find(request) if request else None
-    if row is None:
-        interpretation = Interpretation(unit, profile, rules)
-        reading = read_drawing(service, name, content, interpretation)
-        new = NewDrawing(
-            name=name,
-            content=content,
-            sha256=sha256,
-            interpretation=replace(interpretation, overrides=reading.overrides),
-            summary=reading.summary,
-            edges=reading.edges,
-            import_report=reading.import_report,
-        )
-        row = service.store.drawings.add(new, request)
+    row = store_upload(service, upload, key)
     drawing = drawing_out(service, row)
-    if response is not None:
-        response.headers["Location"] = f"/api/drawings/{row.id}"
-        response.headers["ETag"] = drawing_etag(drawing)
+    response.headers["Location"] = f"/api/drawings/{row.id}"
+    response.headers["ETag"] = drawing_etag(drawing)
     return drawing
+
+
+def store_upload(service: Service, upload: Upload, key: str | None = None) -> Drawing:
+    """Read, classify and store a drawing, and return it; see ``add_drawing``."""
+    if len(upload.content) > service.settings.upload:
+        raise DrawingTooLarge(
+            "drawing.upload-too-large", name=upload.name, limit=service.settings.upload >> 20
+        )
+    rules = customer_rules(service, upload.profile)
+    sha256 = hashlib.sha256(upload.content).hexdigest()
+    request = RequestKey(key, upload.fingerprint(sha256)) if key else None
+    row = service.store.drawings.find(request) if request else None
+    if row is not None:
+        return row
+    interpretation = Interpretation(upload.unit, upload.profile, rules)
+    reading = read_drawing(service, upload.name, upload.content, interpretation)
+    new = NewDrawing(
+        name=upload.name,
+        content=upload.content,
+        sha256=sha256,
+        interpretation=replace(interpretation, overrides=reading.overrides),
+        summary=reading.summary,
+        edges=reading.edges,
+        import_report=reading.import_report,
+        details=upload.details,
+    )
+    return service.store.drawings.add(new, request)
 
 
 def read_drawing(
@@ -144,6 +158,7 @@ class Change:
 
     interpretation: Interpretation
     event: Message
+    details: Details = field(default_factory=dict)  #: new details of the order, by column
 
 
 def apply_change(
@@ -194,7 +209,29 @@ def apply_change(
                 summary=reading.summary,
                 edges=reading.edges,
                 import_report=reading.import_report,
+                **change.details,
             )
+        except StaleRevision:
+            # A request without a revision applies to the newest one: try again.
+            if match is not None and match.strip() != "*":
+                raise
+            continue
+        drawing = drawing_out(service, changed)
+        response.headers["ETag"] = drawing_etag(drawing)
+        return drawing
+    raise WrongState("drawing.changing", drawing=id)
+
+
+def change_details(
+    service: Service, response: Response, id: str, match: str | None, details: Details
+) -> DrawingOut:
+    """Change details of the order of a drawing, and return its API model; see ``apply_change``."""
+    for _ in range(_ATTEMPTS):
+        row = service.store.drawings.get(id)
+        check_match(match, row)
+        event = Message("drawing.details-changed")
+        try:
+            changed = service.store.drawings.change(row.id, row.version, event, **details)
         except StaleRevision:
             # A request without a revision applies to the newest one: try again.
             if match is not None and match.strip() != "*":
@@ -249,6 +286,7 @@ def drawing_out(service: Service, row: Drawing) -> DrawingOut:
             "id": row.id,
             "revision": row.version,
             "name": row.name,
+            **details_fields(row),
             "created": row.created,
             "sha256": row.sha256,
             "profile": row.profile,
@@ -274,10 +312,11 @@ def profile_state(service: Service, row: Drawing) -> str:
 def summary_out(row: Drawing) -> DrawingSummary:
     """Return the API model that describes a stored drawing in lists of drawings."""
     return DrawingSummary(
+        **details_fields(row),
         id=row.id,
         revision=row.version,
         name=row.name,
-        created=row.created,
+        created=rfc3339(row.created),
         unit=row.summary["unit"] or None,
         width=row.summary["width"],
         height=row.summary["height"],

@@ -9,15 +9,17 @@ from fastapi.responses import StreamingResponse
 
 from knifetip.api.drawing_requests import (
     Change,
+    Upload,
     add_drawing,
     apply_change,
+    change_details,
     drawing_name,
     drawing_out,
     profile_state,
     summary_out,
 )
 from knifetip.api.overrides import merge_overrides
-from knifetip.api.parameters import Cursor, DataFormat, DrawingId, IdempotencyKey, Limit
+from knifetip.api.parameters import DataFormat, DrawingId, IdempotencyKey
 from knifetip.api.queue import queued
 from knifetip.api.revisions import IfMatch, IfNoneMatch, etag, is_known
 from knifetip.api.routing import ScopedRouter, requires
@@ -25,6 +27,7 @@ from knifetip.api.schemas.drawings import (
     CleaningOut,
     DrawingOut,
     DrawingPatch,
+    DrawingsQuery,
     DrawingSummary,
     EdgesOut,
     EdgesPatch,
@@ -32,6 +35,16 @@ from knifetip.api.schemas.drawings import (
     OutcomeWord,
     Unit,
 )
+from knifetip.api.schemas.order_details import (
+    Customer,
+    ExternalId,
+    Notes,
+    OrderDetailsPatch,
+    changed_columns,
+    details_filter,
+    metadata_of,
+)
+from knifetip.api.schemas.times import MomentIn
 from knifetip.api.service import (
     BINARY,
     ServiceDep,
@@ -71,6 +84,19 @@ def upload_drawing(
     profile: Annotated[
         str, Form(max_length=200, description="Name of the classification profile")
     ] = "default",
+    external_id: Annotated[ExternalId, Form()] = "",
+    customer: Annotated[Customer, Form()] = "",
+    due: Annotated[
+        MomentIn | None, Form(description="Time at which the order is due, with offset")
+    ] = None,
+    notes: Annotated[Notes, Form()] = "",
+    metadata: Annotated[
+        str,
+        Form(
+            max_length=20_000,
+            description="JSON object with values of other systems by key; empty for none",
+        ),
+    ] = "",
     key: IdempotencyKey = None,
 ) -> DrawingOut:
     """Upload a DXF, CF2, SVG or PDF file; the server reads it and classifies its edges.
@@ -80,18 +106,33 @@ def upload_drawing(
     customer_rules(service, profile)
     content = file.file.read(service.settings.upload + 1)
     name = drawing_name(file.filename or "")
-    return add_drawing(service, response, name, content, unit or "", profile, key)
+    details = {
+        "external_id": external_id,
+        "customer": customer,
+        "due": due,
+        "notes": notes,
+        "extra": metadata_of(metadata),
+    }
+    upload = Upload(name, content, unit or "", profile, details)
+    return add_drawing(service, response, upload, key)
 
 
 @router.get("")
 @requires(AccessScope.VIEWER)
 def list_drawings(
-    service: ServiceDep, response: Response, cursor: Cursor = None, limit: Limit = 100
+    service: ServiceDep,
+    request: Request,
+    response: Response,
+    wanted: Annotated[DrawingsQuery, Query()],
 ) -> list[DrawingSummary]:
-    """List the drawings, newest first; the header ``Link`` contains the URL of the next page."""
-    rows = service.store.drawings.recent(cursor, limit)
-    last = rows[-1].serial if len(rows) == limit else None
-    set_next_page(response, "/api/drawings?", last, limit)
+    """List the drawings that meet all conditions, newest first.
+
+    The header ``Link`` contains the URL of the next page.
+    """
+    conditions = details_filter(wanted, request)
+    rows = service.store.drawings.recent(wanted.cursor, wanted.limit, conditions)
+    last = rows[-1].serial if len(rows) == wanted.limit else None
+    set_next_page(request, response, last, wanted.limit)
     return [summary_out(row) for row in rows]
 
 
@@ -122,10 +163,14 @@ def change_drawing(
     patch: DrawingPatch,
     match: IfMatch = None,
 ) -> DrawingOut:
-    """Set the unit of a drawing, or classify it with another profile or profile version.
+    """Set the unit of a drawing, classify it with another profile, or change its order details.
 
-    The drawing is read and classified again, and gets a new revision.
+    The drawing gets a new revision.  It is read and classified again, unless the request changes
+    details of the order only.
     """
+    details = changed_columns(patch)
+    if details and not patch.model_fields_set - set(OrderDetailsPatch.model_fields):
+        return change_details(service, response, id, match, details)
 
     def decide(row: Drawing) -> Change:
         unit = row.unit_given
@@ -140,7 +185,7 @@ def change_drawing(
         elif patch.profile is not None:
             profile, rules = patch.profile, customer_rules(service, patch.profile)
         event = Message("drawing.reinterpreted", unit=unit, profile=profile)
-        return Change(Interpretation(unit, profile, rules, row.overrides), event)
+        return Change(Interpretation(unit, profile, rules, row.overrides), event, details)
 
     return apply_change(service, response, id, match, decide)
 

@@ -29,7 +29,7 @@ from fastapi import FastAPI
 from knifetip.api import keys
 from knifetip.api.access import AccessRules, is_loopback
 from knifetip.api.app import create_app
-from knifetip.api.drawing_requests import add_drawing
+from knifetip.api.drawing_requests import Upload, store_upload
 from knifetip.api.service import Service, Settings
 from knifetip.errors import KnifetipError, StoreError
 from knifetip.gateway import claim, simulator
@@ -365,6 +365,6 @@ def _add_samples(service: Service) -> None:
             from knifetip.dxf.samples import samples
 
             for name, content in samples().items():
-                add_drawing(service, None, name, content, "", "default")
+                store_upload(service, Upload(name, content))
     except (KnifetipError, TaskCancelled) as reason:
         _log.warning("the samples could not be read: %s", reason)

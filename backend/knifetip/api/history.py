@@ -5,15 +5,16 @@ from __future__ import annotations
 import asyncio
 import logging
 from typing import Annotated
-from urllib.parse import urlencode
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
-from fastapi import Query, Response
+from fastapi import Query, Request, Response
 
 from knifetip.api.jobs import jobs_out
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.history import HistoryQuery, StatisticsOut, StatisticsQuery
 from knifetip.api.schemas.jobs import JobOut
+from knifetip.api.schemas.order_details import details_filter
+from knifetip.api.schemas.times import rfc3339
 from knifetip.api.service import Service, ServiceDep, set_next_page
 from knifetip.errors import RequestError
 from knifetip.jobs.accounts.scopes import AccessScope
@@ -30,7 +31,10 @@ _log = logging.getLogger("knifetip.api")
 @router.get("/history")
 @requires(AccessScope.VIEWER)
 def list_history(
-    service: ServiceDep, response: Response, wanted: Annotated[HistoryQuery, Query()]
+    service: ServiceDep,
+    request: Request,
+    response: Response,
+    wanted: Annotated[HistoryQuery, Query()],
 ) -> list[JobOut]:
     """List ended jobs, the last ended first; the header ``Link`` contains the URL of the next page.
 
@@ -38,7 +42,13 @@ def list_history(
     rest of the sheet.
     """
     conditions = HistoryFilter(
-        wanted.state, wanted.machine, wanted.board, wanted.drawing, wanted.since, wanted.until
+        wanted.state,
+        wanted.machine,
+        wanted.board,
+        wanted.drawing,
+        wanted.since,
+        wanted.until,
+        details_filter(wanted, request),
     )
     after = None
     if wanted.cursor is not None:
@@ -46,10 +56,8 @@ def list_history(
         after = float(end), int(serial)
     rows = service.store.history.search(conditions, after, wanted.limit)
     if len(rows) == wanted.limit:
-        asked = wanted.model_dump(exclude_defaults=True, exclude={"cursor", "limit"})
-        query = urlencode(asked, doseq=True)
         cursor = f"{rows[-1].ended!r}-{rows[-1].serial}"
-        set_next_page(response, f"/api/history?{query}{'&' * bool(query)}", cursor, wanted.limit)
+        set_next_page(request, response, cursor, wanted.limit)
     return jobs_out(service.store, rows)
 
 
@@ -76,7 +84,7 @@ def get_statistics(
     return [
         StatisticsOut(
             machine=one.machine,
-            start=one.start,
+            start=rfc3339(one.start),
             jobs=one.jobs,
             copies=one.copies,
             runs=one.runs,

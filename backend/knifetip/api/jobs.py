@@ -12,11 +12,17 @@ from fastapi.responses import PlainTextResponse
 
 from knifetip.api.exceptions import accept_in_block, find_same_exceptions
 from knifetip.api.overrides import merge_overrides
-from knifetip.api.parameters import Cursor, DataFormat, IdempotencyKey, JobId, Limit
+from knifetip.api.parameters import DataFormat, IdempotencyKey, JobId
 from knifetip.api.queue import queued
 from knifetip.api.revisions import check_revision
 from knifetip.api.routing import ScopedRouter, requires
-from knifetip.api.schemas.jobs import ConfirmIn, JobEvent, JobOut, JobState, ResumeIn
+from knifetip.api.schemas.jobs import ConfirmIn, JobEvent, JobOut, JobsQuery, ResumeIn
+from knifetip.api.schemas.order_details import (
+    OrderDetailsOut,
+    details_columns,
+    details_fields,
+    details_filter,
+)
 from knifetip.api.schemas.orders import ExceptionsIn, JobIn
 from knifetip.api.schemas.verdicts import EarlierExceptions, VerdictOut, VerdictSummary
 from knifetip.api.service import (
@@ -34,7 +40,7 @@ from knifetip.jobs import tasks
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.interpretations import interpretation_of
 from knifetip.jobs.job import Actor, ActorKind, State
-from knifetip.jobs.job_store import JobOrder
+from knifetip.jobs.job_store import JobFilter, JobOrder
 from knifetip.jobs.operator_actions import allowed_actions
 from knifetip.jobs.readings import StoredDrawing
 from knifetip.jobs.request_key import RequestKey
@@ -102,6 +108,7 @@ def _ordered(service: Service, order: JobIn, key: RequestKey | None) -> Job:
         exceptions=_exceptions(service, order.exceptions),
         machine_version=machine.version,
         board_version=board.version,
+        details=details_columns(order),
     )
     return service.store.jobs.add(drawing, ordered, key)
 
@@ -155,20 +162,18 @@ def _interpretation(service: Service, order: JobIn, drawing: Drawing) -> Interpr
 @requires(AccessScope.VIEWER)
 def list_jobs(
     service: ServiceDep,
+    request: Request,
     response: Response,
-    state: Annotated[
-        list[JobState] | None,
-        Query(description="List only jobs in this state; may be repeated; all if it is missing"),
-    ] = None,
-    cursor: Cursor = None,
-    limit: Limit = 100,
+    wanted: Annotated[JobsQuery, Query()],
 ) -> list[JobOut]:
-    """List the jobs, newest first; the header ``Link`` contains the URL of the next page."""
-    states = state or []
-    rows = service.store.jobs.search(states, cursor, limit)
-    last = rows[-1].serial if len(rows) == limit else None
-    filters = "".join(f"state={word}&" for word in states)
-    set_next_page(response, f"/api/jobs?{filters}", last, limit)
+    """List the jobs that meet all conditions, newest first.
+
+    The header ``Link`` contains the URL of the next page.
+    """
+    conditions = JobFilter(details_filter(wanted, request), wanted.drawing, wanted.machine)
+    rows = service.store.jobs.search(wanted.state, wanted.cursor, wanted.limit, wanted=conditions)
+    last = rows[-1].serial if len(rows) == wanted.limit else None
+    set_next_page(request, response, last, wanted.limit)
     return jobs_out(service.store, rows)
 
 
@@ -434,7 +439,7 @@ def _job_out(row: Job, waiting: Waiting, remaining: int, now: float) -> JobOut:
     message = waiting.message or row.message
     computed = {
         "verdict", "progress", "waiting_for", "actions", "reason", "hint", "message", "is_rest",
-        "remaining_copies",
+        "remaining_copies", *OrderDetailsOut.model_fields,
     }  # fmt: skip
     fields: dict[str, Any] = {
         name: getattr(row, name) for name in set(JobOut.model_fields) - computed
@@ -442,6 +447,7 @@ def _job_out(row: Job, waiting: Waiting, remaining: int, now: float) -> JobOut:
     return JobOut.model_validate(
         {
             **fields,
+            **details_fields(row),
             "waiting_for": waiting.waiting_for,
             "message": message,
             "reason": render(message) if message else "",

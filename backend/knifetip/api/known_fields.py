@@ -26,6 +26,13 @@ class Operation:
     bodies: tuple[Mapping[str, Any], ...]  #: schemas of the body, one for each media type
     form: tuple[str, ...] | None  #: parts of a multipart form; None if the body is no form
 
+    def has_query(self, name: str) -> bool:
+        """Return whether a query parameter is known; ``metadata.KEY`` stands for any key."""
+        if name in self.query:
+            return True
+        prefix, dot, key = name.partition(".")
+        return bool(dot and key) and f"{prefix}.KEY" in self.query
+
     @property
     def has_body(self) -> bool:
         """Whether the operation has a body."""
@@ -106,7 +113,7 @@ async def refuse_unknown(request: Request) -> None:
     operation = known.of(request)
     if operation is None:
         return
-    unknown = [("query", name) for name in request.query_params if name not in operation.query]
+    unknown = [("query", name) for name in request.query_params if not operation.has_query(name)]
     if operation.form is not None and _media(request) == _FORM:
         # FastAPI has parsed the form; this returns the same one.
         form = await request.form()

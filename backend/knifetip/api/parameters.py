@@ -18,16 +18,6 @@ IdempotencyKey = Annotated[
         "first result instead of creating a second drawing or job",
     ),
 ]
-Cursor = Annotated[
-    int | None,
-    Query(
-        ge=0,
-        le=2**31 - 1,
-        description="Position in the list where the page begins, from the Link header of the "
-        "previous page",
-    ),
-]
-Limit = Annotated[int, Query(ge=1, le=500, description="Maximum number of items in the list")]
 DrawingId = Annotated[str, Path(description="Id of the drawing")]
 JobId = Annotated[str, Path(description="Id of the job")]
 MachineName = Annotated[str, Path(description="Name of the machine in the library")]

@@ -15,6 +15,7 @@ from knifetip.api.parameters import DrawingId, ProfileName
 from knifetip.api.queue import queued
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.profiles import PreviewOut, ProfileIn, ProfileOut, ProposalOut
+from knifetip.api.schemas.times import rfc3339
 from knifetip.api.service import (
     ServiceDep,
     bytes_response,
@@ -220,7 +221,7 @@ def _stored_out(row: Profile) -> ProfileOut:
             name=row.name,
             title=row.title,
             version=row.version,
-            updated=row.updated,
+            updated=rfc3339(row.updated),
             rules=[],
             fault=reason.text,
         )

@@ -12,6 +12,7 @@ from knifetip.api.parameters import JobId, MachineName
 from knifetip.api.queue import queued
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.jobs import JobOut
+from knifetip.api.schemas.order_details import changed_columns
 from knifetip.api.schemas.queues import MoveIn, QueueOut, TransferIn, WaitingChangeIn
 from knifetip.api.service import ServiceDep
 from knifetip.errors import KnifetipError, PlanError
@@ -118,14 +119,19 @@ def _tag(match: str) -> str:
 @router.patch("/jobs/{id}")
 @requires(AccessScope.OPERATOR)
 def change_job(service: ServiceDep, id: JobId, change: WaitingChangeIn) -> JobOut:
-    """Change priority, number of copies or hold of a job that no machine works on yet.
+    """Change priority, copies or hold of a job that no machine works on yet, or order details.
+
+    The details of the order can be changed in every state of the job; fields that the request does
+    not contain stay as they are.
 
     A job with a new priority comes after the other jobs of that priority.  A job on hold stays in
     the queue, and its machine takes other jobs first.  A job that waits for the confirmation of the
     operator returns to the queue when it is put on hold.
     """
     values = WaitingChange(change.priority, change.copies, change.on_hold)
-    return job_out(service.store, service.store.queues.change(id, values, _actor(change.by)))
+    details = changed_columns(change)
+    row = service.store.queues.change(id, values, _actor(change.by), details)
+    return job_out(service.store, row)
 
 
 @router.post("/jobs/{id}/transfer")

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated, Any, TypeVar
+from urllib.parse import urlencode
 
 from fastapi import Depends, Request, Response
 
@@ -162,23 +163,32 @@ def require_customer_profile(service: Service, name: str) -> None:
         raise WrongState("profile.shipped", name=name)
 
 
-def set_next_page(response: Response, path: str, cursor: int | str | None, limit: int) -> None:
+def set_next_page(
+    request: Request, response: Response, cursor: int | str | None, limit: int
+) -> None:
     """Set the header ``Link`` of a response to the URL of the next page of a list.
 
     Parameters
     ----------
+    request
+        Request for this page; the URL has its other parameters.
     response
         Response whose header is set.
-    path
-        URL of the list with its other parameters; it ends with "?" or "&".
     cursor
         Position of the next page in the list.  If it is None, there is no next page, and no header
         is set.
     limit
         Maximum number of items per page.
     """
-    if cursor is not None:
-        response.headers["Link"] = f'<{path}cursor={cursor}&limit={limit}>; rel="next"'
+    if cursor is None:
+        return
+    kept = [
+        (name, value)
+        for name, value in request.query_params.multi_items()
+        if name not in ("cursor", "limit")
+    ]
+    query = urlencode([*kept, ("cursor", cursor), ("limit", limit)])
+    response.headers["Link"] = f'<{request.url.path}?{query}>; rel="next"'
 
 
 def bytes_response(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import sqlalchemy as sa
@@ -13,6 +13,7 @@ from knifetip.errors import NoSuchJob, StaleRevision, WrongState
 from knifetip.jobs.database import Database, rows, short
 from knifetip.jobs.interpretations import drawing_columns
 from knifetip.jobs.job import OPERATOR, new_id
+from knifetip.jobs.order_details import Details, DetailsFilter, metadata_rows, replace_metadata
 from knifetip.jobs.request_key import RequestKey
 from knifetip.jobs.tables import Drawing, Job
 from knifetip.jobs.transitions import Transitions
@@ -34,6 +35,7 @@ class NewDrawing:
     summary: dict[str, Any]  #: see ``tables.Drawing``
     edges: bytes  #: packed ``EdgeTable``
     import_report: bytes  #: JSON, deflated
+    details: Details = field(default_factory=dict)  #: columns of ``order_details``
 
 
 class DrawingStore:
@@ -76,10 +78,13 @@ class DrawingStore:
             content=new.content,
             edges=new.edges,
             import_report=new.import_report,
+            **new.details,
         )
         try:
             with self._db.writing() as session:
                 session.add(row)
+                session.flush()  # assigns the serial number
+                session.add_all(metadata_rows(Drawing, row.serial, row.extra or {}))
                 self._transitions.write_event(
                     session,
                     "drawing",
@@ -167,17 +172,25 @@ class DrawingStore:
         """
         return self._db.large_column(Drawing, id, column, "drawing")
 
-    def recent(self, before: int | None, limit: int) -> list[Drawing]:
+    def recent(
+        self, before: int | None, limit: int, wanted: DetailsFilter | None = None
+    ) -> list[Drawing]:
         """Return at most ``limit`` drawings, newest first.
 
         Parameters
         ----------
         before
             Return only drawings with a smaller serial number; None for all.
+        limit
+            Greatest number of drawings.
+        wanted
+            Conditions on the details of their orders; None for none.
         """
         query = sa.select(Drawing).order_by(Drawing.serial.desc()).limit(limit)
         if before is not None:
             query = query.where(Drawing.serial < before)
+        if wanted is not None:
+            query = query.where(*wanted.conditions(Drawing))
         with self._db.reading() as session:
             return list(session.scalars(query))
 
@@ -214,6 +227,9 @@ class DrawingStore:
                 if now is None:
                     raise _unknown_drawing_error(id)
                 raise StaleRevision(id, now, str(version))
+            if "extra" in changes:
+                serial = session.scalars(sa.select(Drawing.serial).where(Drawing.id == id)).one()
+                replace_metadata(session, Drawing, serial, changes["extra"])
             self._transitions.write_event(session, "drawing", id, "changed", OPERATOR, event)
             # Read in this transaction, because another request may change the drawing after it.
             return session.scalars(

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Final
 
 import sqlalchemy as sa
 
 from knifetip.jobs.database import Database, rows
 from knifetip.jobs.job import ENDED, State
+from knifetip.jobs.order_details import DetailsFilter
 from knifetip.jobs.tables import Event, Job
 
 _BATCH: Final = 200  # jobs that one transaction deletes, so that gateways do not wait
@@ -25,6 +26,7 @@ class HistoryFilter:
     drawing: str = ""  #: part of the name of the drawing, in any case
     since: float | None = None  #: earliest end (seconds since 1970)
     until: float | None = None  #: end before this time (seconds since 1970)
+    details: DetailsFilter = field(default_factory=DetailsFilter)
 
     def conditions(self) -> list[sa.ColumnElement[bool]]:
         """Return the conditions as SQL expressions."""
@@ -39,7 +41,7 @@ class HistoryFilter:
             found.append(Job.ended >= self.since)
         if self.until is not None:
             found.append(Job.ended < self.until)
-        return found
+        return [*found, *self.details.conditions(Job)]
 
 
 class HistoryStore:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
 import sqlalchemy as sa
@@ -21,6 +21,7 @@ from knifetip.jobs.job import (
     State,
     new_id,
 )
+from knifetip.jobs.order_details import Details, DetailsFilter, metadata_rows
 from knifetip.jobs.remaining_copies import batch_of, remaining_copies
 from knifetip.jobs.request_key import RequestKey
 from knifetip.jobs.rest_record import RestRecord
@@ -50,6 +51,25 @@ class JobOrder:
     exceptions: Exceptions | None = None  #: shortfalls that the user accepts in advance
     machine_version: int = 0  #: version of a user's machine; 0 for one of the library
     board_version: int = 0  #: version of a user's board; 0 for one of the library
+    details: Details = field(default_factory=dict)  #: columns of ``order_details``
+
+
+@dataclass(frozen=True, slots=True)
+class JobFilter:
+    """Conditions on jobs; an empty value is no condition."""
+
+    details: DetailsFilter = field(default_factory=DetailsFilter)
+    drawing: str = ""  #: id of the drawing
+    machine: str = ""
+
+    def conditions(self) -> list[sa.ColumnElement[bool]]:
+        """Return the conditions as SQL expressions."""
+        found = self.details.conditions(Job)
+        if self.drawing:
+            found.append(Job.drawing == self.drawing)
+        if self.machine:
+            found.append(Job.machine == self.machine)
+        return found
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,10 +126,13 @@ class JobStore:
             priority=order.priority,
             release=order.release,
             exceptions=None if order.exceptions is None else order.exceptions.as_json(),
+            **order.details,
         )
         try:
             with self._db.writing() as session:
                 session.add(row)
+                session.flush()  # assigns the serial number
+                session.add_all(metadata_rows(Job, row.serial, row.extra or {}))
                 self._transitions.write_event(
                     session, "job", row.id, State.RECEIVED, OPERATOR, Message("job.ordered")
                 )
@@ -160,6 +183,8 @@ class JobStore:
                     **initial, **_continued_columns(before, continuation), overrides=overrides
                 )
                 session.add(row)
+                session.flush()  # assigns the serial number
+                session.add_all(metadata_rows(Job, row.serial, row.extra))
                 whole = continuation.rest is None
                 for id, state, event in (
                     (
@@ -276,6 +301,7 @@ class JobStore:
         before: int | None = None,
         limit: int = 100,
         ids: Sequence[str] | None = None,
+        wanted: JobFilter | None = None,
     ) -> list[Job]:
         """Return the jobs that meet all conditions, newest first.
 
@@ -289,6 +315,8 @@ class JobStore:
             Greatest number of jobs.
         ids
             Ids of the jobs; None for all.
+        wanted
+            Further conditions; None for none.
         """
         query = sa.select(Job).order_by(Job.serial.desc()).limit(limit)
         if states:
@@ -297,6 +325,8 @@ class JobStore:
             query = query.where(Job.serial < before)
         if ids is not None:
             query = query.where(Job.id.in_(ids))
+        if wanted is not None:
+            query = query.where(*wanted.conditions())
         with self._db.reading() as session:
             return list(session.scalars(query))
 

@@ -22,6 +22,7 @@ from knifetip.jobs.compile_store import result_columns
 from knifetip.jobs.database import Database, short
 from knifetip.jobs.job import ON_TABLE, Actor, Confirmation, State
 from knifetip.jobs.machine_queues import CLAIMED, is_waiting, last_rank, lock_queue, waiting_jobs
+from knifetip.jobs.order_details import Details, replace_metadata
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import Transitions, advice
 from knifetip.library.definition import Definition
@@ -51,6 +52,11 @@ class WaitingChange:
     priority: int | None = None
     copies: int | None = None
     on_hold: bool | None = None
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether no value is changed."""
+        return self.priority is None and self.copies is None and self.on_hold is None
 
 
 class QueueStore:
@@ -178,8 +184,10 @@ class QueueStore:
             self._set(session, job.id, rank=first + _STEP * (index + (index >= count)))
         return first + _STEP * count
 
-    def change(self, id: str, change: WaitingChange, actor: Actor) -> Job:
-        """Change a job that no machine works on yet, and return the job.
+    def change(
+        self, id: str, change: WaitingChange, actor: Actor, details: Details | None = None
+    ) -> Job:
+        """Change a job that no machine works on yet, or the details of any job; return the job.
 
         Each changed value is an event; a repeated change has no effect.  A job with a new priority
         comes after the other jobs of that priority.  A claimed job that is put on hold returns to
@@ -193,6 +201,9 @@ class QueueStore:
             The new values.
         actor
             The operator.
+        details
+            New details of the order, by name of the column; None for none.  They can be changed in
+            every state of the job.
 
         Raises
         ------
@@ -202,6 +213,13 @@ class QueueStore:
         """
         with self._db.writing() as session:
             row = self._lock(session, id)
+            if details and any(getattr(row, name) != value for name, value in details.items()):
+                self._set(session, id, **details)
+                if "extra" in details:
+                    replace_metadata(session, Job, row.serial, details["extra"])
+                self._write(session, row, actor, Message("job.details-changed"))
+            if change.is_empty:
+                return self._transitions.lock(session, id)
             if is_claimed(row):
                 row = self._return_to_queue(session, row, change, actor)
             if row.state not in _BEFORE_START:

@@ -79,6 +79,11 @@ class Drawing(Base):
     """A stored drawing: its file, its interpretation, and the data that were read from it."""
 
     __tablename__ = "drawing"
+    __table_args__ = (
+        sa.Index("drawing_by_external_id", "external_id", "serial"),
+        sa.Index("drawing_by_customer", "customer", "serial"),
+        sa.Index("drawing_by_due", "due"),
+    )
 
     serial: Mapped[int] = mapped_column(_SERIAL, primary_key=True, autoincrement=True)
     id: Mapped[str] = mapped_column(sa.String(32), unique=True)
@@ -96,6 +101,12 @@ class Drawing(Base):
     summary: Mapped[dict[str, Any]] = mapped_column(sa.JSON)
     key: Mapped[str | None] = mapped_column(sa.String(200), unique=True)  #: Idempotency-Key
     fingerprint: Mapped[str] = mapped_column(sa.String(64))  #: hash of the request with that key
+    #: details of the order: see ``order_details``
+    external_id: Mapped[str] = mapped_column(sa.String(200), default="")
+    customer: Mapped[str] = mapped_column(sa.String(200), default="")
+    due: Mapped[float | None] = mapped_column(sa.Double, default=None)  #: seconds since 1970
+    notes: Mapped[str] = mapped_column(sa.Text, default="")
+    extra: Mapped[dict[str, Any]] = mapped_column("metadata", sa.JSON, default=dict)
     content: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)
     overrides: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)  #: (n,) 255 for none
     edges: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)  #: packed ``EdgeTable``
@@ -116,6 +127,9 @@ class Job(Base):
         ),
         sa.Index("job_by_state", "state", "machine"),
         sa.Index("job_by_end", "ended"),
+        sa.Index("job_by_external_id", "external_id", "serial"),
+        sa.Index("job_by_customer", "customer", "serial"),
+        sa.Index("job_by_due", "due"),
     )
 
     serial: Mapped[int] = mapped_column(_SERIAL, primary_key=True, autoincrement=True)
@@ -190,12 +204,42 @@ class Job(Base):
     #: where the machine stopped a job that was cancelled or interrupted: line, position, station
     stopped_at: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
     feeds: Mapped[bool] = mapped_column(default=False)  #: the machine feeds the sheets itself
+    #: details of the order: see ``order_details``
+    external_id: Mapped[str] = mapped_column(sa.String(200), default="")
+    customer: Mapped[str] = mapped_column(sa.String(200), default="")
+    due: Mapped[float | None] = mapped_column(sa.Double, default=None)  #: seconds since 1970
+    notes: Mapped[str] = mapped_column(sa.Text, default="")
+    extra: Mapped[dict[str, Any]] = mapped_column("metadata", sa.JSON, default=dict)
     overrides: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)
     program: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)
     toolpath: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)
     verdict: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)
     #: worked lengths by program line, see ``worked_lengths``
     lengths: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)
+
+
+class DrawingMetadata(Base):
+    """A key and a value of the metadata of a drawing, by which it is found."""
+
+    __tablename__ = "drawing_metadata"
+    __table_args__ = (sa.Index("drawing_metadata_by_owner", "owner"),)
+
+    token: Mapped[str] = mapped_column(sa.String(40), primary_key=True)  #: hash of key and value
+    owner: Mapped[int] = mapped_column(
+        _SERIAL, sa.ForeignKey("drawing.serial", ondelete="CASCADE"), primary_key=True
+    )
+
+
+class JobMetadata(Base):
+    """A key and a value of the metadata of a job, by which it is found."""
+
+    __tablename__ = "job_metadata"
+    __table_args__ = (sa.Index("job_metadata_by_owner", "owner"),)
+
+    token: Mapped[str] = mapped_column(sa.String(40), primary_key=True)  #: hash of key and value
+    owner: Mapped[int] = mapped_column(
+        _SERIAL, sa.ForeignKey("job.serial", ondelete="CASCADE"), primary_key=True
+    )
 
 
 class Event(Base):

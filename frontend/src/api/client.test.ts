@@ -52,6 +52,11 @@ describe("an error", () => {
         corners: null,
         sheet: null,
         lift: "clearance",
+        external_id: "PO-1",
+        customer: "",
+        due: null,
+        notes: "",
+        metadata: {},
       }),
     ).rejects.toMatchObject({ problem: { questions: [question] } });
   });

@@ -32,6 +32,8 @@ export type DrawingSummary = Schemas["DrawingSummary"];
 export type Format = Schemas["FormatOut"];
 export type Finding = Schemas["FindingOut"];
 export type Job = Schemas["JobOut"];
+/** What an ERP system or a user attaches to an order. */
+export type OrderDetails = Pick<Job, "external_id" | "customer" | "due" | "notes" | "metadata">;
 export type JobOrder = Pick<Schemas["JobIn"], "drawing" | "machine" | "board"> & {
   /** Revision of the drawing on display; null if unknown. */
   revision: number | null;
@@ -39,7 +41,7 @@ export type JobOrder = Pick<Schemas["JobIn"], "drawing" | "machine" | "board"> &
   corners: Corners | null;
   sheet: Sheet | null;
   lift: Lift;
-};
+} & OrderDetails;
 export type JobState = Job["state"];
 export type ImportReportRow = Schemas["ImportReportRow"];
 export type LibraryEntry = Schemas["EntryOut"];
@@ -155,6 +157,8 @@ export interface HistoryFilter {
   readonly machine?: string;
   readonly board?: string;
   readonly drawing?: string;
+  readonly external_id?: string;
+  readonly customer?: string;
   readonly state?: EndedState | undefined;
   /** Earliest end (seconds since 1970). */
   readonly since?: number | undefined;
@@ -177,7 +181,7 @@ async function fetchHistory(
   const query = {
     ...filter,
     ...(state === undefined ? {} : { state: [state] }),
-    ...(since === undefined ? {} : { since }),
+    ...(since === undefined ? {} : { since: new Date(since * 1000).toISOString() }),
     ...(cursor === null ? {} : { cursor }),
   };
   const { data, response } = await api.GET("/api/v1/history", {
@@ -321,7 +325,7 @@ export const service = {
     signal?: AbortSignal,
   ): Promise<Statistics[]> => {
     const zone = Intl.DateTimeFormat().resolvedOptions().timeZone;
-    const query = { machine, step, since, zone };
+    const query = { machine, step, since: new Date(since * 1000).toISOString(), zone };
     return dataOf(api.GET("/api/v1/statistics", { params: { query }, ...uncached(signal) }));
   },
   tools: (machine: string, signal?: AbortSignal): Promise<ToolUse[]> =>

@@ -831,6 +831,10 @@ export const TEXTS = {
     "text": "The drawing was deleted.",
     "hint": ""
   },
+  "drawing.details-changed": {
+    "text": "The details of the order were changed.",
+    "hint": ""
+  },
   "drawing.empty": {
     "text": "There is nothing to make: the file contains no objects.",
     "hint": "Export the drawing again, with the lines of the carton in model space."
@@ -1027,6 +1031,10 @@ export const TEXTS = {
     "text": "{path} contradicts other fields: {fault}",
     "hint": ""
   },
+  "field.metadata-too-large": {
+    "text": "{path} is larger than {most} kB",
+    "hint": ""
+  },
   "field.missing": {
     "text": "{path} is missing",
     "hint": ""
@@ -1073,6 +1081,10 @@ export const TEXTS = {
   },
   "field.not-a-table": {
     "text": "{path} is {value}, but must be a table of fields",
+    "hint": ""
+  },
+  "field.not-a-time": {
+    "text": "{path} is {value}, but must be a time in RFC 3339 with its offset, such as 2030-01-02T03:04:05Z",
     "hint": ""
   },
   "field.not-above": {
@@ -2409,6 +2421,10 @@ export const TEXTS = {
   },
   "job.declared-finished": {
     "text": "The operator marked the job as finished, after the machine had stopped at program line {line} of {lines}.",
+    "hint": ""
+  },
+  "job.details-changed": {
+    "text": "The details of the order were changed.",
     "hint": ""
   },
   "job.exceptions-accepted": {

@@ -9,6 +9,7 @@ import { pluralize } from "../state/format";
 import { useOperator } from "../state/operator";
 import { useEarlierExceptions } from "../state/queries";
 import { useUiStore } from "../state/store";
+import { dateTimeText } from "../state/times";
 import verdictCss from "./verdict.module.css";
 
 /** What shortfalls of a kind mean, for one line and for several lines. */
@@ -120,10 +121,7 @@ const kindText = (kind: string, count: number): string =>
 /** Who accepted which of the shortfalls for an earlier job of the same drawing. */
 function Earlier({ exceptions }: { exceptions: EarlierExceptions }) {
   const names = [...new Set(exceptions.findings.map(({ acceptance }) => acceptance.by))];
-  const time = new Date(1000 * exceptions.created).toLocaleString([], {
-    dateStyle: "medium",
-    timeStyle: "short",
-  });
+  const time = dateTimeText(exceptions.created);
   return (
     <p className={verdictCss.acceptance} data-testid="earlier-exceptions">
       {names.join(", ")} accepted {exceptions.findings.length} of these lines for the job of {time}.

@@ -27,7 +27,7 @@ export function DefinitionHistory({ definition }: { definition: Definition }) {
           {versions.map(({ version, at, by, note }) => (
             <tr key={version}>
               <td>{version}</td>
-              <td>{new Date(at * 1000).toLocaleString("en")}</td>
+              <td>{at == null ? "" : new Date(at).toLocaleString("en")}</td>
               <td>{by}</td>
               <td>{note}</td>
               <td>

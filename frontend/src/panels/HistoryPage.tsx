@@ -8,7 +8,9 @@ import { errorText } from "../messages/render";
 import { formatDuration, pluralize } from "../state/format";
 import { useBoards, useHistory, useMachines } from "../state/queries";
 import { useUiStore } from "../state/store";
+import { dateTimeText } from "../state/times";
 import css from "./history.module.css";
+import { OrderLine } from "./OrderDetails";
 import { ShowMore } from "./ShowMore";
 import { StateBadge } from "./StateBadge";
 import { StatisticsView } from "./StatisticsView";
@@ -96,6 +98,20 @@ function EndedJobs({ machine }: { machine: string }) {
           onChange={(event) => change({ drawing: event.currentTarget.value })}
           data-testid="history-drawing"
         />
+        <TextInput
+          aria-label="Order number"
+          placeholder="Order number"
+          value={filter.external_id ?? ""}
+          onChange={(event) => change({ external_id: event.currentTarget.value })}
+          data-testid="history-order"
+        />
+        <TextInput
+          aria-label="Customer"
+          placeholder="Customer"
+          value={filter.customer ?? ""}
+          onChange={(event) => change({ customer: event.currentTarget.value })}
+          data-testid="history-customer"
+        />
         <Select
           aria-label="Board"
           placeholder="All boards"
@@ -155,11 +171,14 @@ function EndedJob({ job }: { job: Job }) {
       >
         <img
           className={css.picture}
-          src={`/api/drawings/${encodeURIComponent(job.drawing)}/picture`}
+          src={`/api/v1/drawings/${encodeURIComponent(job.drawing)}/picture`}
           alt=""
           loading="lazy"
         />
-        <span className={css.name}>{job.drawing_name}</span>
+        <span className={css.name}>
+          {job.drawing_name}
+          <OrderLine job={job} />
+        </span>
         <span>{boards?.find(({ name }) => name === job.board)?.title || job.board}</span>
         <span>{machines?.find(({ name }) => name === job.machine)?.title || job.machine}</span>
         <span className={css.figure}>
@@ -168,11 +187,8 @@ function EndedJob({ job }: { job: Job }) {
             : `${job.copies_done} of ${pluralize(job.copies, "copy", "copies")}`}
         </span>
         <span className={css.figure}>{formatDuration(job.seconds * job.copies)}</span>
-        <time className={css.figure} dateTime={new Date(job.ended * 1000).toISOString()}>
-          {new Date(job.ended * 1000).toLocaleString([], {
-            dateStyle: "medium",
-            timeStyle: "short",
-          })}
+        <time className={css.figure} dateTime={job.ended ?? ""}>
+          {job.ended == null ? "" : dateTimeText(job.ended)}
         </time>
         <StateBadge job={job} />
       </button>

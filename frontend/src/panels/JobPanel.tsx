@@ -35,6 +35,7 @@ import { useUiStore } from "../state/store";
 import { ConfirmationCard } from "./ConfirmationCard";
 import { ConfirmDialog } from "./ConfirmDialog";
 import jobCss from "./job.module.css";
+import { OrderCard } from "./OrderDetails";
 import css from "./panels.module.css";
 import { RestPanel } from "./RestPanel";
 import { Section } from "./Section";
@@ -48,6 +49,7 @@ export function JobPanel() {
   return (
     <Section title="Open job" aside={<StateBadge job={job} testId="job-state" />}>
       <div style={{ display: "grid", gridTemplateColumns: "minmax(0, 1fr)", gap: 12 }}>
+        <OrderCard job={job} />
         {isCompiling(job) && <Compiling job={job} />}
         {needsOperator(job) && <ConfirmationCard job={job} />}
         {job.state === "queued" && !needsOperator(job) && <Waiting job={job} />}

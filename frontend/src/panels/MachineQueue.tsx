@@ -27,6 +27,7 @@ import {
 import { useUiStore } from "../state/store";
 import { ConfirmationCard } from "./ConfirmationCard";
 import jobCss from "./job.module.css";
+import { OrderLine } from "./OrderDetails";
 import css from "./queue.module.css";
 import { Section } from "./Section";
 import { StateBadge } from "./StateBadge";
@@ -149,6 +150,7 @@ function Row({ entry }: { entry: QueueEntry }) {
             .filter((text) => text !== "")
             .join(" · ")}
         </small>
+        <OrderLine job={job} />
       </span>
       <span className={css.state}>
         {place === 0 && <StateBadge job={job} />}

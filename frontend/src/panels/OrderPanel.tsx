@@ -7,10 +7,12 @@ import { compile } from "../state/actions";
 import { DEFAULT_CORNERS } from "../state/corners";
 import { pluralize } from "../state/format";
 import { isCompiling } from "../state/jobs";
+import { detailsOf } from "../state/orderDetails";
 import { useBoards, useDrawing, useJob, useMachines } from "../state/queries";
 import { hasLeastLift } from "../state/sheet";
 import { useUiStore } from "../state/store";
 import { CornersForm } from "./CornersForm";
+import { OrderDetailsForm } from "./OrderDetailsForm";
 import css from "./panels.module.css";
 import { Section } from "./Section";
 import { SheetForm } from "./SheetForm";
@@ -44,6 +46,7 @@ export function OrderPanel() {
         corners: job.corners ?? DEFAULT_CORNERS,
         sheet: job.sheet ?? null,
         lift: job.lift,
+        details: detailsOf(job),
       });
     }
   }, [job?.id, set]);
@@ -96,6 +99,7 @@ export function OrderPanel() {
             data-testid="least-lift"
           />
         )}
+        <OrderDetailsForm />
         <div
           style={{ display: "grid", gridTemplateColumns: "72px 1fr", gap: 8, alignItems: "end" }}
         >

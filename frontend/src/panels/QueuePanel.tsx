@@ -8,9 +8,11 @@ import { formatAgo, formatDuration } from "../state/format";
 import { isCompiling, isFinal, isQueued } from "../state/jobs";
 import { useBoards, useJobs, useMachines } from "../state/queries";
 import { useUiStore } from "../state/store";
+import { secondsOf } from "../state/times";
 import jobCss from "./job.module.css";
 import { MachineQueue } from "./MachineQueue";
 import { AskOperator } from "./OperatorForm";
+import { OrderLine } from "./OrderDetails";
 import css from "./panels.module.css";
 import { Section } from "./Section";
 import { ShowMore } from "./ShowMore";
@@ -35,7 +37,7 @@ export function QueuePanel() {
   }, []);
   const listed = (jobs ?? [])
     .filter((job) => !isQueued(job))
-    .sort((a, b) => sortKey(a) - sortKey(b) || b.created - a.created);
+    .sort((a, b) => sortKey(a) - sortKey(b) || b.created.localeCompare(a.created));
   const { data: machines } = useMachines();
   const chosen = useUiStore((ui) => ui.machine) ?? machines?.[0]?.name;
   const queues = new Set((jobs ?? []).filter(isQueued).map(({ machine }) => machine));
@@ -93,9 +95,10 @@ function Row({ job, now }: { job: Job; now: number }) {
       <StateBadge job={job} />
       <small>
         {boards?.find(({ name }) => name === job.board)?.title || job.board}
-        {job.copies > 1 ? ` · ${job.copies} copies` : ""} · {formatAgo(job.updated, now)}
+        {job.copies > 1 ? ` · ${job.copies} copies` : ""} · {formatAgo(secondsOf(job.updated), now)}
       </small>
       <small>{job.seconds > 0 ? `machine time ${formatDuration(job.seconds)}` : ""}</small>
+      <OrderLine job={job} now={now} />
       {moving && (
         <Progress
           className={jobCss.bar ?? ""}

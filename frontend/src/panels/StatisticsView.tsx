@@ -27,8 +27,8 @@ const LINE_TYPES: Readonly<Record<string, string>> = {
   combi: "cut and creased",
 };
 
-function periodText(start: number, step: Step): string {
-  const date = new Date(start * 1000);
+function periodText(start: string, step: Step): string {
+  const date = new Date(start);
   if (step === "month") return date.toLocaleDateString([], { month: "long", year: "numeric" });
   const text = date.toLocaleDateString([], { day: "numeric", month: "short" });
   return step === "week" ? `Week of ${text}` : text;

@@ -44,9 +44,9 @@ function Tool({ machine, tool }: { machine: string; tool: ToolUse }) {
       <span className={css.toolName}>
         {name}
         <small>
-          {tool.changed === 0
+          {tool.changed === null
             ? "No change recorded"
-            : `Changed ${new Date(tool.changed * 1000).toLocaleDateString()} (${tool.changed_by})`}
+            : `Changed ${new Date(tool.changed).toLocaleDateString()} (${tool.changed_by})`}
         </small>
       </span>
       <span className={css.wear}>

@@ -194,12 +194,12 @@ export function compile(machine: string, board: string): Promise<void> {
     clearQuestions();
     const machines = queryClient.getQueryData(queries.machines().queryKey);
     const chosen = machines?.find(({ name }) => name === machine);
-    const { corners: types, lift: height } = useUiStore.getState();
+    const { corners: types, lift: height, details } = useUiStore.getState();
     const corners = chosen?.offset_cuts === true ? types : null;
     const lift = hasLeastLift(chosen) ? height : "clearance";
     try {
       const revision = displayedRevision(drawing);
-      const order = { drawing, revision, machine, board, copies, corners, sheet, lift };
+      const order = { drawing, revision, machine, board, copies, corners, sheet, lift, ...details };
       const job = await service.compile(order);
       upsertJob(job);
       useUiStore.getState().openJob(job.id);

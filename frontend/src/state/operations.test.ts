@@ -11,7 +11,7 @@ const job = (part: Partial<Job>): Job =>
     state: "running",
     actions: [],
     waiting_for: "",
-    updated: 1,
+    updated: "2030-01-01T00:00:01.000Z",
     ...part,
   }) as Job;
 
@@ -84,7 +84,7 @@ test("a stop that the machine does not carry out points to the emergency stop", 
   expect(last()).toMatchObject({ state: "taken", text: "" });
   await vi.advanceTimersByTimeAsync(2000);
   expect(last()?.hint).toContain("emergency stop");
-  upsertJob(job({ state: "cancelled", requested_action: "", updated: 2 }));
+  upsertJob(job({ state: "cancelled", requested_action: "", updated: "2030-01-01T00:00:02.000Z" }));
   await vi.advanceTimersByTimeAsync(500);
   await result;
   expect(last()?.state).toBe("done");
@@ -92,13 +92,15 @@ test("a stop that the machine does not carry out points to the emergency stop", 
 
 test("a job is resumed in the phase that the person has seen", async () => {
   queryClient.setQueryData(queries.job("j").queryKey, job({ state: "held", phase: 3 }));
-  const resume = vi.spyOn(service, "resumeNow").mockResolvedValue(job({ updated: 2 }));
+  const resume = vi
+    .spyOn(service, "resumeNow")
+    .mockResolvedValue(job({ updated: "2030-01-01T00:00:02.000Z" }));
   const result = commandJob("j", "Resume", "resume");
   // What is reported after the press does not count.
-  upsertJob(job({ state: "held", phase: 4, updated: 3 }));
+  upsertJob(job({ state: "held", phase: 4, updated: "2030-01-01T00:00:03.000Z" }));
   await vi.advanceTimersByTimeAsync(100);
   expect(resume).toHaveBeenCalledWith("j", 3);
-  upsertJob(job({ state: "running", requested_action: "", updated: 4 }));
+  upsertJob(job({ state: "running", requested_action: "", updated: "2030-01-01T00:00:04.000Z" }));
   await vi.advanceTimersByTimeAsync(500);
   await result;
 });

@@ -6,7 +6,7 @@ import { useUiStore } from "./store";
 
 const page = () => useUiStore.getState();
 const job = (id: string, part: Partial<Job> = {}): Job =>
-  ({ id, state: "running", updated: 10, progress: 0, ...part }) as Job;
+  ({ id, state: "running", updated: "2030-01-01T00:00:10.000Z", progress: 0, ...part }) as Job;
 
 beforeEach(() => {
   page().open(null);
@@ -84,8 +84,8 @@ describe("an update of a job", () => {
   });
 
   test("is not replaced by an older one that arrives later", () => {
-    upsertJob(job("a", { state: "done", updated: 12 }));
-    upsertJob(job("a", { state: "running", updated: 11 }));
+    upsertJob(job("a", { state: "done", updated: "2030-01-01T00:00:12.000Z" }));
+    upsertJob(job("a", { state: "running", updated: "2030-01-01T00:00:11.000Z" }));
     expect(queryClient.getQueryData(queries.job("a").queryKey)?.state).toBe("done");
   });
 });

@@ -5,11 +5,12 @@
  */
 
 import { create } from "zustand";
-import type { Corners, Lift, Question, Sheet } from "../api/client";
+import type { Corners, Lift, OrderDetails, Question, Sheet } from "../api/client";
 import type { ConnectionState } from "../api/events";
 import type { Box, LineType } from "../geometry/records";
 import { DEFAULT_CORNERS } from "./corners";
 import type { Change } from "./history";
+import { NO_DETAILS } from "./orderDetails";
 
 export type Layer = "nominal" | "head" | "tip" | "rapids" | "swept" | "moves" | "uncut";
 
@@ -83,6 +84,8 @@ export interface UiState {
   readonly sheet: Sheet | null;
   /** Height of the tool in turns; unused on machines without a turn clearance. */
   readonly lift: Lift;
+  /** Details of the next order. */
+  readonly details: OrderDetails;
   /** A click on the canvas selects a corner instead of an edge. */
   readonly pickingCorners: boolean;
   /** Questions that the last compile request was refused with. */
@@ -134,6 +137,7 @@ type UiValues = Pick<
   | "pickingCorners"
   | "sheet"
   | "lift"
+  | "details"
   | "compileQuestions"
   | "retypePreviews"
   | "editedProfile"
@@ -189,6 +193,7 @@ export const useUiStore = create<UiState>()((set) => ({
   pickingCorners: false,
   sheet: null,
   lift: "clearance",
+  details: NO_DETAILS,
   compileQuestions: [],
   retypePreviews: [],
   editedProfile: null,
@@ -214,6 +219,8 @@ export const useUiStore = create<UiState>()((set) => ({
             pickingCorners: false,
             // The sheet belongs to the drawing that was open, too.
             sheet: null,
+            // So do the details of an order.
+            details: NO_DETAILS,
             // Single corners belong to the drawing that was open.
             corners: { ...page.corners, at: [] },
           },

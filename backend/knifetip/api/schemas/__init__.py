@@ -1,4 +1,4 @@
 """Requests and responses of the REST API as pydantic models.
 
-Lengths are in mm, angles in degrees, durations in seconds, times in seconds since 1970 (UTC).
+Lengths are in mm, angles in degrees, durations in seconds, times in RFC 3339 (see ``times``).
 """

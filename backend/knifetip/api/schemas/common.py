@@ -19,6 +19,17 @@ Name = Annotated[str, Field(min_length=1, max_length=200)]
 Count = Annotated[int, Field(ge=0, le=2**31 - 1)]
 
 
+class PageQuery(BaseModel):
+    """Query parameters that select a page of a list."""
+
+    cursor: Annotated[int, Field(ge=0, le=2**31 - 1)] | None = Field(
+        default=None,
+        description="Position in the list where the page begins, from the Link header of the "
+        "previous page",
+    )
+    limit: int = Field(default=100, ge=1, le=500, description="Maximum number of items in the list")
+
+
 class Strict(BaseModel):
     """Base class of request models; unknown fields are refused."""
 

@@ -6,6 +6,7 @@ from typing import Any
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from knifetip.api.schemas.times import OptionalMoment
 from knifetip.library.definition import Shelf
 
 
@@ -20,10 +21,9 @@ class VersionOut(BaseModel):
         "knifetip's library",
     )
     title: str = Field(description="Name for display")
-    at: float = Field(
-        default=0.0,
-        description="Time at which the version was stored (seconds since 1970-01-01 UTC); 0 for an "
-        "entry of knifetip's library",
+    at: OptionalMoment = Field(
+        default=None,
+        description="Time at which the version was stored; null for an entry of knifetip's library",
     )
     by: str = Field(default="", description="Who stored the version; empty if it is not known")
     note: str = Field(default="", description="What was changed, and why; may be empty")

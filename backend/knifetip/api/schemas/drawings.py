@@ -6,8 +6,10 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field
 
-from knifetip.api.schemas.common import LineTypeWord, Name, QuestionOut, Strict
+from knifetip.api.schemas.common import LineTypeWord, Name, PageQuery, QuestionOut, Strict
 from knifetip.api.schemas.messages import MessageOut
+from knifetip.api.schemas.order_details import DetailsQuery, OrderDetailsOut, OrderDetailsPatch
+from knifetip.api.schemas.times import Moment
 from knifetip.fields import LISTED
 from knifetip.library.custom_profiles import MAX_BYTES
 
@@ -242,13 +244,17 @@ Revision = Annotated[
 ]
 
 
-class DrawingOut(BaseModel):
+class DrawingsQuery(DetailsQuery, PageQuery):
+    """Query parameters that select drawings; all conditions must be met."""
+
+
+class DrawingOut(OrderDetailsOut):
     """A drawing that has been read and classified."""
 
     id: str = Field(description="Id of the drawing, assigned by the server")
     revision: Revision
     name: str = Field(description="Name of the uploaded file")
-    created: float = Field(description="Time of the upload (seconds since 1970-01-01 UTC)")
+    created: Moment = Field(description="Time of the upload")
     sha256: str = Field(description="SHA-256 of the uploaded file (64 hexadecimal digits)")
     unit: Unit | None = Field(
         description="Unit of the file; null while it is not decided, then all lengths are in file "
@@ -311,13 +317,13 @@ class DrawingOut(BaseModel):
     )
 
 
-class DrawingSummary(BaseModel):
+class DrawingSummary(OrderDetailsOut):
     """A drawing as an item of a list of drawings."""
 
     id: str = Field(description="Id of the drawing, assigned by the server")
     revision: Revision
     name: str = Field(description="Name of the uploaded file")
-    created: float = Field(description="Time of the upload (seconds since 1970-01-01 UTC)")
+    created: Moment = Field(description="Time of the upload")
     unit: Unit | None = Field(
         description="Unit of the file; null while it is not decided, then all lengths are in file "
         "units"
@@ -413,8 +419,8 @@ class EdgesPatch(Strict):
     )
 
 
-class DrawingPatch(Strict):
-    """A change of the unit or the profile of a drawing."""
+class DrawingPatch(OrderDetailsPatch):
+    """A change of the unit, the profile or the details of the order of a drawing."""
 
     unit: Annotated[Literal[_UnitWord, "file"], LISTED] | None = Field(
         default=None,

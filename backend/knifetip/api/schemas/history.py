@@ -8,9 +8,10 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from knifetip.api.schemas.common import Strict
 from knifetip.api.schemas.messages import MessageOut
+from knifetip.api.schemas.order_details import DetailsQuery
+from knifetip.api.schemas.times import Moment, MomentIn, OptionalMoment
 from knifetip.fields import LISTED
 
-Seconds = Annotated[float, Field(ge=0.0, le=1e11)]
 By = Annotated[str, Field(max_length=100)]
 
 
@@ -20,17 +21,13 @@ class PeriodQuery(Strict):
     machine: str = Field(
         default="", max_length=200, description="Name of the machine; empty for all machines"
     )
-    since: Seconds | None = Field(
-        default=None, description="Earliest end (seconds since 1970-01-01 UTC); null for no limit"
-    )
-    until: Seconds | None = Field(
-        default=None,
-        description="Time before which the end is (seconds since 1970-01-01 UTC); null for "
-        "no limit",
+    since: MomentIn | None = Field(default=None, description="Earliest end; null for no limit")
+    until: MomentIn | None = Field(
+        default=None, description="Time before which the end is; null for no limit"
     )
 
 
-class HistoryQuery(PeriodQuery):
+class HistoryQuery(DetailsQuery, PeriodQuery):
     """Query parameters that select ended jobs; all conditions must be met."""
 
     state: list[
@@ -75,7 +72,7 @@ class StatisticsOut(BaseModel):
     model_config = ConfigDict(from_attributes=True)
 
     machine: str = Field(description="Name of the machine")
-    start: float = Field(description="Begin of the period (seconds since 1970-01-01 UTC)")
+    start: Moment = Field(description="Begin of the period")
     jobs: int = Field(description="Number of jobs that became done")
     copies: int = Field(description="Number of completed copies")
     runs: int = Field(description="Number of runs")
@@ -103,9 +100,7 @@ class ToolUseOut(BaseModel):
     )
     life: float = Field(description="Length that the tool may work (m); 0 for no limit")
     share: float = Field(description="Used fraction of the life; 0 if the life has no limit")
-    changed: float = Field(
-        description="Time of the last change (seconds since 1970-01-01 UTC); 0 if none is recorded"
-    )
+    changed: OptionalMoment = Field(description="Time of the last change; null if none is recorded")
     changed_by: str = Field(description="Who changed the tool; empty if no change is recorded")
     warning: Literal["", "near", "over"] = Field(
         description="near: from 90 % of the life on. over: the life is used up, and the operator "
@@ -136,7 +131,7 @@ class ToolEventOut(BaseModel):
     kind: Literal["changed", "life"] = Field(
         description="changed: a new tool was put into the station. life: another life was set"
     )
-    at: float = Field(description="Time (seconds since 1970-01-01 UTC)")
+    at: Moment = Field(description="Time of the change")
     who: str = Field(description="The person: operator, followed by the name if it is known")
     length: float = Field(
         description="Of a changed tool the length that it had worked; otherwise the new life (m)"

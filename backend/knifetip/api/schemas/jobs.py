@@ -6,9 +6,17 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field, computed_field
 
-from knifetip.api.schemas.common import Count, Name, QuestionOut, Strict
+from knifetip.api.schemas.common import (
+    Count,
+    Name,
+    PageQuery,
+    QuestionOut,
+    Strict,
+)
 from knifetip.api.schemas.messages import MessageOut
+from knifetip.api.schemas.order_details import DetailsQuery, OrderDetailsOut
 from knifetip.api.schemas.orders import Corners, Lift, Sheet
+from knifetip.api.schemas.times import Moment, OptionalMoment
 from knifetip.api.schemas.verdicts import VerdictSummary
 from knifetip.fields import LISTED
 from knifetip.jobs.operator_actions import OperatorAction
@@ -31,6 +39,20 @@ JobState = Annotated[
     ],
     LISTED,
 ]
+
+
+class JobsQuery(DetailsQuery, PageQuery):
+    """Query parameters that select jobs; all conditions must be met."""
+
+    state: list[JobState] = Field(
+        default=[], description="States of the jobs; may be repeated; all if it is missing"
+    )
+    drawing: str = Field(
+        default="", max_length=200, description="Id of the drawing; empty for all drawings"
+    )
+    machine: str = Field(
+        default="", max_length=200, description="Name of the machine; empty for all machines"
+    )
 
 
 class ConfirmIn(Strict):
@@ -96,7 +118,7 @@ class StopOut(BaseModel):
     )
 
 
-class JobOut(BaseModel):
+class JobOut(OrderDetailsOut):
     """A job with its state and progress."""
 
     id: str = Field(description="Id of the job, assigned by the server")
@@ -158,12 +180,8 @@ class JobOut(BaseModel):
     priority: int = Field(
         description="Priority in the queue of the machine; jobs with a higher number come first"
     )
-    created: float = Field(
-        description="Time at which the job was created (seconds since 1970-01-01 UTC)"
-    )
-    updated: float = Field(
-        description="Time of the last change of the job (seconds since 1970-01-01 UTC)"
-    )
+    created: Moment = Field(description="Time at which the job was created")
+    updated: Moment = Field(description="Time of the last change of the job")
     waiting_for: Literal["", "confirmation", "sheet", "machine", "turn", "hold", "compile"] = Field(
         default="",
         description="What the job waits for. confirmation: the operator must confirm table, board "
@@ -177,10 +195,10 @@ class JobOut(BaseModel):
         description="Whether an operator put the job on hold in the queue; its machine then takes "
         "other jobs first",
     )
-    ended: float = Field(
-        default=0.0,
+    ended: OptionalMoment = Field(
+        default=None,
         description="Time at which the job became done, refused, interrupted, scrapped or "
-        "cancelled (seconds since 1970-01-01 UTC); 0 before",
+        "cancelled; null before",
     )
     tools: list[JobTool] = Field(
         default=[], description="Stations that the program uses; empty before the job is compiled"
@@ -255,7 +273,7 @@ class JobEvent(BaseModel):
 
     id: int = Field(description="Number of the event; increases with time")
     job: str = Field(description="Id of the job")
-    at: float = Field(description="Time of the change (seconds since 1970-01-01 UTC)")
+    at: Moment = Field(description="Time of the change")
     state: JobState = Field(description="State after the change")
     who: str = Field(
         description="Cause of the change: operator, worker (compile), gateway or clock (expired "

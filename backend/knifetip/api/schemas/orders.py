@@ -8,6 +8,7 @@ from pydantic import Field, model_validator
 
 from knifetip.api.schemas.common import Name, Strict
 from knifetip.api.schemas.drawings import Override
+from knifetip.api.schemas.order_details import OrderDetailsIn
 from knifetip.fields import LISTED, field_error
 
 CornerType = Annotated[Literal["auto", "B", "C", "D"], LISTED]
@@ -117,7 +118,7 @@ class ExceptionsIn(Strict):
     by: str = Field(min_length=1, max_length=100, description="Name of the user")
 
 
-class JobIn(Strict):
+class JobIn(OrderDetailsIn):
     """A new job: a drawing, a machine and a board."""
 
     drawing: Name = Field(description="Id of the drawing")

@@ -8,6 +8,7 @@ from pydantic import BaseModel, Field, StrictInt, StrictStr
 
 from knifetip.api.schemas.common import Count, LineTypeWord, Name, Strict
 from knifetip.api.schemas.messages import MessageOut
+from knifetip.api.schemas.times import OptionalMoment
 
 Patterns = Annotated[list[str], Field(max_length=500)]
 Colours = Annotated[
@@ -124,10 +125,8 @@ class ProfileOut(BaseModel):
         default=0,
         description="Version of the profile; increases with each change; 0 for a library profile",
     )
-    updated: float = Field(
-        default=0.0,
-        description="Time of the last change (seconds since 1970-01-01 UTC); 0 for a library "
-        "profile",
+    updated: OptionalMoment = Field(
+        default=None, description="Time of the last change; null for a library profile"
     )
     rules: list[RuleOut] = Field(description="Rules in the order in which they are tried")
     fault: str = Field(

@@ -6,6 +6,7 @@ from pydantic import BaseModel, Field, model_validator
 
 from knifetip.api.schemas.common import Name, Strict
 from knifetip.api.schemas.jobs import JobOut
+from knifetip.api.schemas.order_details import OrderDetailsPatch
 from knifetip.fields import field_error
 
 _BY = Field(
@@ -69,8 +70,11 @@ class MoveIn(Strict):
         return self
 
 
-class WaitingChangeIn(Strict):
-    """New values of a waiting job; values that are null stay as they are."""
+class WaitingChangeIn(OrderDetailsPatch):
+    """New values of a waiting job, or new details of the order of any job.
+
+    Priority, copies and hold stay as they are if they are null.
+    """
 
     priority: int | None = Field(
         default=None,

@@ -7,6 +7,7 @@ from typing import TypeAlias
 from pydantic import BaseModel, Field
 
 from knifetip.api.schemas.messages import MessageOut
+from knifetip.api.schemas.times import Moment
 from knifetip.model.verdict import Severity
 
 
@@ -77,7 +78,7 @@ class AcceptanceOut(BaseModel):
 
     by: str = Field(description="Name of the user")
     reason: str = Field(description="Why the shortfall is acceptable")
-    at: float = Field(description="Time of the decision (seconds since 1970-01-01 UTC)")
+    at: Moment = Field(description="Time of the decision")
 
 
 class AcceptedShortfall(BaseModel):
@@ -92,9 +93,7 @@ class EarlierExceptions(BaseModel):
     """Shortfalls of a job that a user accepted for an earlier job."""
 
     job: str = Field(description="Id of the earlier job")
-    created: float = Field(
-        description="Time at which the earlier job was created (seconds since 1970-01-01 UTC)"
-    )
+    created: Moment = Field(description="Time at which the earlier job was created")
     findings: list[AcceptedShortfall] = Field(description="Shortfalls that both jobs have")
 
 

@@ -21,6 +21,9 @@ MESSAGES: Final[Entries] = {
     "drawing.deleted": entry(
         "The drawing was deleted.",
     ),
+    "drawing.details-changed": entry(
+        "The details of the order were changed.",
+    ),
     "drawing.empty": entry(
         "There is nothing to make: the file contains no objects.",
         "Export the drawing again, with the lines of the carton in model space.",

@@ -91,6 +91,9 @@ MESSAGES: Final[Entries] = {
         line="count",
         lines="count",
     ),
+    "job.details-changed": entry(
+        "The details of the order were changed.",
+    ),
     "job.exceptions-accepted": entry(
         "{by} accepted {count:# shortfall|# shortfalls}: {reason}",
         by="text",

@@ -200,6 +200,11 @@ MESSAGES: Final[Entries] = {
         fault="message",
     ),
     "field.missing": entry("{path} is missing", path="text"),
+    "field.metadata-too-large": entry(
+        "{path} is larger than {most} kB",
+        path="text",
+        most="count",
+    ),
     "field.misspelt": entry(
         "{path} is not a known field; perhaps {near} is meant",
         path="text",
@@ -259,6 +264,12 @@ MESSAGES: Final[Entries] = {
     ),
     "field.not-a-table": entry(
         "{path} is {value}, but must be a table of fields",
+        path="text",
+        value="text",
+    ),
+    "field.not-a-time": entry(
+        "{path} is {value}, but must be a time in RFC 3339 with its offset, such as "
+        "2030-01-02T03:04:05Z",
         path="text",
         value="text",
     ),

@@ -1,0 +1,78 @@
+"""Times in RFC 3339, as the REST API sends and accepts them.
+
+Within the program, times are seconds since 1970-01-01 UTC.  The API sends them in UTC with
+milliseconds, ``2030-01-02T03:04:05.123Z``, and accepts any offset.
+"""
+
+from __future__ import annotations
+
+import re
+from datetime import UTC, datetime, timedelta
+from typing import Annotated, Any, Final
+
+from pydantic import BeforeValidator, WithJsonSchema
+
+from knifetip.fields import field_error
+
+_EPOCH: Final = datetime(1970, 1, 1, tzinfo=UTC)
+_FIRST: Final = datetime(1, 1, 1, tzinfo=UTC)
+_LAST: Final = datetime(9999, 12, 31, 23, 59, 59, 999000, tzinfo=UTC)
+_TEXT: Final = re.compile(
+    r"(\d{4})-(\d\d)-(\d\d)[Tt ](\d\d):(\d\d):(\d\d)(\.\d{1,60})?(?:[Zz]|([+-])(\d\d):(\d\d))",
+    re.ASCII,
+)
+_SCHEMA: Final = WithJsonSchema(
+    {"type": "string", "format": "date-time", "examples": ["2030-01-02T03:04:05.123Z"]}
+)
+
+
+def rfc3339(seconds: float) -> str:
+    """Return a time (seconds since 1970) as text in UTC with milliseconds, rounded down.
+
+    Times outside the years 1 to 9999 become the first or the last time of them.
+    """
+    try:
+        time = _EPOCH + timedelta(milliseconds=seconds * 1000.0 // 1)
+    except OverflowError:
+        time = _LAST if seconds > 0.0 else _FIRST
+    return time.isoformat(timespec="milliseconds").replace("+00:00", "Z")
+
+
+def seconds_of(text: str) -> float | None:
+    """Return the seconds since 1970 of a time in RFC 3339, or None if the text is none.
+
+    A leap second counts as the first second of the next minute.
+    """
+    match = _TEXT.fullmatch(text)
+    if match is None:
+        return None
+    year, month, day, hour, minute, second = (int(part) for part in match.groups()[:6])
+    sign, hours, minutes = match[8] or "+", int(match[9] or 0), int(match[10] or 0)
+    if second > 60 or hours > 23 or minutes > 59:
+        return None
+    try:
+        # RFC 3339 permits year 0, which Python does not have.
+        begin = datetime(max(year, 1), month, day, hour, minute, tzinfo=UTC)
+    except ValueError:
+        return None
+    offset = (hours * 3600 + minutes * 60) * (-1 if sign == "-" else 1)
+    return (begin - _EPOCH).total_seconds() + second + float(match[7] or 0.0) - offset
+
+
+def _shown(value: Any) -> Any:
+    return rfc3339(value) if isinstance(value, int | float) else value
+
+
+def _accepted(value: Any) -> float:
+    found = seconds_of(value) if isinstance(value, str) else None
+    if found is None:
+        raise field_error("field.not-a-time")
+    return found
+
+
+#: A time in an answer.
+Moment = Annotated[str, BeforeValidator(_shown), _SCHEMA]
+#: A time in an answer that is stored as 0 if there is none.
+OptionalMoment = Annotated[Moment | None, BeforeValidator(lambda value: value or None)]
+#: A time in a request; the value of the field is in seconds since 1970.
+MomentIn = Annotated[float, BeforeValidator(_accepted), _SCHEMA]
