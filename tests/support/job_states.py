@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from typing import Any
 
 import sqlalchemy as sa
@@ -121,3 +122,12 @@ def fed(store: Store, **more: Any) -> Job:
 
 def course(store: Store, id: str) -> list[str]:
     return [event.state for event in store.events.of_job(id)]
+
+
+def ended(store: Store, id: str, state: str) -> Job:
+    """Wait until a job is in a state, and return the job."""
+    until = time.monotonic() + 20.0
+    while (job := store.jobs.get(id)).state != state:
+        assert time.monotonic() < until
+        time.sleep(0.02)
+    return job

@@ -87,6 +87,7 @@ def serve(
     parts: Parts = _ALL_PARTS,
     access: Access = _THIS_COMPUTER,
     announce: Callable[[str], None] = _print_line,
+    name: str = "",
 ) -> None:
     """Run the embedded service until SIGINT or SIGTERM.
 
@@ -106,6 +107,8 @@ def serve(
         The key that other computers must send, and the accepted host names.
     announce
         Called with the URL of the server when the server is ready.
+    name
+        Name of this process, see ``process_link``; "" for a default.
 
     Raises
     ------
@@ -128,7 +131,7 @@ def serve(
         settings = Settings(
             database=database,
             compiles=parts.compiles,
-            name="embedded",
+            name=name,
             keep_history=parts.keep_history,
             access=rules,
         )

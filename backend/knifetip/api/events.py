@@ -81,7 +81,8 @@ class Stream:
                 # Progress and reports on machines set no change event, so they are polled while a
                 # job is active or a person looks at a machine.
                 moving = self._sent_progress or self._watched
-                await changed.wait(_PROGRESS_POLL if moving else _EVENT_POLL)
+                poll = self._service.store.changes.poll(_EVENT_POLL)
+                await changed.wait(_PROGRESS_POLL if moving else min(poll, _REFRESH))
                 if self._service.stopping.is_set():
                     self._disconnect_all()
 

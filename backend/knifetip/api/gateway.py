@@ -27,6 +27,7 @@ from knifetip.api.tools import worn_stations
 from knifetip.api.wake import wake_on_change
 from knifetip.errors import MachineBusy, StaleVersion, WrongState
 from knifetip.jobs.accounts.scopes import AccessScope
+from knifetip.jobs.changes import machine_topic
 from knifetip.jobs.heartbeats import GatewayReport
 from knifetip.jobs.job import ON_TABLE, State
 from knifetip.jobs.job_ends import StopPlace
@@ -59,7 +60,7 @@ async def claim(service: ServiceDep, request: Request, claimant: ClaimIn) -> Cla
     """
     deadline = time.monotonic() + claimant.wait
     recorded_at = -_CONTACT_INTERVAL
-    with wake_on_change(service.store.changes) as changed:
+    with wake_on_change(service.store.changes, machine_topic(claimant.machine)) as changed:
         while not service.stopping.is_set():
             if time.monotonic() - recorded_at >= _CONTACT_INTERVAL:
                 recorded_at = time.monotonic()
@@ -187,7 +188,8 @@ async def report_station(
     began = time.monotonic()
     stations, threads = service.store.stations, service.threads
     await threads.reports(service.store.library.definition, Shelf.MACHINES, station.machine)
-    with wake_on_change(service.store.changes) as changed:
+    changes = service.store.changes
+    with wake_on_change(changes, machine_topic(station.machine)) as changed:
         await threads.reports(
             stations.report,
             station.machine,
@@ -212,7 +214,7 @@ async def report_station(
             ],
         )
         watched = await threads.reports(stations.is_watched, station.machine)
-        poll = _OPERATION_POLL if watched else _IDLE_POLL
+        poll = changes.poll(_OPERATION_POLL if watched else _IDLE_POLL)
         while True:
             # A disconnected gateway would never carry out the operation.
             gone = service.stopping.is_set() or await request.is_disconnected()

@@ -17,6 +17,7 @@ from knifetip.api.access import AccessRules
 from knifetip.api.queue import WAITING, WorkQueue, is_client_gone
 from knifetip.api.threads import GatewayThreads
 from knifetip.errors import LibraryError, WrongState
+from knifetip.jobs.changes import ALL
 from knifetip.jobs.compile_service import LIMIT
 from knifetip.jobs.process_pool import ProcessPool
 from knifetip.jobs.store import Store
@@ -33,7 +34,7 @@ class Settings:
 
     database: str = "sqlite:///knifetip.sqlite"
     compiles: bool = True  #: False if compile workers run in other processes
-    name: str = ""  #: unique name of this process, the same after a restart
+    name: str = ""  #: unique name of this process, the same after a restart; "" for a default
     processes: int = 2  #: processes that read and compile
     waiting: int = WAITING  #: maximum number of requests that wait for a process
     limit: float = LIMIT  #: time limit of reading or compiling (s)
@@ -60,7 +61,7 @@ class Service:
     def stop(self) -> None:
         """End the event streams and the waiting claims of gateways, because the server stops."""
         self.stopping.set()
-        self.store.changes.notify()
+        self.store.changes.receive((ALL,))
 
     def run(self, task: Callable[..., T], *arguments: object) -> T:
         """Run ``task`` with the given arguments in a worker process, wait, and return its result.

@@ -10,7 +10,7 @@ from knifetip.jobs.changes import Changes
 
 
 class Wake:
-    """An event for coroutines, which is set by every change of a job or drawing in any thread."""
+    """An event for coroutines, which is set by changes in any thread or process."""
 
     def __init__(self) -> None:
         self._event = asyncio.Event()
@@ -26,13 +26,15 @@ class Wake:
 
 
 @contextmanager
-def wake_on_change(changes: Changes) -> Iterator[Wake]:
-    """Return a context manager that yields a ``Wake``, which every change in the store sets.
+def wake_on_change(changes: Changes, *topics: str) -> Iterator[Wake]:
+    """Return a context manager that yields a ``Wake``, which changes in the store set.
 
     Parameters
     ----------
     changes
         Notifier of the changes in the store.
+    *topics
+        Topics of the changes (see ``changes``); none for all changes.
 
     Yields
     ------
@@ -46,5 +48,5 @@ def wake_on_change(changes: Changes) -> Iterator[Wake]:
         with suppress(RuntimeError):  # the loop is closed
             loop.call_soon_threadsafe(wake._event.set)
 
-    with changes.subscribed(set_event):
+    with changes.subscribed(set_event, *topics):
         yield wake

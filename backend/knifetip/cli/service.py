@@ -26,6 +26,14 @@ if TYPE_CHECKING:
 Host = Annotated[
     str, typer.Option(help="IP address or host name to listen on; 0.0.0.0 for all networks.")
 ]
+Name = Annotated[
+    str,
+    typer.Option(
+        envvar="KNIFETIP_NAME",
+        help="Name of this process among those of the database; give the same name after a "
+        "restart. Default: the name of the computer and a stored random suffix.",
+    ),
+]
 MachineName = Annotated[str, typer.Option("--machine", help="Name of a machine of the library.")]
 Speed = Annotated[
     float,
@@ -119,6 +127,7 @@ def serve(
         int, typer.Option(min=0, max=65535, help="TCP port to listen on; 0 chooses a free port.")
     ] = 8080,
     migrate: Migrate = False,
+    name: Name = "",
     *,
     storage: DatabaseOptions,
     parts: PartOptions,
@@ -140,6 +149,7 @@ def serve(
         ),
         embedded.Access(access.key, access.key_file, tuple(access.allow_host or ())),
         print_stderr,
+        name,
     )
 
 
@@ -155,13 +165,7 @@ def _prepare(storage: DatabaseOptions, migrate: bool) -> None:
 
 
 def worker(
-    name: Annotated[
-        str,
-        typer.Option(
-            help="Name of the worker; give the same name after a restart. "
-            "Default: the name of this computer."
-        ),
-    ] = "",
+    name: Name = "",
     processes: Annotated[
         int, typer.Option(min=1, max=64, help="Number of jobs to compile at the same time.")
     ] = 1,

@@ -112,7 +112,9 @@ class ClaimedJobs:
             },
         )
         event = Message("job.claim-returned", reason=cause)
-        self._transitions.write_event(session, "job", row.id, State.QUEUED, actor, event)
+        self._transitions.write_event(
+            session, "job", row.id, State.QUEUED, actor, event, row.machine
+        )
 
 
 def silent_gateway_message(gateway: str) -> Message:

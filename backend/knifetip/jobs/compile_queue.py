@@ -1,10 +1,10 @@
 """compile_queue: passes received jobs to the compile service, which makes their programs.
 
-On one computer, the database table of the jobs is the queue.  On PostgreSQL, where several
-processes or computers compile, each job is compiled in a durable workflow of the library DBOS
-(``durable_queue``).  Both kinds of queue take a job with ``CompileStore.begin``, which increases
-the epoch of the job (a number that identifies the owner).  The result of a compile is stored only
-if the job still has the epoch with which it was taken.
+The database table of the jobs is the queue.  On PostgreSQL, where several processes or computers
+compile, each job is compiled in a durable workflow of the library DBOS (``durable_queue``).  Both
+kinds of queue take a job with ``CompileStore.begin``, which increases the epoch of the job (a
+number that identifies the owner).  The result of a compile is stored only if the job still has the
+epoch with which it was taken.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ import time
 from collections.abc import Callable
 from typing import Protocol, TypeAlias
 
+from knifetip.jobs.changes import RECEIVED
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 
@@ -48,7 +49,7 @@ class CompileQueue(Protocol):
 
 
 class TableQueue:
-    """A queue that takes received jobs from the database, for the processes of one computer.
+    """A queue that takes received jobs from the table of jobs.
 
     Parameters
     ----------
@@ -59,7 +60,8 @@ class TableQueue:
     at_once
         Number of jobs that are compiled at the same time.
     poll
-        Time between two queries for jobs that another process received (s).
+        Time between two queries for jobs that another process received (s), if that process
+        does not notify this one.
     fraction_compiled
         Function that takes the name of a machine and returns a fraction (0 … 1): the part of the
         numba functions for compiling jobs for this machine that has machine code.  While the
@@ -83,8 +85,8 @@ class TableQueue:
         #: when each machine was first found without its kernels (s, monotonic clock)
         self._unready: dict[str, float] = {}
         self._stopping = threading.Event()
-        self._received = threading.Event()
-        self._threads: list[threading.Thread] = []
+        #: each thread with its own event, so that none clears that of another
+        self._threads: list[tuple[threading.Thread, threading.Event]] = []
 
     def start(self, compile: Compile) -> None:
         """Begin to call ``compile`` with each received job, on ``at_once`` threads.
@@ -95,21 +97,26 @@ class TableQueue:
             Function that compiles a job and stores the result.
         """
         for number in range(self._at_once):
+            received = threading.Event()
             thread = threading.Thread(
-                target=self._take_jobs, args=(compile,), name=f"compile-{number + 1}", daemon=True
+                target=self._take_jobs,
+                args=(compile, received),
+                name=f"compile-{number + 1}",
+                daemon=True,
             )
+            self._threads.append((thread, received))
             thread.start()
-            self._threads.append(thread)
 
-    def _take_jobs(self, compile: Compile) -> None:
+    def _take_jobs(self, compile: Compile, received: threading.Event) -> None:
         """Call ``compile`` with one received job after another until the queue is stopped.
 
         A job stays in the queue until the numba functions that are needed to compile it have
         machine code.
         """
-        with self._store.changes.subscribed(self._received.set):
+        changes = self._store.changes
+        with changes.subscribed(received.set, RECEIVED):
             while not self._stopping.is_set():
-                self._received.clear()
+                received.clear()
                 try:
                     job = self._next_job()
                     if job is not None:
@@ -120,7 +127,7 @@ class TableQueue:
                     if not self._stopping.is_set():
                         _log.exception("a compile failed")
                     self._stopping.wait(_PAUSE)
-                self._received.wait(_READY_POLL if self._unready else self._poll)
+                received.wait(_READY_POLL if self._unready else changes.poll(self._poll))
 
     def _next_job(self) -> Job | None:
         """Take the oldest received job that can be compiled now; return None if there is none.
@@ -146,8 +153,9 @@ class TableQueue:
     def stop(self) -> None:
         """Take no further jobs, and return when all calls of ``compile`` have ended."""
         self._stopping.set()
-        self._received.set()
-        for thread in self._threads:
+        for _, received in self._threads:
+            received.set()
+        for thread, _ in self._threads:
             thread.join()
 
 
@@ -157,12 +165,9 @@ def queue_of(
     at_once: int,
     poll: float = 1.0,
     *,
-    compiles: bool,
     fraction_compiled: FractionCompiled = lambda _machine: 1.0,
-) -> CompileQueue | None:
-    """Return the compile queue for a store; None if this process needs no queue.
-
-    A process that only receives jobs needs a queue only with PostgreSQL, to pass the jobs on.
+) -> CompileQueue:
+    """Return the compile queue for a store.
 
     Parameters
     ----------
@@ -173,18 +178,16 @@ def queue_of(
     at_once
         Number of jobs that are compiled at the same time.
     poll
-        Time between two queries for jobs that another process received (s); not used with
-        PostgreSQL.
-    compiles
-        Whether this process compiles jobs; False if it only receives them.
+        Time between two queries for jobs that another process received (s), if that process
+        does not notify this one.
     fraction_compiled
         Function that takes the name of a machine and returns a fraction (0 … 1): the part of the
-        numba functions for compiling jobs for this machine that has machine code.  Not used with
-        PostgreSQL.
+        numba functions for compiling jobs for this machine that has machine code.
     """
+    table = TableQueue(store, worker, at_once, poll, fraction_compiled)
     if store.database.url.startswith("postgresql"):
-        # DBOS needs 24 MB and polls the database, so it is imported only for PostgreSQL.
+        # DBOS needs 24 MB, so it is imported only for PostgreSQL.
         from knifetip.jobs.durable_queue import DurableQueue
 
-        return DurableQueue(store, worker, at_once if compiles else 0)
-    return TableQueue(store, worker, at_once, poll, fraction_compiled) if compiles else None
+        return DurableQueue(store, worker, table)
+    return table

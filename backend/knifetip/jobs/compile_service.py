@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import contextlib
 import logging
-import socket
 import threading
 import time
 from collections.abc import Callable
@@ -23,6 +22,7 @@ from knifetip.jobs import tasks
 from knifetip.jobs.compile_queue import CompileQueue, queue_of
 from knifetip.jobs.grace import Grace
 from knifetip.jobs.interpretations import interpretation_of
+from knifetip.jobs.process_link import ProcessLink, join
 from knifetip.jobs.process_pool import ProcessPool, TaskCancelled, TaskFailed
 from knifetip.jobs.readings import StoredDrawing
 from knifetip.jobs.rest_record import RestRecord, StoredRest
@@ -123,7 +123,8 @@ class CompileService:
 
     store: Store
     pool: ProcessPool
-    name: str = ""  #: must not change at a restart, which repeats the compiles under this name
+    #: must not change at a restart, which repeats the compiles under this name; "" for a default
+    name: str = ""
     compiles: bool = True  #: False in a server whose workers are other processes
     at_once: int = 1
     limit: float = LIMIT
@@ -132,15 +133,26 @@ class CompileService:
 
     _stopping: threading.Event = field(default_factory=threading.Event)
     _queue: CompileQueue | None = None
+    _link: ProcessLink | None = None
     _threads: list[threading.Thread] = field(default_factory=list)
 
     def start(self) -> None:
-        """Start the threads; the database of the store must have the current schema."""
-        self.name = self.name or socket.gethostname()
+        """Take the name and start the threads; the database must have the current schema.
+
+        Raises
+        ------
+        StoreError
+            A living process with this database has the same name.
+        """
+        role = "server" if self.gateways else "worker"
+        self._link = join(self.store.database.url, self.store.changes, self.name, role)
+        self.name = self._link.name
         if self.compiles:
             self.store.compiles.recover(self.name)
         self._start_thread(self._sweep, "sweep")
         self.warm_up.start(self.pool)
+        if not self.compiles:
+            return
         # Jobs that this process receives notify the queue; a server has no others on SQLite.
         poll = _SERVER_POLL if self.gateways else _WORKER_POLL
         self._queue = queue_of(
@@ -148,11 +160,9 @@ class CompileService:
             self.name,
             self.at_once,
             poll,
-            compiles=self.compiles,
             fraction_compiled=self.fraction_compiled,
         )
-        if self._queue is not None:
-            self._queue.start(self.compile)
+        self._queue.start(self.compile)
 
     def fraction_compiled(self, machine: str) -> float:
         """Return the fraction (0 … 1) of the kernels for a machine that have machine code.
@@ -185,6 +195,9 @@ class CompileService:
             self._queue.stop()
         for thread in self._threads:
             thread.join()
+        # The name is free when nothing is done under it any more.
+        if self._link is not None:
+            self._link.close()
 
     def _sweep(self) -> None:
         grace = Grace()

@@ -33,14 +33,19 @@ class CompileStore:
         self._db = database
         self._transitions = transitions
 
-    def received_jobs(self) -> list[tuple[str, int]]:
-        """Return a pair for each job that waits for a compile: the job's id and its attempt number.
+    def owned(self, id: str, epoch: int) -> Job | None:
+        """Return the job that a worker is compiling in an epoch; None if that worker has lost it.
 
-        The attempt number counts from 1 how often the job was put in the queue for a compile.
+        Parameters
+        ----------
+        id
+            Id of the job.
+        epoch
+            Epoch of the job when the worker took the job.
         """
-        query = sa.select(Job.id, Job.attempt).where(Job.state == State.RECEIVED)
+        query = sa.select(Job).where(Job.id == id, Job.epoch == epoch, Job.state == State.COMPILING)
         with self._db.reading() as session:
-            return [(id, attempt) for id, attempt in session.execute(query)]
+            return session.scalar(query)
 
     def received_machines(self) -> list[str]:
         """Return the names of the machines for which jobs wait to be compiled, each name once."""
@@ -81,26 +86,18 @@ class CompileStore:
     def begin(
         self,
         worker: str,
-        only: tuple[str, int] | None = None,
         excluded_machines: Collection[str] = (),
     ) -> Job | None:
-        """Move the oldest received job to ``compiling`` and return it.
-
-        Returns None if no received job meets the conditions ``only`` and ``excluded_machines``.
+        """Move the oldest received job to ``compiling`` and return it; None if there is none.
 
         Parameters
         ----------
         worker
             Name of the worker that becomes the owner of the job.
-        only
-            The id of the only job that may be taken, and the attempt number (1, 2, …) that this job
-            must have; None for any job.
         excluded_machines
             Names of the machines whose jobs are not taken.
         """
         query = _NEXT.where(Job.machine.not_in(excluded_machines))
-        if only is not None:
-            query = query.where(Job.id == only[0], Job.attempt == only[1])
         with self._db.reading() as session:
             if session.scalar(query) is None:
                 return None

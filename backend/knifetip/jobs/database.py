@@ -22,6 +22,8 @@ from knifetip.jobs.sqlite_copy import copy_database
 from knifetip.jobs.tables import Drawing, Job
 from knifetip.jobs.turns import NoTurns, Turns
 
+_TOPICS = "topics"  # key of a session's topics in ``Session.info``
+
 
 def _sqlite(engine: sa.Engine) -> None:
     @on.listens_for(engine, "connect")
@@ -174,8 +176,8 @@ class Database:
     def writing(self, *, urgent: bool = False) -> Iterator[Session]:
         """Return a context with a database session for writing, in one transaction.
 
-        If the transaction has written events, the functions subscribed to the attribute ``changes``
-        are called after the commit.
+        If the transaction has called ``note_change``, the functions subscribed to the attribute
+        ``changes`` are called after the commit.
 
         Parameters
         ----------
@@ -189,9 +191,9 @@ class Database:
         ):
             with session.begin():
                 yield session
-            changed = bool(session.info)
-        if changed:
-            self.changes.notify()
+            topics = topics_of(session)
+        if topics:
+            self.changes.notify(topics)
 
     def large_column(
         self, table: type[Drawing] | type[Job], id: str, column: str, kind: str
@@ -231,6 +233,24 @@ class Database:
         """Return True if the database answers a query, else raise the error of the database."""
         with self.reading() as session:
             return bool(session.scalar(sa.select(sa.literal(1))))
+
+
+def note_change(session: Session, *topics: str) -> None:
+    """Have subscribers of ``Database.changes`` called after the commit of a transaction.
+
+    Parameters
+    ----------
+    session
+        Session with the transaction.
+    *topics
+        Topics of the change (see ``changes``).
+    """
+    session.info.setdefault(_TOPICS, set()).update(topics)
+
+
+def topics_of(session: Session) -> frozenset[str]:
+    """Return the topics of the changes that a transaction has made."""
+    return frozenset(session.info.get(_TOPICS, ()))
 
 
 def rows(session: Session, statement: sa.Update | sa.Delete) -> int:

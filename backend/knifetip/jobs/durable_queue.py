@@ -1,25 +1,33 @@
 """durable_queue: compiles jobs in durable workflows, for several processes or computers.
 
 A durable workflow is a function call that the library DBOS records in the database and repeats if
-the process dies.  Each received job becomes the workflow "compile-JOB-ATTEMPT" in the queue of
-DBOS, from which a worker process takes it.  The arguments of the workflow are the id of the job and
-the attempt number.  After a worker has died, the job gets the next attempt number and a new
-workflow; the earlier workflow then does nothing.
+its process, the executor, dies and returns.  A worker takes a job from the table of jobs, as on one
+computer, and compiles it in the workflow "compile-JOB-EPOCH".  The name of the worker is the id of
+the executor.  A compile whose worker has died gets another epoch when the job is taken again, by
+any worker: the repeated workflow then does nothing.
 """
 
 from __future__ import annotations
 
 import logging
 import threading
+from datetime import UTC, datetime, timedelta
 from importlib.metadata import version
+from typing import Final
 
-from dbos import DBOS, DBOSConfig, SetWorkflowID
+from dbos import DBOS, DBOSConfig, SetWorkflowID, WorkflowStatus
 
-from knifetip.jobs.compile_queue import Compile
+from knifetip.jobs.compile_queue import Compile, TableQueue
 from knifetip.jobs.store import Store
+from knifetip.jobs.tables import Job
 
-QUEUE = "compile"
-_POLL = 1.0  # seconds between two queries of DBOS for workflows, and of this module for jobs
+_PREFIX: Final = "compile"
+_TIDY: Final = 60.0  # seconds between two searches for records of workflows that have no use
+_KEPT: Final = timedelta(hours=1)  # age up to which the records of ended workflows are kept
+_ORPHANED: Final = timedelta(minutes=1)  # age at which a workflow without its compile is orphaned
+_BATCH: Final = 500
+_ENDED: Final = ["SUCCESS", "ERROR", "CANCELLED", "MAX_RECOVERY_ATTEMPTS_EXCEEDED"]
+_UNENDED: Final = ["PENDING", "ENQUEUED"]
 
 _log = logging.getLogger("knifetip.jobs")
 
@@ -34,23 +42,22 @@ class DurableQueue:
     store
         Store that contains the jobs.
     worker
-        Name of the worker that becomes the owner of each job taken; it must be the same after a
-        restart.
-    at_once
-        Number of jobs that are compiled at the same time; 0 in a process that does not compile.
+        Name of this process, which is the owner of each job taken and the id of the executor; it
+        must be the same after a restart, and no other living process may have it.
+    taken
+        Queue that takes the received jobs from the table of jobs.
     """
 
-    def __init__(self, store: Store, worker: str, at_once: int) -> None:
+    def __init__(self, store: Store, worker: str, taken: TableQueue) -> None:
         self._store = store
         self._worker = worker
-        self._at_once = at_once
+        self._taken = taken
         self._stopping = threading.Event()
-        self._received = threading.Event()
-        self._submitting: threading.Thread | None = None
+        self._tidying = threading.Thread(target=self._tidy, name="tidy", daemon=True)
         self._compile: Compile = lambda _job: None
 
     def start(self, compile: Compile) -> None:
-        """Begin to call ``compile`` with each received job, on threads of DBOS.
+        """Begin to call ``compile`` with each received job, in workflows.
 
         Parameters
         ----------
@@ -72,66 +79,85 @@ class DurableQueue:
                 enable_otlp=False,
             )
         )
-        DBOS.listen_queues([QUEUE] if self._at_once else [])
+        # Workers take jobs from the table of jobs, which wakes them; queues of DBOS are polled.
+        DBOS.listen_queues([])
         DBOS.launch()
-        DBOS.register_queue(
-            QUEUE,
-            worker_concurrency=max(self._at_once, 1),
-            polling_interval_sec=_POLL,
-            # Only a process that compiles sets the number of compiles at the same time.
-            on_conflict="always_update" if self._at_once else "never_update",
-        )
-        self._submitting = threading.Thread(target=self._submit, name="submit", daemon=True)
-        self._submitting.start()
+        self._taken.start(_start_workflow)
+        self._tidying.start()
 
-    def _submit(self) -> None:
-        """Submit received jobs to the queue of the library DBOS, until this object is stopped.
-
-        A job that this process received is submitted at once.  A job that another process received
-        is submitted within about ``_POLL`` seconds.
-        """
-        submitted: set[tuple[str, int]] = set()
-        with self._store.changes.subscribed(self._received.set):
-            while not self._stopping.is_set():
-                self._received.clear()
-                try:
-                    received = set(self._store.compiles.received_jobs())
-                    for job, attempt in sorted(received - submitted):
-                        # DBOS ignores a second workflow of the same name.
-                        with SetWorkflowID(f"{QUEUE}-{job}-{attempt}"):
-                            DBOS.enqueue_workflow(QUEUE, compile_job, job, attempt)
-                    submitted = received
-                except Exception:
-                    # A database that cannot be reached for a moment must not end the thread.
-                    if not self._stopping.is_set():
-                        _log.exception("received jobs were not queued")
-                self._received.wait(_POLL)
-
-    def compile(self, id: str, attempt: int) -> None:
-        """Compile a job if it still waits for this compile attempt; otherwise do nothing.
+    def compile(self, id: str, epoch: int) -> None:
+        """Compile a job if this process still owns it in this epoch; otherwise do nothing.
 
         Parameters
         ----------
         id
-            Id of the job; nothing is done if the job is no longer ``received``.
-        attempt
-            Number of the compile attempt; nothing is done if the job has a newer attempt.
+            Id of the job.
+        epoch
+            Epoch of the job when this process took it.
         """
-        job = self._store.compiles.begin(self._worker, (id, attempt))
+        job = self._store.compiles.owned(id, epoch)
         if job is not None:
             self._compile(job)
+
+    def _tidy(self) -> None:
+        """Delete records of workflows at intervals, until this object is stopped."""
+        while not self._stopping.wait(_TIDY):
+            try:
+                self.delete_old_workflows(datetime.now(UTC))
+            except Exception:
+                if not self._stopping.is_set():
+                    _log.exception("the records of workflows were not deleted")
+
+    def delete_old_workflows(self, now: datetime) -> int:
+        """Delete records of workflows that have no use any more, and return their number.
+
+        These are old ones that have ended, and those whose compile has been lost with their worker.
+
+        Parameters
+        ----------
+        now
+            Present time.
+        """
+        ended = _workflows(_ENDED, now - _KEPT)
+        unended = _workflows(_UNENDED, now - _ORPHANED)
+        lost = [one for one in unended if not self._is_compiling(one.workflow_id)]
+        old = [one.workflow_id for one in [*ended, *lost]]
+        if old:
+            DBOS.delete_workflows(old)
+        return len(old)
+
+    def _is_compiling(self, workflow: str) -> bool:
+        """Return whether a job is being compiled in a workflow, by this or another worker."""
+        _, id, epoch = workflow.rsplit("-", 2)
+        return self._store.compiles.owned(id, int(epoch)) is not None
 
     def stop(self) -> None:
         """Take no further jobs, and return when all compiles have ended."""
         global _running
         self._stopping.set()
-        self._received.set()
-        if self._submitting is not None:
-            self._submitting.join()
+        self._taken.stop()
+        self._tidying.join()
         # Workflows that end now log errors, because DBOS is being destroyed.
         logging.getLogger("dbos").setLevel(logging.CRITICAL)
         DBOS.destroy()
         _running = None
+
+
+def _workflows(states: list[str], until: datetime) -> list[WorkflowStatus]:
+    """Return some workflows of compiles in some states that began before a time, oldest first."""
+    return DBOS.list_workflows(
+        status=states,
+        workflow_id_prefix=f"{_PREFIX}-",
+        end_time=until.isoformat(),
+        limit=_BATCH,
+        load_input=False,
+        load_output=False,
+    )
+
+
+def _start_workflow(job: Job) -> None:
+    with SetWorkflowID(f"{_PREFIX}-{job.id}-{job.epoch}"):
+        compile_job(job.id, job.epoch)
 
 
 # DBOS calls functions that are registered when this module is imported.
@@ -139,22 +165,22 @@ _running: DurableQueue | None = None
 
 
 @DBOS.workflow(name="compile")
-def compile_job(job: str, attempt: int) -> None:
+def compile_job(job: str, epoch: int) -> None:
     """Compile a job as a workflow of DBOS.
 
-    DBOS repeats this workflow if the process that executed it has died.
+    DBOS repeats this workflow when the process that executed it has died and returns.
 
     Parameters
     ----------
     job
         Id of the job.
-    attempt
-        Number of the compile attempt.
+    epoch
+        Epoch of the job when this process took it.
     """
-    _compile(job, attempt)
+    _compile(job, epoch)
 
 
 @DBOS.step(name="compile")
-def _compile(job: str, attempt: int) -> None:
+def _compile(job: str, epoch: int) -> None:
     if _running is not None:
-        _running.compile(job, attempt)
+        _running.compile(job, epoch)

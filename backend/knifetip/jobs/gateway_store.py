@@ -149,8 +149,9 @@ class GatewayStore:
             changes |= {"confirmation": Confirmation.AWAITED.value, "updated": self._db.clock()}
             self._claimed.change(session, row, changes)
             event = Message("job.claimed-to-confirm")
+            claimant = Actor(ActorKind.GATEWAY, gateway)
             self._transitions.write_event(
-                session, "job", row.id, State.QUEUED, Actor(ActorKind.GATEWAY, gateway), event
+                session, "job", row.id, State.QUEUED, claimant, event, machine=row.machine
             )
             return
         changes |= {"confirmation": Confirmation.NONE.value}

@@ -148,8 +148,9 @@ class Heartbeats:
         else:
             self._claimed.change(session, row, changes)
             if copy_done:
+                gateway = Actor(ActorKind.GATEWAY, row.owner)
                 self._transitions.write_event(
-                    session, "job", row.id, goal, Actor(ActorKind.GATEWAY, row.owner), event
+                    session, "job", row.id, goal, gateway, event, row.machine
                 )
         unconfirmed = confirmation == Confirmation.AWAITED or (
             confirmation == Confirmation.SHEET and not report.held

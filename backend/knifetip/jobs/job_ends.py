@@ -87,7 +87,9 @@ class JobEnds:
                     end_run(session, row.id, self._db.clock())
                     owner = Actor(ActorKind.GATEWAY, row.owner)
                     report = Message("job.late-report", report=event)
-                    self._transitions.write_event(session, "job", row.id, goal, owner, report)
+                    self._transitions.write_event(
+                        session, "job", row.id, goal, owner, report, row.machine
+                    )
                 return
         else:
             ended["line"] = row.line if line is None else min(line, row.lines)

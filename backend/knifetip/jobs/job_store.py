@@ -133,8 +133,9 @@ class JobStore:
                 session.add(row)
                 session.flush()  # assigns the serial number
                 session.add_all(metadata_rows(Job, row.serial, row.extra or {}))
+                event = Message("job.ordered")
                 self._transitions.write_event(
-                    session, "job", row.id, State.RECEIVED, OPERATOR, Message("job.ordered")
+                    session, "job", row.id, State.RECEIVED, OPERATOR, event, row.machine
                 )
         except IntegrityError:
             if key is None or (earlier := self.find(key)) is None:

@@ -17,7 +17,8 @@ from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
 from knifetip.errors import LibraryError, NoSuchJob, StaleVersion, WrongState
-from knifetip.jobs.database import Database, rows, short
+from knifetip.jobs.changes import ALL
+from knifetip.jobs.database import Database, note_change, rows, short
 from knifetip.jobs.job import State
 from knifetip.jobs.tables import Job, LibraryEntry, LibraryVersion
 from knifetip.library import load
@@ -283,6 +284,8 @@ class LibraryStore:
                     note=note.note,
                 )
                 session.add(row)
+                # Gateways and waiting jobs depend on the newest version.
+                note_change(session, ALL)
         except IntegrityError as reason:
             raise _conflict(shelf, name, self.get(shelf, name), based_on) from reason
         return row

@@ -20,7 +20,8 @@ from sqlalchemy.orm import Session
 from knifetip.errors import NoSuchJob, WrongState
 from knifetip.gateway.operations import EXPIRY, RUNS
 from knifetip.gateway.station_report import UNREPORTED
-from knifetip.jobs.database import Database, short
+from knifetip.jobs.changes import ALL, machine_topic
+from knifetip.jobs.database import Database, note_change, short
 from knifetip.jobs.job import LEASED, ON_TABLE, Confirmation, State
 from knifetip.jobs.machine_queues import CLAIMED
 from knifetip.jobs.tables import Job, Operation, Station
@@ -143,7 +144,7 @@ class StationStore:
                     .values(state=result.state, message=result.message)
                 )
             if results:
-                session.info["changed"] = True
+                note_change(session, ALL)
 
     def hand_out(self, machine: str) -> list[Asked]:
         """Return the operations that wait for a machine, oldest first, and mark them as handed out.
@@ -276,7 +277,7 @@ class StationStore:
             )
             session.add(row)
             view.row.watched = now
-            session.info["changed"] = True
+            note_change(session, machine_topic(machine))
         return row
 
     def waiting_job(self, machine: str) -> Job | None:

@@ -13,7 +13,8 @@ import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
 from knifetip.errors import NoSuchJob, StaleEpoch, WrongState
-from knifetip.jobs.database import Database, rows, short
+from knifetip.jobs.changes import ALL, RECEIVED, machine_topic
+from knifetip.jobs.database import Database, note_change, short
 from knifetip.jobs.job import ADVICE, ENDED, Action, Actor, ActorKind, State, sources, target
 from knifetip.jobs.machine_queues import last_rank
 from knifetip.jobs.machine_runs import record_run
@@ -83,10 +84,11 @@ class Transitions:
             values["ended"] = now
         if new_epoch is not None:
             values["epoch"] = new_epoch
-        if not rows(session, statement.values(**values)):
+        machine = session.scalar(statement.values(**values).returning(Job.machine))
+        if machine is None:
             raise self.refusal(session, id, goal, epoch)
         record_run(session, id, action, now)
-        self.write_event(session, "job", id, goal, actor, event)
+        self.write_event(session, "job", id, goal, actor, event, machine)
 
     def release(self, session: Session, id: str, actor: Actor, event: Message) -> None:
         """Move a ready job to the end of the queue of its machine.
@@ -153,6 +155,7 @@ class Transitions:
         state: str,
         actor: Actor,
         message: Message,
+        machine: str = "",
     ) -> None:
         """Write an event about a job or a drawing to the log of events.
 
@@ -170,8 +173,11 @@ class Transitions:
             Person or process that caused the event.
         message
             Description of the event.
+        machine
+            Name of the machine of the job, which limits whom the event wakes; "" to wake all.
         """
-        session.info["changed"] = True
+        topics = [machine_topic(machine) if machine else ALL]
+        note_change(session, *topics, *([RECEIVED] if state == State.RECEIVED else []))
         session.add(
             Event(
                 kind=kind,

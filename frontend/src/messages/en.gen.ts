@@ -815,6 +815,10 @@ export const TEXTS = {
     "text": "The password of the database cannot be read from {file}: {reason}.",
     "hint": "Name a file that contains only the password and that this user can read."
   },
+  "database.unreachable": {
+    "text": "The database cannot be reached: {reason}",
+    "hint": "Check the URL of the database, and that its server is running."
+  },
   "deflection.exceeds-radius": {
     "text": "The deflection of {deflection:.3f} mm cannot be corrected, because it is not smaller than the cutter's radius of {radius:.3f} mm.",
     "hint": "Measure the deflection of the cutter again, or correct it in the board file."
@@ -3290,6 +3294,10 @@ export const TEXTS = {
   "pdf.too-many-states": {
     "text": "The PDF saves more than {limit:,} graphics states (operator q) without restoring them.",
     "hint": "Export the drawing again from the program that drew it."
+  },
+  "process.name-taken": {
+    "text": "Another running process of this database has the name {name}.",
+    "hint": "Give each process a name of its own with --name, or stop the other process."
   },
   "profile.bad-name": {
     "text": "{name!r} is not a valid profile name.",

@@ -21,6 +21,7 @@ from knifetip.jobs.warm_up import WarmUp
 from knifetip.library import load
 from knifetip.messages import Message, hint
 from knifetip.model.stage import Stage
+from tests.support.job_states import ended
 from tests.support.serving import crew_tasks
 from tests.support.stored import add_job, migrated_store
 
@@ -50,14 +51,6 @@ def compiles_by(monkeypatch: pytest.MonkeyPatch) -> Callable[[object], None]:
     """Return a function that makes the service run another task in place of the compilation."""
     monkeypatch.setattr(tasks, "missing_kernels", crew_tasks.nothing_missing)
     return lambda task: monkeypatch.setattr(tasks, "compile", task)
-
-
-def ended(store: Store, id: str, state: str) -> Job:
-    until = time.monotonic() + 20.0
-    while (job := store.jobs.get(id)).state != state:
-        assert time.monotonic() < until
-        time.sleep(0.02)
-    return job
 
 
 class UnreadyWarmUp(WarmUp):

@@ -34,8 +34,9 @@ def rest(store: Store, job: Job, key: RequestKey | None = None) -> Job:
 
 
 def compiled(store: Store, job: Job) -> Job:
-    taken = store.compiles.begin("worker", only=(job.id, 1))
+    taken = store.compiles.begin("worker")
     assert taken is not None
+    assert taken.id == job.id
     store.compiles.save_result(job.id, taken.epoch, RESULT)
     return store.jobs.get(job.id)
 

@@ -5,14 +5,17 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable, Iterator
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 import pytest
+from dbos import DBOS
 
 from knifetip.jobs.compile_queue import TableQueue, queue_of
 from knifetip.jobs.durable_queue import DurableQueue
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
+from knifetip.messages import Message
 from tests.support.stored import add_job, migrated_store
 
 # Only one DBOS can run in a process.
@@ -32,18 +35,23 @@ def until(condition: Callable[[], bool]) -> None:
         time.sleep(0.02)
 
 
+def durable_queue(store: Store, worker: str = "a worker") -> DurableQueue:
+    return DurableQueue(store, worker, TableQueue(store, worker, 1, poll=0.1))
+
+
 def test_each_received_job_is_compiled_once(store: Store) -> None:
     compiled: list[tuple[str, int]] = []
-    queue = DurableQueue(store, "a worker", 1)
+    queue = durable_queue(store)
     before = add_job(store)
     queue.start(lambda job: compiled.append((job.id, job.epoch)))
     try:
         until(lambda: len(compiled) == 1)
         later = add_job(store)
         until(lambda: len(compiled) == 2)
-        time.sleep(1.2)
         assert compiled == [(before.id, before.epoch + 1), (later.id, later.epoch + 1)]
         assert store.jobs.get(later.id).state == "compiling"
+        until(lambda: {one.status for one in DBOS.list_workflows()} == {"SUCCESS"})
+        assert [one.executor_id for one in DBOS.list_workflows()] == ["a worker"] * 2
     finally:
         queue.stop()
 
@@ -56,36 +64,47 @@ def test_a_job_given_back_is_compiled_as_another_attempt(store: Store) -> None:
         if job.attempt == 1:
             store.compiles.give_back(job.id, job.epoch)
 
-    queue = DurableQueue(store, "a worker", 1)
+    queue = durable_queue(store)
     job = add_job(store)
     queue.start(compile)
     try:
         until(lambda: len(attempts) == 2)
         assert attempts == [1, 2]
         # The workflow of the first attempt finds nothing to do.
-        queue.compile(job.id, 1)
+        queue.compile(job.id, job.epoch + 1)
         assert attempts == [1, 2]
     finally:
         queue.stop()
 
 
-def test_a_process_that_only_receives_jobs_compiles_none(store: Store) -> None:
-    compiled = threading.Event()
-    queue = DurableQueue(store, "a server", 0)
+def test_the_workflow_of_a_lost_compile_is_deleted_and_that_of_a_living_one_kept(
+    store: Store,
+) -> None:
+    began, end = threading.Event(), threading.Event()
+
+    def compile(_job: Job) -> None:
+        began.set()
+        end.wait(20.0)
+
+    queue = durable_queue(store)
     job = add_job(store)
-    queue.start(lambda _job: compiled.set())
+    queue.start(compile)
     try:
-        assert not compiled.wait(2.5)
-        assert store.jobs.get(job.id).state == "received"
+        assert began.wait(20.0)
+        soon = datetime.now(UTC) + timedelta(minutes=2)
+        assert queue.delete_old_workflows(soon) == 0
+        taken = store.jobs.get(job.id)
+        store.compiles.refuse(job.id, taken.epoch, Message("job.verified"))
+        assert queue.delete_old_workflows(soon) == 1
+        assert not DBOS.list_workflows()
     finally:
+        end.set()
         queue.stop()
 
 
 def test_the_database_decides_on_the_queue(tmp_path: Path) -> None:
     store = Store(f"sqlite:///{tmp_path}/shop.sqlite")
-    assert isinstance(queue_of(store, "a", 1, compiles=True), TableQueue)
-    assert queue_of(store, "a", 1, compiles=False) is None
+    assert isinstance(queue_of(store, "a", 1), TableQueue)
     store.database.url = "postgresql+psycopg://somewhere/shop"
-    assert isinstance(queue_of(store, "a", 1, compiles=True), DurableQueue)
-    assert isinstance(queue_of(store, "a", 1, compiles=False), DurableQueue)
+    assert isinstance(queue_of(store, "a", 1), DurableQueue)
     store.close()

@@ -515,6 +515,11 @@ MESSAGES: Final[Entries] = {
         file="text",
         reason="text",
     ),
+    "database.unreachable": entry(
+        "The database cannot be reached: {reason}",
+        "Check the URL of the database, and that its server is running.",
+        reason="text",
+    ),
     "database.in-memory": entry(
         "The server cannot use an in-memory database, because all jobs would be lost when the "
         "server stops.",

@@ -7,6 +7,11 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
+    "process.name-taken": entry(
+        "Another running process of this database has the name {name}.",
+        "Give each process a name of its own with --name, or stop the other process.",
+        name="text",
+    ),
     "server.address-in-use": entry(
         "The server cannot use the address {host}:{port}: {reason}.",
         "Stop the program that uses the port, or choose another port with --port.",
