@@ -7,6 +7,7 @@ it.  A command that only runs compiled kernels needs none of this, and starts fa
 
 from __future__ import annotations
 
+import errno
 import io
 import pickle
 from collections.abc import Callable
@@ -14,7 +15,12 @@ from pathlib import Path
 from typing import Any
 
 import llvmlite.binding as llvm
-from numba.core.caching import CompileResultCacheImpl, FunctionCache, IndexDataCacheFile
+from numba.core.caching import (
+    CompileResultCacheImpl,
+    FunctionCache,
+    IndexDataCacheFile,
+    InTreeCacheLocator,
+)
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompileResult
 from numba.core.environment import Environment, lookup_environment
@@ -63,8 +69,30 @@ class _LoadedLibrary(JITCodeLibrary):
         return library
 
 
+class _ReadOnlyCacheLocator(InTreeCacheLocator):
+    """The folder beside a source file, also if this process cannot write to it.
+
+    numba reads a cache only where it can write one.  In an image whose file system is read-only,
+    and where a service may write to no home directory, it would refuse to define any kernel.
+    """
+
+    def ensure_cache_path(self) -> None:
+        """Require that the folder exists.
+
+        Raises
+        ------
+        FileNotFoundError
+            The folder does not exist.
+        """
+        if not Path(self.get_cache_path()).is_dir():
+            raise FileNotFoundError(self.get_cache_path())
+
+
 class _StoredKernel(CompileResultCacheImpl):
     """Converts a compiled kernel to the content of its cache file, and back."""
+
+    # The last one, since kernels that it does not contain are compiled again in each process.
+    _locator_classes = (*CompileResultCacheImpl._locator_classes, _ReadOnlyCacheLocator)
 
     def rebuild(self, target_context: Any, payload: tuple[Any, ...]) -> CompileResult:
         """Return the compiled kernel that the content of a cache file describes.
@@ -161,7 +189,7 @@ class _KernelFiles(IndexDataCacheFile):
 
 
 class KernelCache(FunctionCache):
-    """The cache files of one kernel, in a folder beside its source file."""
+    """The cache files of one kernel, in a folder beside its source file or of the user."""
 
     _impl_class = _StoredKernel
 
@@ -183,6 +211,17 @@ class KernelCache(FunctionCache):
         rtsys.initialize(target_context)
         loaded: CompileResult | None = self._load_overload(sig, target_context)
         return loaded
+
+    def save_overload(self, sig: Any, cres: CompileResult) -> None:
+        """Store a compiled kernel, unless the file system is read-only.
+
+        ``sig`` is the signature of the kernel, and ``cres`` the compiled kernel.
+        """
+        try:
+            super().save_overload(sig, cres)
+        except OSError as reason:
+            if reason.errno not in (errno.EROFS, errno.EACCES):
+                raise
 
     def is_stored(self, sig: Any, target_context: Any) -> bool:
         """Return whether the cache has machine code for the signature ``sig`` and this processor.
