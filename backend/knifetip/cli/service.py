@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from knifetip.cli.access_key import KeyOptions
 from knifetip.cli.database_options import DatabaseOptions
 from knifetip.cli.options import expand
 from knifetip.cli.terminal import print_stderr
@@ -220,9 +221,8 @@ def gateway(
             "~/.local/state/knifetip."
         ),
     ] = None,
-    key: Annotated[
-        str, typer.Option(envvar="KNIFETIP_KEY", help="Access key of the server. Default: no key.")
-    ] = "",
+    *,
+    access: KeyOptions,
 ) -> None:
     """Fetch the jobs of a machine from the server and send them to its controller.
 
@@ -235,7 +235,7 @@ def gateway(
     from knifetip.gateway.job_server import GatewaySettings
     from knifetip.gateway.journal import default_path
 
-    headers = {"Authorization": f"Bearer {key}"} if key else {}
+    headers = access.headers
     record = journal or default_path(machine, server)
     table = find_machine(machine, server, headers)
     while True:

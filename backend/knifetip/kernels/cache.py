@@ -92,7 +92,7 @@ class _StoredKernel(CompileResultCacheImpl):
     """Converts a compiled kernel to the content of its cache file, and back."""
 
     # The last one, since kernels that it does not contain are compiled again in each process.
-    _locator_classes = (*CompileResultCacheImpl._locator_classes, _ReadOnlyCacheLocator)
+    _locator_classes = [*CompileResultCacheImpl._locator_classes, _ReadOnlyCacheLocator]  # noqa: RUF012
 
     def rebuild(self, target_context: Any, payload: tuple[Any, ...]) -> CompileResult:
         """Return the compiled kernel that the content of a cache file describes.

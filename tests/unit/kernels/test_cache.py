@@ -19,8 +19,8 @@ def refuse(*_arguments: object, **_options: object) -> None:
 def _read_only(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let numba find no folder that it can write to."""
     (Path(__file__).parent / "__pycache__").mkdir(exist_ok=True)
-    monkeypatch.setattr(caching.tempfile, "TemporaryFile", refuse)
-    monkeypatch.setattr(caching.os, "makedirs", refuse)
+    monkeypatch.setattr("tempfile.TemporaryFile", refuse)
+    monkeypatch.setattr("os.makedirs", refuse)
 
 
 def adds(value: int) -> int:
@@ -31,7 +31,7 @@ def adds(value: int) -> int:
 @pytest.mark.usefixtures("_read_only")
 def test_kernels_are_looked_for_in_a_folder_that_cannot_be_written_to() -> None:
     with pytest.raises(RuntimeError, match="no locator"):
-        caching.FunctionCache(adds)
+        caching.FunctionCache(adds)  # type: ignore[no-untyped-call]
     cache = KernelCache(adds)
     assert Path(cache.cache_path) == Path(__file__).parent / "__pycache__"
 
