@@ -37,7 +37,7 @@ class ApiVersion:
         raw: bytes = scope.get("raw_path") or scope["path"].encode()
         changed = {
             **scope,
-            "path": ALIAS + scope["path"][len(VERSIONED) :],
+            "path": route_path(scope["path"]),
             "raw_path": ALIAS.encode() + raw[len(VERSIONED) :],
             _KEY: True,
         }
@@ -57,6 +57,11 @@ class ApiVersion:
 def is_versioned(scope: Scope) -> bool:
     """Return whether a request was sent to a path with a version."""
     return _KEY in scope
+
+
+def route_path(path: str) -> str:
+    """Return the path of the route that answers a path with or without a version."""
+    return ALIAS + path[len(VERSIONED) :] if _is_versioned(path) else path
 
 
 def _is_versioned(path: str) -> bool:

@@ -34,6 +34,7 @@ from knifetip.api import (
 )
 from knifetip.api.access import Access
 from knifetip.api.api_version import ApiVersion
+from knifetip.api.client_limits import Clients, LimitClients
 from knifetip.api.description import Description
 from knifetip.api.headers import SecurityHeaders
 from knifetip.api.known_fields import KnownFields, names_near, refuse_unknown
@@ -158,6 +159,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.router.default = Site(chosen.page)
     # The middleware added last is the outermost.
     app.add_middleware(Limits, upload=chosen.upload, body=chosen.body)
+    app.add_middleware(LimitClients, clients=Clients(chosen.clients))
     app.add_middleware(Access, rules=chosen.access)
     app.add_middleware(SecurityHeaders)
     app.add_middleware(ApiVersion)

@@ -17,7 +17,7 @@ import threading
 import time
 from collections.abc import Callable
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from types import FrameType
 
@@ -29,8 +29,10 @@ from fastapi import FastAPI
 from knifetip.api import keys
 from knifetip.api.access import AccessRules, is_loopback
 from knifetip.api.app import create_app
+from knifetip.api.client_limits import ClientLimits
+from knifetip.api.connections import ConnectionLimits, limited_protocol, raise_file_limit
 from knifetip.api.drawing_requests import Upload, store_upload
-from knifetip.api.service import Service, Settings
+from knifetip.api.service import MEGABYTE, Service, Settings
 from knifetip.errors import KnifetipError, StoreError
 from knifetip.gateway import claim, simulator
 from knifetip.gateway.job_server import GatewaySettings
@@ -41,6 +43,7 @@ from knifetip.languages.registry import find_language
 from knifetip.library import load
 
 MACHINE = "demo-table"
+_FILES = 256  # open files besides connections
 _GRACE = 5.0  # seconds for the machine to stop and report it
 _log = logging.getLogger("knifetip.api")
 
@@ -76,8 +79,18 @@ class Access:
     hosts: tuple[str, ...] = ()  #: NAME or NAME:PORT accepted in the Host header
 
 
+@dataclass(frozen=True, slots=True)
+class ServerLimits:
+    """Limits of the embedded service: connections, requests of clients, size of requests."""
+
+    connections: ConnectionLimits = field(default_factory=ConnectionLimits)
+    clients: ClientLimits = field(default_factory=ClientLimits)
+    upload: int = 64 * MEGABYTE  #: maximum size of a drawing (bytes)
+
+
 _ALL_PARTS = Parts()
 _THIS_COMPUTER = Access()
+_LIMITS = ServerLimits()
 
 
 def serve(
@@ -88,6 +101,7 @@ def serve(
     access: Access = _THIS_COMPUTER,
     announce: Callable[[str], None] = _print_line,
     name: str = "",
+    limits: ServerLimits = _LIMITS,
 ) -> None:
     """Run the embedded service until SIGINT or SIGTERM.
 
@@ -109,6 +123,8 @@ def serve(
         Called with the URL of the server when the server is ready.
     name
         Name of this process, see ``process_link``; "" for a default.
+    limits
+        Limits of connections, clients and the size of requests.
 
     Raises
     ------
@@ -134,13 +150,16 @@ def serve(
             name=name,
             keep_history=parts.keep_history,
             access=rules,
+            upload=limits.upload,
+            clients=limits.clients,
         )
         taken = sockets[0].getsockname()[1]
         shown = f"[{host}]" if ":" in host else host
         lines = [f"knifetip is at http://{shown}:{taken}"]
         if not rules.loopback_only:
             lines.append(_how_to_open(taken, key, access.key_file))
-        server = _Server(create_app(settings), lines, announce, parts.samples)
+        raise_file_limit(limits.connections.total + _FILES)
+        server = _Server(create_app(settings), lines, announce, parts.samples, limits.connections)
         if parts.simulator:
             server.table = _SimulatedMachine(
                 _local(host), taken, parts.speed, _journal_path(database)
@@ -278,11 +297,17 @@ class _Server(uvicorn.Server):
     """Uvicorn server that stops the simulated machine before it shuts down."""
 
     def __init__(
-        self, app: FastAPI, lines: list[str], announce: Callable[[str], None], samples: bool
+        self,
+        app: FastAPI,
+        lines: list[str],
+        announce: Callable[[str], None],
+        samples: bool,
+        limits: ConnectionLimits,
     ) -> None:
         super().__init__(
             uvicorn.Config(
                 app,
+                http=limited_protocol(limits),
                 log_level="warning",
                 access_log=False,
                 timeout_graceful_shutdown=2,

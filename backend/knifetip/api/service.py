@@ -14,6 +14,7 @@ from urllib.parse import urlencode
 from fastapi import Depends, Request, Response
 
 from knifetip.api.access import AccessRules
+from knifetip.api.client_limits import ClientLimits
 from knifetip.api.queue import WAITING, WorkQueue, is_client_gone
 from knifetip.api.threads import GatewayThreads
 from knifetip.errors import LibraryError, WrongState
@@ -43,6 +44,7 @@ class Settings:
     keep_history: int = 0  #: days for which ended jobs are kept; 0 for no limit
     page: Path = Path(__file__).parent / "page"  #: folder of the built page
     access: AccessRules = field(default_factory=AccessRules)  #: access rules
+    clients: ClientLimits = field(default_factory=ClientLimits)  #: limits of each client
 
 
 @dataclass(slots=True)

@@ -46,6 +46,9 @@ Speed = Annotated[
 #: Exit code of a process that SIGTERM has ended.
 _TERMINATED = 143
 
+#: All clients together may have so many times as many connections and listeners as one.
+_CLIENTS = 8
+
 Migrate = Annotated[
     bool,
     typer.Option(
@@ -122,6 +125,63 @@ class AccessOptions:
     ] = None
 
 
+@dataclass(frozen=True, slots=True)
+class LimitOptions:
+    """Options of the command ``knifetip serve`` for the limits of clients.
+
+    A client is a user, an API key, or an address that sends requests without either.
+    """
+
+    max_rate: Annotated[
+        int,
+        typer.Option(
+            min=0,
+            max=100_000,
+            envvar="KNIFETIP_MAX_RATE",
+            help="Requests of a client in a second on average; 0 for no limit. Requests of "
+            "gateways are not limited.",
+        ),
+    ] = 200
+    max_burst: Annotated[
+        int,
+        typer.Option(
+            min=1,
+            max=1_000_000,
+            envvar="KNIFETIP_MAX_BURST",
+            help="Requests that a client may send at once after a pause.",
+        ),
+    ] = 2000
+    max_listeners: Annotated[
+        int,
+        typer.Option(
+            min=1,
+            max=100_000,
+            envvar="KNIFETIP_MAX_LISTENERS",
+            help="Open pages and other streams of events of a client; all clients together may "
+            "have eight times as many.",
+        ),
+    ] = 64
+    max_connections: Annotated[
+        int,
+        typer.Option(
+            min=1,
+            max=100_000,
+            envvar="KNIFETIP_MAX_CONNECTIONS",
+            help="Connections of an address; all addresses together may have eight times as many. "
+            "Behind a proxy, all clients have its address.",
+        ),
+    ] = 256
+    max_upload: Annotated[
+        int,
+        typer.Option(
+            min=1,
+            max=1024,
+            envvar="KNIFETIP_MAX_UPLOAD",
+            help="Largest drawing that can be uploaded (MB).",
+        ),
+    ] = 64
+
+
 def serve(
     host: Host = "127.0.0.1",
     port: Annotated[
@@ -133,12 +193,15 @@ def serve(
     storage: DatabaseOptions,
     parts: PartOptions,
     access: AccessOptions,
+    limits: LimitOptions,
 ) -> None:
     """Run the server with its page, a compile worker and a simulated machine.
 
     All parts run until Ctrl-C.
     """
     from knifetip.api import embedded  # imported here: takes a second
+    from knifetip.api.client_limits import ClientLimits
+    from knifetip.api.connections import ConnectionLimits
 
     _prepare(storage, migrate)
     embedded.serve(
@@ -151,6 +214,18 @@ def serve(
         embedded.Access(access.key, access.key_file, tuple(access.allow_host or ())),
         print_stderr,
         name,
+        embedded.ServerLimits(
+            ConnectionLimits(
+                per_client=limits.max_connections, total=_CLIENTS * limits.max_connections
+            ),
+            ClientLimits(
+                limits.max_rate,
+                limits.max_burst,
+                limits.max_listeners,
+                _CLIENTS * limits.max_listeners,
+            ),
+            limits.max_upload << 20,
+        ),
     )
 
 

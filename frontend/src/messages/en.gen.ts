@@ -2755,6 +2755,22 @@ export const TEXTS = {
     "text": "The machine file of {machine} does not state turn_clearance, so the least lift is not known.",
     "hint": "Choose the lift to the clearance of the machine, or set turn_clearance in the machine file, for example to 0.5 mm for board that lies flat."
   },
+  "limit.too-many-connections": {
+    "text": "Too many connections to the server are open.",
+    "hint": "Close connections, or try again in a moment."
+  },
+  "limit.too-many-listeners": {
+    "text": "Too many clients listen to the events of the server (limit: {limit}).",
+    "hint": "Close pages of the server that are not needed, or start it with a greater --max-listeners."
+  },
+  "limit.too-many-requests": {
+    "text": "This client sends too many requests: more than {rate} in a second on average.",
+    "hint": "Send the request again in {seconds} s."
+  },
+  "limit.too-slow": {
+    "text": "The request did not arrive in time.",
+    "hint": "Send the whole request without a pause. Check the network connection."
+  },
   "linuxcnc.bad-address": {
     "text": "{address!r} is not the address of a LinuxCNC.",
     "hint": "Write HOST:PORT, or linuxcnc://HOST:PORT/?OPTION=VALUE&OPTION=VALUE with the options {options:, }; values have no blanks."

@@ -23,6 +23,7 @@ from knifetip.messages.catalogue import (
     import_outcomes,
     job,
     library,
+    limit,
     linuxcnc,
     mcx314,
     motion,
@@ -70,6 +71,7 @@ _AREAS: Final = (
     waiting,
     library,
     server,
+    limit,
 )
 
 MESSAGES: Final[Entries] = {code: found for area in _AREAS for code, found in area.MESSAGES.items()}
