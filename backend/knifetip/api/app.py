@@ -31,6 +31,7 @@ from knifetip.api import (
     queues,
     rest,
     tools,
+    webhooks,
 )
 from knifetip.api.access import Access
 from knifetip.api.api_version import ApiVersion
@@ -50,6 +51,7 @@ from knifetip.api.routing import (
 from knifetip.api.schemas.common import Health, ServiceOut
 from knifetip.api.service import Service, ServiceDep, Settings
 from knifetip.api.site import Site
+from knifetip.api.webhook_sender import WebhookSender
 from knifetip.fields import fault_message
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.compile_service import CompileService
@@ -78,7 +80,7 @@ STATUS: Mapping[type[errors.KnifetipError], int] = {
 
 _ROUTES = (
     drawings, jobs, confirmation, queues, rest, history, events, machines, tools, library,
-    definitions, profiles, gateway,
+    definitions, profiles, webhooks, gateway,
 )  # fmt: skip
 
 
@@ -121,6 +123,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         tasks = [
             asyncio.create_task(app.state.stream.run()),
             asyncio.create_task(history.delete_old_jobs(service)),
+            asyncio.create_task(WebhookSender(service).run()),
         ]
         service.ready = True
         try:

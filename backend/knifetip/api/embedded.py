@@ -65,6 +65,7 @@ class Parts:
     speed: float = 1.0  #: seconds of machine time per second of real time
     compiles: bool = True  #: False if compile workers run in other processes
     keep_history: int = 0  #: days for which ended jobs are kept; 0 for no limit
+    webhook_private: bool = True  #: webhooks may be sent to loopback and private addresses
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,6 +150,7 @@ def serve(
             compiles=parts.compiles,
             name=name,
             keep_history=parts.keep_history,
+            webhook_private=parts.webhook_private,
             access=rules,
             upload=limits.upload,
             clients=limits.clients,

@@ -42,6 +42,7 @@ class Settings:
     upload: int = 64 * MEGABYTE  #: maximum size of a drawing (bytes)
     body: int = 16 * MEGABYTE  #: maximum size of other requests (bytes)
     keep_history: int = 0  #: days for which ended jobs are kept; 0 for no limit
+    webhook_private: bool = True  #: webhooks may be sent to loopback and private addresses
     page: Path = Path(__file__).parent / "page"  #: folder of the built page
     access: AccessRules = field(default_factory=AccessRules)  #: access rules
     clients: ClientLimits = field(default_factory=ClientLimits)  #: limits of each client

@@ -89,6 +89,14 @@ class PartOptions:
             "0 keeps all jobs.",
         ),
     ] = 0
+    webhook_private: Annotated[
+        bool,
+        typer.Option(
+            envvar="KNIFETIP_WEBHOOK_PRIVATE",
+            help="Permit webhooks to loopback and private addresses, where the ERP system of a "
+            "shop usually is.",
+        ),
+    ] = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -209,7 +217,12 @@ def serve(
         port,
         storage.url,
         embedded.Parts(
-            parts.samples, parts.simulator, parts.speed, parts.compiles, parts.keep_history
+            parts.samples,
+            parts.simulator,
+            parts.speed,
+            parts.compiles,
+            parts.keep_history,
+            parts.webhook_private,
         ),
         embedded.Access(access.key, access.key_file, tuple(access.allow_host or ())),
         print_stderr,

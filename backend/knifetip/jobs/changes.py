@@ -18,6 +18,7 @@ from contextlib import contextmanager
 from typing import Final
 
 ALL: Final = "*"  #: topic of a change that concerns all subscribers
+WEBHOOK: Final = "webhook"  #: topic of a delivery of a webhook that is due
 RECEIVED: Final = "received"  #: topic of a change of a job that waits for a compile
 
 #: Seconds between two queries of a process to which all other processes send their changes.

@@ -135,7 +135,14 @@ class JobStore:
                 session.add_all(metadata_rows(Job, row.serial, row.extra or {}))
                 event = Message("job.ordered")
                 self._transitions.write_event(
-                    session, "job", row.id, State.RECEIVED, OPERATOR, event, row.machine
+                    session,
+                    "job",
+                    row.id,
+                    State.RECEIVED,
+                    OPERATOR,
+                    event,
+                    row.machine,
+                    new_state=True,
                 )
         except IntegrityError:
             if key is None or (earlier := self.find(key)) is None:
@@ -199,7 +206,9 @@ class JobStore:
                         Message("rest.copy-of" if whole else "rest.continues", job=before.id),
                     ),
                 ):
-                    self._transitions.write_event(session, "job", id, state, OPERATOR, event)
+                    self._transitions.write_event(
+                        session, "job", id, state, OPERATOR, event, new_state=id == row.id
+                    )
         except IntegrityError:
             if key is None or (earlier := self.find(key)) is None:
                 raise

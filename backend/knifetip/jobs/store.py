@@ -31,6 +31,8 @@ from knifetip.jobs.statistics_store import StatisticsStore
 from knifetip.jobs.tool_check import ToolGate
 from knifetip.jobs.tool_store import ToolStore
 from knifetip.jobs.transitions import Transitions
+from knifetip.jobs.webhook_queue import WebhookQueue
+from knifetip.jobs.webhook_store import WebhookStore
 
 
 class Store:
@@ -64,6 +66,8 @@ class Store:
         self.stations = StationStore(self.database)
         self.history = HistoryStore(self.database)
         self.statistics = StatisticsStore(self.database)
+        self.webhooks = WebhookStore(self.database)
+        self.webhook_queue = WebhookQueue(self.database)
 
     @property
     def changes(self) -> Changes:

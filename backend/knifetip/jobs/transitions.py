@@ -19,6 +19,7 @@ from knifetip.jobs.job import ADVICE, ENDED, Action, Actor, ActorKind, State, so
 from knifetip.jobs.machine_queues import last_rank
 from knifetip.jobs.machine_runs import record_run
 from knifetip.jobs.tables import Event, Job
+from knifetip.jobs.webhook_outbox import enqueue_event
 from knifetip.messages import Message, hint
 
 LEASE = 10.0  #: duration of a lease (s)
@@ -88,7 +89,7 @@ class Transitions:
         if machine is None:
             raise self.refusal(session, id, goal, epoch)
         record_run(session, id, action, now)
-        self.write_event(session, "job", id, goal, actor, event, machine)
+        self.write_event(session, "job", id, goal, actor, event, machine, new_state=True)
 
     def release(self, session: Session, id: str, actor: Actor, event: Message) -> None:
         """Move a ready job to the end of the queue of its machine.
@@ -156,8 +157,10 @@ class Transitions:
         actor: Actor,
         message: Message,
         machine: str = "",
+        *,
+        new_state: bool = False,
     ) -> None:
-        """Write an event about a job or a drawing to the log of events.
+        """Write an event about a job or a drawing to the log of events, and its webhooks.
 
         Parameters
         ----------
@@ -175,19 +178,21 @@ class Transitions:
             Description of the event.
         machine
             Name of the machine of the job, which limits whom the event wakes; "" to wake all.
+        new_state
+            Whether the job was created or came to another state with this event.
         """
         topics = [machine_topic(machine) if machine else ALL]
         note_change(session, *topics, *([RECEIVED] if state == State.RECEIVED else []))
-        session.add(
-            Event(
-                kind=kind,
-                subject=subject,
-                at=self._db.clock(),
-                state=str(state),
-                who=str(actor)[:200],
-                message=message,
-            )
+        row = Event(
+            kind=kind,
+            subject=subject,
+            at=self._db.clock(),
+            state=str(state),
+            who=str(actor)[:200],
+            message=message,
         )
+        session.add(row)
+        enqueue_event(session, row, new_state=new_state)
 
     def lock(self, session: Session, id: str) -> Job:
         """Return the job with an id, locked for other writers until the transaction ends.

@@ -4999,6 +4999,30 @@ export const TEXTS = {
     "text": " The unfinished sheet of job {job} may still lie on it.",
     "hint": ""
   },
+  "webhook.bad-url": {
+    "text": "The URL of the webhook is not usable: {reason}.",
+    "hint": "Give an http or https URL without user name, such as https://erp.example/hooks."
+  },
+  "webhook.forbidden-address": {
+    "text": "The webhook would be sent to the address {address}, which is not permitted.",
+    "hint": "Give the URL of another system. Addresses of link-local networks and of metadata services are never permitted; private addresses only without --no-webhook-private."
+  },
+  "webhook.inactive": {
+    "text": "The webhook {webhook} is switched off.",
+    "hint": "Switch it on first."
+  },
+  "webhook.too-many": {
+    "text": "There are already {count} webhooks, which is the limit.",
+    "hint": "Delete a webhook that is no longer needed."
+  },
+  "webhook.unknown": {
+    "text": "There is no webhook {webhook}.",
+    "hint": "GET /api/webhooks lists the webhooks."
+  },
+  "webhook.unknown-delivery": {
+    "text": "There is no delivery {delivery} of this webhook.",
+    "hint": "GET /api/webhooks/ID/deliveries lists the deliveries of the last 30 days."
+  },
   "worker.died": {
     "text": "The process that computed the drawing ended unexpectedly (exit code {code}), probably because it used too much memory.",
     "hint": "Send a smaller drawing, or split the drawing into several drawings."

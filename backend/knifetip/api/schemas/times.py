@@ -7,16 +7,15 @@ milliseconds, ``2030-01-02T03:04:05.123Z``, and accepts any offset.
 from __future__ import annotations
 
 import re
-from datetime import UTC, datetime, timedelta
+from datetime import UTC, datetime
 from typing import Annotated, Any, Final
 
 from pydantic import BeforeValidator, WithJsonSchema
 
 from knifetip.fields import field_error
+from knifetip.jobs.time_text import rfc3339 as rfc3339
 
 _EPOCH: Final = datetime(1970, 1, 1, tzinfo=UTC)
-_FIRST: Final = datetime(1, 1, 1, tzinfo=UTC)
-_LAST: Final = datetime(9999, 12, 31, 23, 59, 59, 999000, tzinfo=UTC)
 _TEXT: Final = re.compile(
     r"(\d{4})-(\d\d)-(\d\d)[Tt ](\d\d):(\d\d):(\d\d)(\.\d{1,60})?(?:[Zz]|([+-])(\d\d):(\d\d))",
     re.ASCII,
@@ -24,18 +23,6 @@ _TEXT: Final = re.compile(
 _SCHEMA: Final = WithJsonSchema(
     {"type": "string", "format": "date-time", "examples": ["2030-01-02T03:04:05.123Z"]}
 )
-
-
-def rfc3339(seconds: float) -> str:
-    """Return a time (seconds since 1970) as text in UTC with milliseconds, rounded down.
-
-    Times outside the years 1 to 9999 become the first or the last time of them.
-    """
-    try:
-        time = _EPOCH + timedelta(milliseconds=seconds * 1000.0 // 1)
-    except OverflowError:
-        time = _LAST if seconds > 0.0 else _FIRST
-    return time.isoformat(timespec="milliseconds").replace("+00:00", "Z")
 
 
 def seconds_of(text: str) -> float | None:

@@ -38,6 +38,7 @@ from knifetip.messages.catalogue import (
     unit,
     verification,
     waiting,
+    webhook,
 )
 from knifetip.messages.entry import Entries, Entry
 
@@ -72,6 +73,7 @@ _AREAS: Final = (
     library,
     server,
     limit,
+    webhook,
 )
 
 MESSAGES: Final[Entries] = {code: found for area in _AREAS for code, found in area.MESSAGES.items()}

@@ -1,0 +1,132 @@
+"""Addresses to which the server sends requests: webhooks must not reach into its surroundings.
+
+A URL of a webhook is chosen by a person with the scope admin, and its name may resolve to any
+address at any time.  The server therefore resolves the name itself before each request, checks
+every address, and connects to the address that it has checked.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import ipaddress
+import socket
+from typing import Final, TypeAlias
+from urllib.parse import urlsplit
+
+from knifetip.errors import RequestError
+from knifetip.messages import Message
+
+Address: TypeAlias = ipaddress.IPv4Address | ipaddress.IPv6Address
+
+#: Addresses of metadata services of clouds that are not link-local.
+_METADATA: Final = frozenset(
+    ipaddress.ip_address(text) for text in ("100.100.100.200", "192.0.0.192", "fd00:ec2::254")
+)
+#: IPv6 networks whose addresses end in an IPv4 address (NAT64, and IPv4-compatible).
+_EMBEDDED: Final = tuple(map(ipaddress.IPv6Network, ("64:ff9b::/96", "::/96")))
+_PORTS: Final = {"http": 80, "https": 443}
+
+
+def check_url(url: str, *, private: bool) -> str:
+    """Return the URL of a webhook unchanged if it is usable.
+
+    Parameters
+    ----------
+    url
+        The URL.  A name in it is not resolved here.
+    private
+        Whether loopback and private addresses are permitted.
+
+    Raises
+    ------
+    RequestError
+        It is not an http or https URL with a host, contains a user name or characters that no URL
+        has, or its address is not permitted.
+    """
+    reason = _fault(url)
+    if reason:
+        raise RequestError("webhook.bad-url", reason=reason, source=("url",))
+    host = urlsplit(url).hostname or ""
+    try:
+        address = ipaddress.ip_address(host)
+    except ValueError:
+        return url
+    if not is_permitted(address, private=private):
+        raise RequestError("webhook.forbidden-address", address=str(address), source=("url",))
+    return url
+
+
+def _fault(url: str) -> str:
+    """Return what is wrong with a URL; "" for nothing."""
+    if not url.isascii() or any(not "!" <= letter <= "~" for letter in url):
+        return "it contains a character that must be percent-encoded"
+    try:
+        parts = urlsplit(url)
+        port = parts.port
+    except ValueError as reason:
+        return str(reason)
+    if parts.scheme not in _PORTS:
+        return "it does not begin with http:// or https://"
+    if not parts.hostname:
+        return "it names no host"
+    if parts.username is not None or parts.password is not None:
+        return "it contains a user name or a password"
+    if port == 0:
+        return "it names port 0"
+    return ""
+
+
+def is_permitted(address: Address, *, private: bool) -> bool:
+    """Return whether a webhook may be sent to an address.
+
+    Link-local, multicast, reserved and unspecified addresses and metadata services never are.
+
+    Parameters
+    ----------
+    address
+        The address.
+    private
+        Whether loopback and private addresses are permitted.
+    """
+    address = _inner(address)
+    if address in _METADATA or address.is_link_local:
+        return False
+    if address.is_loopback:
+        return private
+    if address.is_multicast or address.is_reserved or address.is_unspecified:
+        return False
+    return private or address.is_global
+
+
+def _inner(address: Address) -> Address:
+    """Return the IPv4 address that an IPv6 address contains, otherwise the address itself."""
+    if isinstance(address, ipaddress.IPv4Address) or address.is_loopback or address.is_unspecified:
+        return address
+    if address.ipv4_mapped is not None:
+        return address.ipv4_mapped
+    if address.sixtofour is not None:
+        return address.sixtofour
+    if any(address in network for network in _EMBEDDED):
+        return ipaddress.IPv4Address(int(address) & 0xFFFF_FFFF)
+    return address
+
+
+async def resolve(url: str, *, private: bool) -> str:
+    """Return an address of the host of a URL, as text, all of whose addresses are permitted.
+
+    Raises
+    ------
+    OSError
+        The name cannot be resolved.
+    RequestError
+        One of its addresses is not permitted.
+    """
+    parts = urlsplit(url)
+    found = await asyncio.get_running_loop().getaddrinfo(
+        parts.hostname, parts.port or _PORTS[parts.scheme], type=socket.SOCK_STREAM
+    )
+    addresses = [str(info[4][0]) for info in found]
+    for text in addresses:
+        if not is_permitted(ipaddress.ip_address(text.partition("%")[0]), private=private):
+            raise RequestError(Message("webhook.forbidden-address", address=text))
+    return addresses[0]

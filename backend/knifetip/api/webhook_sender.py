@@ -1,0 +1,182 @@
+"""Sends the pending deliveries of webhooks, signed as Standard Webhooks prescribes.
+
+Every server sends; the leases of ``WebhookQueue`` ensure that no two of them send one delivery at
+the same time.  A server sends one delivery at a time to each endpoint.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import time
+from datetime import UTC, datetime
+from importlib.metadata import version
+from typing import Final
+from urllib.parse import urlsplit
+
+import httpx
+from standardwebhooks import Webhook
+
+from knifetip.api.egress import resolve
+from knifetip.api.service import Service
+from knifetip.api.wake import wake_on_change
+from knifetip.errors import RequestError
+from knifetip.jobs.changes import WEBHOOK
+from knifetip.jobs.webhook_queue import Attempt, Claimed
+
+#: Time limit of one attempt (s), from the resolution of the name to the end of the answer.
+TIME_LIMIT: Final = 15.0
+#: Bytes of an answer that are read.
+ANSWER_LIMIT: Final = 16_384
+
+_AT_ONCE = 4  # endpoints to which a server sends at the same time
+_POLL = 1.0  # seconds between two queries while deliveries are pending
+_IDLE_POLL = 5.0  # seconds between two queries otherwise, for events of other servers
+_CLEAN = 3600.0  # seconds between two deletions of old deliveries
+_SHOWN = 200  # characters of a fault that are stored
+_log = logging.getLogger("knifetip.api")
+
+
+class WebhookSender:
+    """Sends the pending deliveries of webhooks until its task is cancelled."""
+
+    def __init__(self, service: Service) -> None:
+        self._queue = service.store.webhook_queue
+        self._changes = service.store.changes
+        self._private = service.settings.webhook_private
+        self._clock = service.store.database.clock
+        self._sending: dict[int, asyncio.Task[None]] = {}
+        self._done = asyncio.Event()
+        self._cleaned = -_CLEAN
+
+    async def run(self) -> None:
+        """Send deliveries; runs until its asyncio task is cancelled."""
+        try:
+            with wake_on_change(self._changes, WEBHOOK) as changed:
+                while True:
+                    pause = _IDLE_POLL
+                    try:
+                        pause = await self._send_due()
+                    except Exception:
+                        _log.exception("the webhooks could not be read")
+                    await self._wait(changed.wait(pause))
+        finally:
+            for task in self._sending.values():
+                task.cancel()
+            await asyncio.gather(*self._sending.values(), return_exceptions=True)
+
+    async def _wait(self, change: object) -> None:
+        """Wait for a change in the store or for the end of an attempt."""
+        waiting = asyncio.ensure_future(change)  # type: ignore[call-overload]
+        done = asyncio.ensure_future(self._done.wait())
+        try:
+            await asyncio.wait((waiting, done), return_when=asyncio.FIRST_COMPLETED)
+        finally:
+            for task in (waiting, done):
+                task.cancel()
+        self._done.clear()
+
+    async def _send_due(self) -> float:
+        """Begin to send what is due; return the time until the next query (s)."""
+        while len(self._sending) < _AT_ONCE:
+            claimed = await asyncio.to_thread(self._queue.claim, tuple(self._sending))
+            if claimed is None:
+                break
+            self._sending[claimed.webhook] = asyncio.create_task(self._send(claimed))
+        if time.monotonic() - self._cleaned >= _CLEAN:
+            self._cleaned = time.monotonic()
+            await asyncio.to_thread(self._queue.delete_old)
+        pending = bool(self._sending) or await asyncio.to_thread(self._queue.has_pending)
+        return _POLL if pending else self._changes.poll(_IDLE_POLL)
+
+    async def _send(self, claimed: Claimed) -> None:
+        try:
+            attempt = await attempt_delivery(claimed, self._clock(), private=self._private)
+            await asyncio.to_thread(self._queue.store, claimed, attempt)
+            if not attempt.succeeded:
+                _log.warning("webhook %s: status %d %s", claimed.id, attempt.status, attempt.fault)
+        except Exception:
+            # The delivery is sent again when its lease has expired.
+            _log.exception("the result of the webhook %s was not stored", claimed.id)
+        finally:
+            del self._sending[claimed.webhook]
+            self._done.set()
+
+
+async def attempt_delivery(claimed: Claimed, now: float, *, private: bool) -> Attempt:
+    """Send a delivery once and return the result.
+
+    Redirects are not followed, proxies of the environment are not used, and the answer is read up
+    to ``ANSWER_LIMIT``.
+
+    Parameters
+    ----------
+    claimed
+        The delivery.
+    now
+        Present time (seconds since 1970), which is signed.
+    private
+        Whether loopback and private addresses are permitted.
+    """
+    start = time.monotonic()
+    status, fault = 0, ""
+    try:
+        async with asyncio.timeout(TIME_LIMIT):
+            status, answer = await _post(claimed, now, private)
+        if not 200 <= status < 300:
+            fault = answer.decode("utf-8", "replace")
+    except TimeoutError:
+        fault = f"no complete answer within {TIME_LIMIT:.0f} s"
+    except (httpx.HTTPError, httpx.InvalidURL, OSError, RequestError, UnicodeError) as reason:
+        fault = str(reason) or type(reason).__name__
+    return Attempt(now, status, time.monotonic() - start, _visible(fault[:_SHOWN]))
+
+
+def _visible(text: str) -> str:
+    """Return a text of another system without control characters, which a terminal would obey."""
+    return "".join(letter if letter.isprintable() else " " for letter in text).strip()
+
+
+async def _post(claimed: Claimed, now: float, private: bool) -> tuple[int, bytes]:
+    parts = urlsplit(claimed.url)
+    host = parts.hostname or ""
+    address = await resolve(claimed.url, private=private)
+    shown = f"[{address}]" if ":" in address else address
+    # The connection goes to the address that was checked; name and certificate are those of the
+    # URL.
+    target = httpx.URL(claimed.url).copy_with(host=shown)
+    headers = {
+        "Host": parts.netloc,
+        "Content-Type": "application/json",
+        "User-Agent": f"knifetip/{version('knifetip')}",
+        **signature_headers(claimed, now),
+    }
+    async with (
+        httpx.AsyncClient(trust_env=False, timeout=TIME_LIMIT, follow_redirects=False) as client,
+        client.stream(
+            "POST",
+            target,
+            content=claimed.payload.encode(),
+            headers=headers,
+            extensions={"sni_hostname": host},
+        ) as response,
+    ):
+        answer = b""
+        async for chunk in response.aiter_raw():
+            answer += chunk
+            if len(answer) >= ANSWER_LIMIT:
+                break
+        return response.status_code, answer[:ANSWER_LIMIT]
+
+
+def signature_headers(claimed: Claimed, now: float) -> dict[str, str]:
+    """Return the headers with id, time and signatures of a delivery, one for each valid secret."""
+    at = datetime.fromtimestamp(int(now), UTC)
+    signatures = [
+        Webhook(secret).sign(claimed.id, at, claimed.payload) for secret in claimed.secrets
+    ]
+    return {
+        "webhook-id": claimed.id,
+        "webhook-timestamp": str(int(now)),
+        "webhook-signature": " ".join(signatures),
+    }

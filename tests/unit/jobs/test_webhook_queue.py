@@ -1,0 +1,335 @@
+"""Outbox and queue of webhooks, on SQLite and PostgreSQL."""
+
+from __future__ import annotations
+
+import json
+import threading
+from collections import Counter
+
+import pytest
+import sqlalchemy as sa
+
+from knifetip.errors import NoSuchJob, WrongState
+from knifetip.jobs.job import OPERATOR
+from knifetip.jobs.store import Store
+from knifetip.jobs.tables import Event, Job, WebhookDelivery
+from knifetip.jobs.webhook_outbox import EVENT_TYPES
+from knifetip.jobs.webhook_queue import DELAYS, IN_ORDER, LEASE, Attempt, Claimed
+from knifetip.messages import Message
+from tests.support.stored import Clock, add_drawing, add_job
+
+URL = "http://erp.example/hooks"
+
+
+def add_webhook(store: Store, *types: str) -> str:
+    return store.webhooks.add(URL, "", types, "test").id
+
+
+def attempt(store: Store, status: int = 204) -> Claimed:
+    """Claim what is due, store an answer, and return what was claimed."""
+    claimed = store.webhook_queue.claim()
+    assert claimed is not None
+    store.webhook_queue.store(claimed, Attempt(store.database.clock(), status, 0.1))
+    return claimed
+
+
+def drain(store: Store) -> list[str]:
+    """Deliver all that is due; return the types of the events in the order of delivery."""
+    found = []
+    while (claimed := store.webhook_queue.claim()) is not None:
+        store.webhook_queue.store(claimed, Attempt(store.database.clock(), 200, 0.1))
+        found.append(json.loads(claimed.payload)["type"])
+    return found
+
+
+def deliveries(store: Store) -> list[WebhookDelivery]:
+    with store.database.reading() as session:
+        query = sa.select(WebhookDelivery).order_by(WebhookDelivery.serial)
+        return list(session.scalars(query))
+
+
+def test_without_endpoints_nothing_is_written(store: Store) -> None:
+    add_job(store)
+    assert deliveries(store) == []
+    assert store.webhook_queue.claim() is None
+    assert not store.webhook_queue.has_pending()
+
+
+def test_an_event_is_sent_to_the_endpoints_that_subscribe_to_it(store: Store) -> None:
+    everything = store.webhooks.get(add_webhook(store)).serial
+    queued = store.webhooks.get(add_webhook(store, "job.cancelled", "drawing.read")).serial
+    job = add_job(store)
+    store.operators.cancel(job.id)
+    found = [(row.webhook, row.event_type, row.subject) for row in deliveries(store)]
+    assert found == [
+        (everything, "drawing.read", job.drawing),
+        (queued, "drawing.read", job.drawing),
+        (everything, "job.received", job.id),
+        (everything, "job.cancelled", job.id),
+        (queued, "job.cancelled", job.id),
+    ]
+
+
+def test_the_payload_has_the_job_as_it_is_after_the_event(store: Store, clock: Clock) -> None:
+    add_webhook(store, "job.cancelled")
+    job = add_job(store, copies=3)
+    clock.now = 1234.5
+    store.operators.cancel(job.id)
+    with store.database.reading() as session:
+        event = session.scalars(sa.select(Event).order_by(Event.id.desc())).first()
+    assert event is not None
+    (row,) = deliveries(store)
+    payload = json.loads(row.payload)
+    assert payload["type"] == "job.cancelled"
+    assert payload["id"] == event.id
+    assert payload["timestamp"] == "1970-01-01T00:20:34.500Z"
+    found = payload["data"]["job"]
+    assert (found["id"], found["state"], found["copies"]) == (job.id, "cancelled", 3)
+    assert found["updated"] == "1970-01-01T00:20:34.500Z"
+    details = ("external_id", "customer", "due", "notes", "metadata")
+    assert [found[name] for name in details] == ["", "", None, "", {}]
+
+
+def test_an_event_that_leaves_the_state_is_an_update(store: Store) -> None:
+    add_webhook(store)
+    job = add_job(store)
+    row = store.compiles.begin("worker")
+    assert row is not None
+    store.compiles.report_waiting(job.machine, 0.5)
+    types = [row.event_type for row in deliveries(store) if row.subject == job.id]
+    assert types[:2] == ["job.received", "job.compiling"]
+    assert set(types[2:]) <= {"job.updated"}
+    assert set(types) <= set(EVENT_TYPES)
+
+
+def test_a_transaction_that_fails_sends_nothing(store: Store) -> None:
+    add_webhook(store)
+    job = add_job(store)
+    before = len(deliveries(store))
+
+    def fail() -> None:
+        with store.database.writing() as session:
+            store.operators._transitions.write_event(
+                session, "job", job.id, "done", OPERATOR, Message("job.ordered"), new_state=True
+            )
+            session.flush()
+            raise RuntimeError("the power fails")
+
+    with pytest.raises(RuntimeError):
+        fail()
+    assert len(deliveries(store)) == before
+
+
+def test_a_failed_delivery_is_sent_again_and_becomes_a_dead_letter(
+    store: Store, clock: Clock
+) -> None:
+    webhook = add_webhook(store, "job.received")
+    add_job(store)
+    first = attempt(store, 500)
+    start, ids = clock.now, [first.id]
+    for delay in DELAYS:
+        assert store.webhook_queue.claim() is None
+        clock.now += 0.79 * delay
+        assert store.webhook_queue.claim() is None
+        clock.now += 0.42 * delay
+        ids.append(attempt(store, 500).id)
+    # About three days, always with the same id.
+    assert 3.0 * 86_400 < clock.now - start < 4.0 * 86_400
+    assert set(ids) == {first.id}
+    (row,) = deliveries(store)
+    assert row.state == "dead"
+    assert [one["status"] for one in row.attempts] == [500] * (len(DELAYS) + 1)
+    clock.now += 1e6
+    assert store.webhook_queue.claim() is None
+    (replayed,) = store.webhooks.replay(webhook)
+    assert replayed.state == "pending"
+    assert attempt(store).id == first.id
+    assert deliveries(store)[0].state == "delivered"
+
+
+def test_a_delivery_of_a_killed_sender_is_sent_again_with_the_same_id(
+    store: Store, clock: Clock
+) -> None:
+    add_webhook(store, "job.received")
+    add_job(store)
+    lost = store.webhook_queue.claim()
+    assert lost is not None
+    clock.now += 0.9 * LEASE
+    assert store.webhook_queue.claim() is None
+    clock.now += 0.2 * LEASE
+    again = store.webhook_queue.claim()
+    assert again is not None
+    assert (again.id, again.payload) == (lost.id, lost.payload)
+
+
+def test_a_clock_that_is_set_back_does_not_keep_a_lease(store: Store, clock: Clock) -> None:
+    add_webhook(store, "job.received")
+    clock.now = 10_000.0
+    add_job(store)
+    with store.database.writing() as session:
+        session.execute(sa.update(WebhookDelivery).values(lease=clock.now + 3600.0))
+    assert store.webhook_queue.claim() is not None
+
+
+def test_events_of_a_job_stay_in_order(store: Store, clock: Clock) -> None:
+    add_webhook(store, "job.received", "job.cancelled")
+    first, second = add_job(store), add_job(store)
+    for job in (first, second):
+        store.operators.cancel(job.id)
+    taken = store.webhook_queue.claim()
+    assert taken is not None
+    other = store.webhook_queue.claim()
+    assert other is not None
+    # While two are being sent, the later ones of the same jobs wait.
+    assert [json.loads(one.payload)["data"]["job"]["id"] for one in (taken, other)] == [
+        first.id,
+        second.id,
+    ]
+    assert store.webhook_queue.claim() is None
+    store.webhook_queue.store(taken, Attempt(clock.now, 500, 0.1))
+    store.webhook_queue.store(other, Attempt(clock.now, 200, 0.1))
+    assert drain(store) == ["job.cancelled"]
+    clock.now += 10.0
+    assert drain(store) == ["job.received", "job.cancelled"]
+
+
+def test_a_delivery_that_is_never_accepted_does_not_block_the_job(
+    store: Store, clock: Clock
+) -> None:
+    add_webhook(store, "job.received", "job.cancelled")
+    job = add_job(store)
+    store.operators.cancel(job.id)
+    for number in range(IN_ORDER):
+        assert attempt(store, 500).payload.startswith('{"type":"job.received"')
+        clock.now += 1.21 * DELAYS[number]
+    clock.now -= 1.21 * DELAYS[IN_ORDER - 1] - 1.0
+    with store.database.writing() as session:
+        session.execute(sa.text("UPDATE webhook SET resume_at = 0"))
+    assert drain(store)[0] == "job.cancelled"
+
+
+def test_an_endpoint_that_works_again_gets_everything_at_once(store: Store, clock: Clock) -> None:
+    add_webhook(store, "job.received")
+    for _ in range(5):
+        add_job(store)
+    for number in range(5):
+        attempt(store, 503)
+        # One attempt, then a pause: an endpoint that is down is not hammered.
+        assert store.webhook_queue.claim() is None
+        clock.now += 1.21 * DELAYS[number]
+    assert len(drain(store)) == 5
+
+
+def test_gone_switches_the_endpoint_off(store: Store, clock: Clock) -> None:
+    webhook = add_webhook(store, "job.received")
+    add_job(store), add_job(store)
+    attempt(store, 410)
+    assert not store.webhooks.get(webhook).active
+    assert {row.state for row in deliveries(store)} == {"dead"}
+    add_job(store)
+    assert len(deliveries(store)) == 2
+    clock.now += 1e5
+    assert store.webhook_queue.claim() is None
+    with pytest.raises(WrongState):
+        store.webhooks.replay(webhook)
+    store.webhooks.change(webhook, active=True)
+    assert len(store.webhooks.replay(webhook)) == 2
+    assert len(drain(store)) == 2
+
+
+def test_a_secret_is_replaced_with_an_overlap(store: Store, clock: Clock) -> None:
+    webhook = add_webhook(store, "job.received")
+    old = store.webhooks.get(webhook).secret
+    new = store.webhooks.rotate_secret(webhook, 100.0).secret
+    add_job(store), add_job(store)
+    assert attempt(store).secrets == (new, old)
+    clock.now += 100.0
+    assert attempt(store).secrets == (new,)
+
+
+def test_deleting_an_endpoint_during_an_attempt_is_harmless(store: Store, clock: Clock) -> None:
+    webhook = add_webhook(store)
+    add_drawing(store)
+    claimed = store.webhook_queue.claim()
+    assert claimed is not None
+    store.webhooks.delete(webhook)
+    store.webhook_queue.store(claimed, Attempt(clock.now, 200, 0.1))
+    assert deliveries(store) == []
+    with pytest.raises(NoSuchJob):
+        store.webhooks.get(webhook)
+
+
+def test_old_deliveries_are_deleted_but_not_pending_ones(store: Store, clock: Clock) -> None:
+    add_webhook(store, "job.received")
+    add_job(store), add_job(store)
+    attempt(store)
+    clock.now += 31 * 86_400
+    add_job(store)
+    assert store.webhook_queue.delete_old() == 1
+    assert [row.state for row in deliveries(store)] == ["pending", "pending"]
+
+
+def test_many_senders_deliver_each_event_once_and_in_order(store: Store) -> None:
+    add_webhook(store, "job.received", "job.cancelled")
+    for _ in range(20):
+        store.operators.cancel(add_job(store).id)
+    sent: list[str] = []
+    order: dict[str, list[str]] = {}
+
+    def send() -> None:
+        while store.webhook_queue.has_pending():
+            claimed = store.webhook_queue.claim()
+            if claimed is None:
+                continue
+            payload = json.loads(claimed.payload)
+            sent.append(claimed.id)
+            order.setdefault(payload["data"]["job"]["id"], []).append(payload["type"])
+            store.webhook_queue.store(claimed, Attempt(store.database.clock(), 200, 0.1))
+
+    threads = [threading.Thread(target=send) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert set(Counter(sent).values()) == {1}
+    assert len(sent) == 40
+    assert set(map(tuple, order.values())) == {("job.received", "job.cancelled")}
+
+
+def test_the_history_is_not_read_for_the_next_delivery(store: Store) -> None:
+    """A claim uses the indexes of pending deliveries only."""
+    add_webhook(store, "job.received")
+    add_job(store)
+    plans: list[str] = []
+    engine = store.database._engine
+    word = "EXPLAIN QUERY PLAN " if engine.dialect.name == "sqlite" else "EXPLAIN "
+
+    def explain(connection, _cursor, statement, parameters, *_rest):  # type: ignore[no-untyped-def]
+        if statement.startswith("SELECT") and "webhook_delivery" in statement:
+            cursor = connection.connection.cursor()
+            if engine.dialect.name != "sqlite":
+                cursor.execute("SET LOCAL enable_seqscan = off")
+            cursor.execute(word + statement, parameters)
+            plans.append("\n".join(str(row) for row in cursor.fetchall()))
+
+    sa.event.listen(engine, "before_cursor_execute", explain)
+    try:
+        assert store.webhook_queue.has_pending()
+        assert store.webhook_queue.claim() is not None
+    finally:
+        sa.event.remove(engine, "before_cursor_execute", explain)
+    assert len(plans) >= 3
+    for plan in plans:
+        assert "delivery_due" in plan or "delivery_of_subject" in plan
+        assert "SCAN webhook_delivery" not in plan or "INDEX delivery_due" in plan
+        assert "delivery_by_webhook" not in plan
+
+
+def test_a_deleted_job_is_named(store: Store) -> None:
+    add_webhook(store, "drawing.deleted")
+    drawing = add_drawing(store)
+    store.drawings.delete(drawing.id)
+    (row,) = deliveries(store)
+    assert json.loads(row.payload)["data"]["drawing"] == {"id": drawing.id}
+    with store.database.reading() as session:
+        assert session.scalar(sa.select(Job.id)) is None
