@@ -5,7 +5,7 @@ from __future__ import annotations
 import gc
 import sys
 from importlib import import_module
-from typing import Any, Final, NamedTuple
+from typing import Annotated, Any, Final, NamedTuple
 
 import typer
 from typer.core import TyperCommand, TyperGroup
@@ -96,10 +96,42 @@ class _Commands(TyperGroup):
         return name, None if name is None else load_command(name), rest
 
 
+def _print_version(wanted: bool) -> None:
+    """Print the version of knifetip and end the command, if the option --version is given."""
+    if wanted:
+        from importlib.metadata import version  # slow to import
+
+        typer.echo(f"knifetip {version('knifetip')}")
+        raise typer.Exit
+
+
+def _common_options() -> list[Any]:
+    """Return the options that stand before the name of a command."""
+
+    def options(
+        version: Annotated[
+            bool,
+            typer.Option(
+                "--version",
+                is_eager=True,
+                callback=_print_version,
+                help="Print the version and exit.",
+            ),
+        ] = False,
+    ) -> None:
+        """Typer creates the option from the parameter, whose value nothing else reads."""
+
+    parsed = typer.Typer(add_completion=False)
+    parsed.callback()(options)
+    group: Any = typer.main.get_group(parsed)
+    return list(group.params)
+
+
 app = _Commands(
     name="knifetip",
     help="Compile dielines (flat drawings of cartons) to compensated, verified machine programs.",
     commands={name: TyperCommand(name, help=command.help) for name, command in COMMANDS.items()},
+    params=_common_options(),
     no_args_is_help=True,
     rich_markup_mode=None,
 )
