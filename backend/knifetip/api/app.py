@@ -9,6 +9,7 @@ from collections.abc import AsyncIterator, Mapping
 from contextlib import asynccontextmanager
 from functools import partial
 from importlib.metadata import version
+from typing import Literal
 
 import sqlalchemy.exc
 from fastapi import Depends, FastAPI, Request, Response
@@ -42,6 +43,7 @@ from knifetip.api.known_fields import KnownFields, names_near, refuse_unknown
 from knifetip.api.limits import Limits
 from knifetip.api.problems import problem
 from knifetip.api.queue import WorkQueue
+from knifetip.api.readiness import Readiness
 from knifetip.api.routing import (
     ScopedRouter,
     public,
@@ -51,6 +53,7 @@ from knifetip.api.routing import (
 from knifetip.api.schemas.common import Health, ServiceOut
 from knifetip.api.service import Service, ServiceDep, Settings
 from knifetip.api.site import Site
+from knifetip.api.storage import OK, KeepSpace, Storage
 from knifetip.api.webhook_sender import WebhookSender
 from knifetip.fields import fault_message
 from knifetip.jobs.accounts.scopes import AccessScope
@@ -58,6 +61,7 @@ from knifetip.jobs.compile_service import CompileService
 from knifetip.jobs.process_pool import ProcessPool, TaskCancelled, TaskFailed
 from knifetip.jobs.store import Store
 from knifetip.jobs.warm_up import WarmUp
+from knifetip.jobs.write_probe import is_disk_full
 from knifetip.messages import Message
 
 _log = logging.getLogger("knifetip.api")
@@ -95,6 +99,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         Settings of the server; None for the default settings.
     """
     chosen = settings or Settings()
+    storage = Storage(chosen.database, chosen.least_free)
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
@@ -117,6 +122,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         )
         service = Service(chosen, store, pool, work, warm_up)
         app.state.service = service
+        app.state.readiness = Readiness(store, storage, compiling, service.threads)
         app.state.stream = events.Stream(service)
         await asyncio.to_thread(store.prepare)
         await asyncio.to_thread(compiling.start)
@@ -162,6 +168,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.router.default = Site(chosen.page)
     # The middleware added last is the outermost.
     app.add_middleware(Limits, upload=chosen.upload, body=chosen.body)
+    app.add_middleware(KeepSpace, storage=storage)
     app.add_middleware(LimitClients, clients=Clients(chosen.clients))
     app.add_middleware(Access, rules=chosen.access)
     app.add_middleware(SecurityHeaders)
@@ -172,6 +179,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_exception_handler(TaskCancelled, _stopping_problem)
     app.add_exception_handler(TaskFailed, _internal_problem)
     app.add_exception_handler(sqlalchemy.exc.DBAPIError, _database_problem)
+    app.add_exception_handler(OSError, _system_problem)
     app.add_exception_handler(Exception, _internal_problem)
 
     # The documented way to customise FastAPI's schema.
@@ -191,16 +199,22 @@ async def _health() -> Health:
 
 @_health_router.get("/readyz")
 @public
-async def _ready(service: ServiceDep, response: Response) -> Health:
-    """Report whether the server can process requests; the HTTP status is 503 if it cannot."""
-    checks = {"database": "ok", "workers": "ok" if service.ready else "starting"}
-    try:
-        await service.threads.reports(service.store.alive)
-    except sqlalchemy.exc.SQLAlchemyError as reason:
-        checks["database"] = type(reason).__name__
-    good = all(check == "ok" for check in checks.values())
-    response.status_code = 200 if good else 503
-    return Health(status="ok" if good else "starting", version=version("knifetip"), checks=checks)
+async def _ready(request: Request, service: ServiceDep, response: Response) -> Health:
+    """Report whether the server can process requests; the HTTP status is 503 if it cannot.
+
+    The server writes to its database, and looks how much of its disk is free.  The results count
+    for some seconds.
+    """
+    readiness: Readiness = request.app.state.readiness
+    checks = await readiness.checks()
+    if not service.ready:
+        checks["workers"] = "starting"
+    faults = {check for check in checks.values() if check != OK}
+    status: Literal["ok", "starting", "failing"] = "ok" if not faults else "failing"
+    if faults == {"starting"}:
+        status = "starting"
+    response.status_code = 503 if faults else 200
+    return Health(status=status, version=version("knifetip"), checks=checks)
 
 
 @_health_router.get("/api/service")
@@ -284,8 +298,17 @@ async def _stopping_problem(_request: Request, _error: Exception) -> Response:
 async def _database_problem(request: Request, error: Exception) -> Response:
     if isinstance(error, sqlalchemy.exc.DataError):
         return problem(422, Message("request.not-storable"))
+    if is_disk_full(error):
+        return problem(507, Message("limit.disk-full"))
     _log.error("%s %s", request.method, request.url.path, exc_info=error)
     return problem(503, Message("server.database-silent"))
+
+
+async def _system_problem(request: Request, error: Exception) -> Response:
+    # A body is kept in a temporary file while it arrives.
+    if is_disk_full(error):
+        return problem(507, Message("limit.disk-full"))
+    return await _internal_problem(request, error)
 
 
 async def _internal_problem(request: Request, error: Exception) -> Response:

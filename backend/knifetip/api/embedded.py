@@ -87,6 +87,7 @@ class ServerLimits:
     connections: ConnectionLimits = field(default_factory=ConnectionLimits)
     clients: ClientLimits = field(default_factory=ClientLimits)
     upload: int = 64 * MEGABYTE  #: maximum size of a drawing (bytes)
+    least_free: int = 256 * MEGABYTE  #: bytes that must remain free on the disk of the database
 
 
 _ALL_PARTS = Parts()
@@ -153,6 +154,7 @@ def serve(
             webhook_private=parts.webhook_private,
             access=rules,
             upload=limits.upload,
+            least_free=limits.least_free,
             clients=limits.clients,
         )
         taken = sockets[0].getsockname()[1]

@@ -44,6 +44,7 @@ class Settings:
     keep_history: int = 0  #: days for which ended jobs are kept; 0 for no limit
     webhook_private: bool = True  #: webhooks may be sent to loopback and private addresses
     page: Path = Path(__file__).parent / "page"  #: folder of the built page
+    least_free: int = 256 * MEGABYTE  #: bytes that must remain free on the disk of the database
     access: AccessRules = field(default_factory=AccessRules)  #: access rules
     clients: ClientLimits = field(default_factory=ClientLimits)  #: limits of each client
 

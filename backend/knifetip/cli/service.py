@@ -188,6 +188,16 @@ class LimitOptions:
             help="Largest drawing that can be uploaded (MB).",
         ),
     ] = 64
+    min_free: Annotated[
+        int,
+        typer.Option(
+            min=0,
+            max=1_000_000,
+            envvar="KNIFETIP_MIN_FREE",
+            help="Space that is kept free on the disk for running jobs (MB): with less, uploads "
+            "and orders are refused, and /readyz reports it.",
+        ),
+    ] = 256
 
 
 def serve(
@@ -238,6 +248,7 @@ def serve(
                 _CLIENTS * limits.max_listeners,
             ),
             limits.max_upload << 20,
+            limits.min_free << 20,
         ),
     )
 

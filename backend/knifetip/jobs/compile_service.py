@@ -132,6 +132,7 @@ class CompileService:
     warm_up: WarmUp = field(default_factory=WarmUp)  #: started with the service
 
     _stopping: threading.Event = field(default_factory=threading.Event)
+    _swept: float | None = None  # time.monotonic() of the last sweep
     _queue: CompileQueue | None = None
     _link: ProcessLink | None = None
     _threads: list[threading.Thread] = field(default_factory=list)
@@ -149,6 +150,7 @@ class CompileService:
         self.name = self._link.name
         if self.compiles:
             self.store.compiles.recover(self.name)
+        self._swept = time.monotonic()
         self._start_thread(self._sweep, "sweep")
         self.warm_up.start(self.pool)
         if not self.compiles:
@@ -181,6 +183,11 @@ class CompileService:
         except LibraryError:
             return 1.0  # the compile refuses the job
 
+    @property
+    def seconds_since_sweep(self) -> float | None:
+        """Seconds since the last sweep, which runs every few seconds; None before the start."""
+        return None if self._swept is None else time.monotonic() - self._swept
+
     def _start_thread(self, target: Callable[[], None], name: str) -> None:
         thread = threading.Thread(target=target, name=name, daemon=True)
         thread.start()
@@ -210,6 +217,7 @@ class CompileService:
             except Exception:
                 if not self._stopping.is_set():
                     _log.exception("the sweep failed")
+            self._swept = time.monotonic()
             self._stopping.wait(_SWEEP if leased else _IDLE_SWEEP)
 
     def compile(self, job: Job) -> None:

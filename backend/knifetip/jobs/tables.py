@@ -37,6 +37,15 @@ class DatabaseVersion(Base):
     at: Mapped[float] = mapped_column(sa.Double)  #: seconds since 1970
 
 
+class WriteProbe(Base):
+    """One row that health checks change, to find out whether the database can store anything."""
+
+    __tablename__ = "write_probe"
+
+    id: Mapped[int] = mapped_column(primary_key=True)
+    at: Mapped[float] = mapped_column(sa.Double)  #: seconds since 1970
+
+
 class Profile(Base):
     """A classification profile of a customer."""
 

@@ -2755,6 +2755,14 @@ export const TEXTS = {
     "text": "The machine file of {machine} does not state turn_clearance, so the least lift is not known.",
     "hint": "Choose the lift to the clearance of the machine, or set turn_clearance in the machine file, for example to 0.5 mm for board that lies flat."
   },
+  "limit.disk-full": {
+    "text": "The disk of the server is full, so nothing was stored.",
+    "hint": "Delete files on the server or enlarge its disk, then send the request again. /readyz shows how much is free."
+  },
+  "limit.disk-low": {
+    "text": "The disk of the server has only {free} MB free, and {least} MB are kept for running jobs, so nothing was stored.",
+    "hint": "Delete files on the server or enlarge its disk, then send the request again."
+  },
   "limit.too-many-connections": {
     "text": "Too many connections to the server are open.",
     "hint": "Close connections, or try again in a moment."

@@ -396,7 +396,8 @@ def test_openapi_describes_every_property_and_every_parameter(client: httpx.Clie
 
 def test_health_and_readiness(client: httpx.Client) -> None:
     assert client.get("/healthz").json()["status"] == "ok"
-    assert client.get("/readyz").json()["checks"] == {"database": "ok", "workers": "ok"}
+    checks = {"database": "ok", "schema": "ok", "disk": "ok", "workers": "ok"}
+    assert client.get("/readyz").json()["checks"] == checks
 
 
 def test_an_upload_waits_for_its_kernels_while_the_server_answers(

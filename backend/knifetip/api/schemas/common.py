@@ -110,12 +110,14 @@ class ServiceOut(BaseModel):
 class Health(BaseModel):
     """State of the server: whether it runs and can process requests."""
 
-    status: Literal["ok", "starting"] = Field(
-        description="ok if the server can process requests; starting if it cannot, see `checks`"
+    status: Literal["ok", "starting", "failing"] = Field(
+        description="ok if the server can process requests; starting if it cannot yet; failing if "
+        "a component has a fault, see `checks`"
     )
     version: str = Field(description="Version of knifetip on the server, such as 1.2.0")
     checks: dict[str, str] = Field(
         default={},
-        description="`ok` or the fault, by component: `database` and `workers` (the processes "
-        "that read and compile); empty if nothing was checked",
+        description="`ok` or the fault, by component: `database` (a write), `schema` (its tables), "
+        "`disk` (free space) and `workers` (the processes that read and compile); empty if nothing "
+        "was checked",
     )

@@ -7,6 +7,18 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
+    "limit.disk-full": entry(
+        "The disk of the server is full, so nothing was stored.",
+        "Delete files on the server or enlarge its disk, then send the request again. /readyz "
+        "shows how much is free.",
+    ),
+    "limit.disk-low": entry(
+        "The disk of the server has only {free} MB free, and {least} MB are kept for running "
+        "jobs, so nothing was stored.",
+        "Delete files on the server or enlarge its disk, then send the request again.",
+        free="count",
+        least="count",
+    ),
     "limit.too-many-connections": entry(
         "Too many connections to the server are open.",
         "Close connections, or try again in a moment.",

@@ -1,0 +1,80 @@
+"""Whether a server can do its work: a real write, free disk space, workers and tables (ADR 84)."""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Final
+
+import sqlalchemy.exc
+
+from knifetip.api.storage import OK, Storage
+from knifetip.api.threads import GatewayThreads
+from knifetip.errors import StoreError
+from knifetip.jobs.compile_service import CompileService
+from knifetip.jobs.store import Store
+from knifetip.jobs.write_probe import is_disk_full, write_probe
+
+#: Seconds for which the result of a check counts; probes may come each second from many places.
+_KEEP: Final = 3.0
+#: Seconds after which an answer of the database is no longer waited for.
+_PATIENCE: Final = 10.0
+_SILENT: Final = 120.0  # seconds without a sweep after which the compile service is stuck
+
+
+@dataclass(slots=True)
+class Readiness:
+    """The checks of a server; their results are kept for some seconds."""
+
+    store: Store
+    storage: Storage
+    compiling: CompileService
+    threads: GatewayThreads
+    clock: Callable[[], float] = time.monotonic
+    _lock: asyncio.Lock = field(default_factory=asyncio.Lock)
+    _checked: float = float("-inf")
+    _checks: dict[str, str] = field(default_factory=dict)
+
+    async def checks(self) -> dict[str, str]:
+        """Return "ok" or the fault of each component."""
+        async with self._lock:
+            if self.clock() - self._checked >= _KEEP:
+                try:
+                    self._checks = await asyncio.wait_for(
+                        self.threads.reports(self._check), _PATIENCE
+                    )
+                except TimeoutError:
+                    self._checks = {"database": "no answer", "disk": self.storage.fault()}
+                self._checked = self.clock()
+            return self._checks | {"workers": self._workers()}
+
+    def _check(self) -> dict[str, str]:
+        return {
+            "database": self._database(),
+            "schema": self._schema(),
+            "disk": self.storage.fault(),
+        }
+
+    def _database(self) -> str:
+        try:
+            write_probe(self.store.database)
+        except sqlalchemy.exc.SQLAlchemyError as reason:
+            return "disk full" if is_disk_full(reason) else type(reason).__name__
+        return OK
+
+    def _schema(self) -> str:
+        try:
+            schema = self.store.database.schema()
+        except (sqlalchemy.exc.SQLAlchemyError, StoreError) as reason:
+            return type(reason).__name__
+        if schema.is_current:
+            return OK
+        return f"revision {schema.revision or 'none'}, {schema.newest} needed"
+
+    def _workers(self) -> str:
+        silent = self.compiling.seconds_since_sweep
+        if silent is None:
+            return "starting"
+        return OK if silent < _SILENT else f"silent for {silent:.0f} s"
