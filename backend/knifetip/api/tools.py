@@ -88,8 +88,7 @@ def _with_station(service: Service, name: str, station: int) -> Machine:
 
 def worn_stations(service: Service, machine: str) -> set[int]:
     """Return the numbers of the stations of a machine whose tools are at the end of their lives."""
-    uses = service.store.tools.uses(_machine(service, machine))
-    return {use.station for use in uses if use.warning == "over"}
+    return service.store.tools.worn_stations(_machine(service, machine))
 
 
 def tools_out(uses: Sequence[ToolUse]) -> list[ToolUseOut]:

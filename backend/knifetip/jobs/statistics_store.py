@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, field
 from datetime import datetime, timedelta
-from typing import Literal, TypeAlias
+from typing import Final, Literal, NamedTuple, TypeAlias
 from zoneinfo import ZoneInfo
 
 import sqlalchemy as sa
@@ -13,6 +12,8 @@ import sqlalchemy as sa
 from knifetip.jobs.database import Database
 from knifetip.jobs.job import State
 from knifetip.jobs.tables import MachineRun, RunLength
+
+_QUARTER: Final = 900.0  # seconds
 
 Step: TypeAlias = Literal["day", "week", "month"]
 
@@ -31,17 +32,30 @@ class Statistics:
     sheets: dict[str, int] = field(default_factory=dict)  #: used sheets by board
     lengths: dict[str, float] = field(default_factory=dict)  #: worked length by line type (mm)
 
-    def add(self, run: MachineRun, lengths: Iterable[tuple[str, float]]) -> None:
-        """Add one run, with pairs of line types and worked lengths (mm)."""
-        self.runs += 1
-        self.jobs += run.outcome == State.DONE
-        self.copies += run.copies
-        self.interruptions += run.outcome == State.INTERRUPTED
-        self.seconds += run.ended - run.started
-        if run.sheets:
-            self.sheets[run.board] = self.sheets.get(run.board, 0) + run.sheets
-        for line_type, length in lengths:
-            self.lengths[line_type] = self.lengths.get(line_type, 0.0) + length
+    def add(self, runs: _Runs) -> None:
+        """Add runs with one board and one outcome."""
+        self.runs += runs.number
+        self.jobs += runs.number if runs.outcome == State.DONE else 0
+        self.copies += runs.copies
+        self.interruptions += runs.number if runs.outcome == State.INTERRUPTED else 0
+        self.seconds += runs.seconds
+        if runs.sheets:
+            self.sheets[runs.board] = self.sheets.get(runs.board, 0) + runs.sheets
+
+    def add_length(self, line_type: str, length: float) -> None:
+        """Add a worked length (mm) of a line type."""
+        self.lengths[line_type] = self.lengths.get(line_type, 0.0) + length
+
+
+class _Runs(NamedTuple):
+    """Sums of the runs with one board and one outcome."""
+
+    board: str
+    outcome: str
+    number: int
+    copies: int
+    sheets: int
+    seconds: float
 
 
 class StatisticsStore:
@@ -69,15 +83,43 @@ class StatisticsStore:
         ended = sa.and_(MachineRun.ended > 0.0, MachineRun.ended >= since, MachineRun.ended < until)
         if machine:
             ended = sa.and_(ended, MachineRun.machine == machine)
-        lengths: dict[int, list[tuple[str, float]]] = {}
+        # The database adds up each quarter of an hour: midnight of every zone begins one.
+        quarter = sa.func.floor(MachineRun.ended / _QUARTER)
+        keys = MachineRun.machine, quarter
+        total = sa.func.sum
+        runs = (
+            sa.select(
+                *keys,
+                MachineRun.board,
+                MachineRun.outcome,
+                sa.func.count(),
+                total(MachineRun.copies),
+                total(MachineRun.sheets),
+                total(MachineRun.ended - MachineRun.started),
+            )
+            .where(ended)
+            .group_by(*keys, MachineRun.board, MachineRun.outcome)
+        )
+        lengths = (
+            sa.select(*keys, RunLength.line_type, total(RunLength.length))
+            .join(MachineRun)
+            .where(ended)
+            .group_by(*keys, RunLength.line_type)
+        )
+        starts: dict[float, float] = {}
         found: dict[tuple[str, float], Statistics] = {}
-        columns = sa.select(RunLength.run, RunLength.line_type, RunLength.length)
+
+        def period(machine: str, number: float) -> Statistics:
+            if number not in starts:
+                starts[number] = period_start(float(number) * _QUARTER, step, zone)
+            key = machine, starts[number]
+            return found.setdefault(key, Statistics(*key))
+
         with self._db.reading() as session:
-            for run, line_type, length in session.execute(columns.join(MachineRun).where(ended)):
-                lengths.setdefault(run, []).append((line_type, length))
-            for one in session.scalars(sa.select(MachineRun).where(ended)):
-                key = one.machine, period_start(one.ended, step, zone)
-                found.setdefault(key, Statistics(*key)).add(one, lengths.get(one.id, ()))
+            for machine, number, *sums in session.execute(runs):
+                period(machine, number).add(_Runs(*sums))
+            for machine, number, line_type, length in session.execute(lengths):
+                period(machine, number).add_length(line_type, length)
         return [found[key] for key in sorted(found)]
 
 

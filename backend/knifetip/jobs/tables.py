@@ -89,6 +89,7 @@ class Drawing(Base):
 
     __tablename__ = "drawing"
     __table_args__ = (
+        sa.Index("drawing_by_sha256", "sha256"),
         sa.Index("drawing_by_external_id", "external_id", "serial"),
         sa.Index("drawing_by_customer", "customer", "serial"),
         sa.Index("drawing_by_due", "due"),
@@ -135,7 +136,9 @@ class Job(Base):
             postgresql_where=_RESERVES_TABLE,
         ),
         sa.Index("job_by_state", "state", "machine"),
-        sa.Index("job_by_end", "ended"),
+        sa.Index("job_by_state_serial", "state", "serial"),
+        sa.Index("job_by_end", "ended", "serial"),
+        sa.Index("job_by_machine_end", "machine", "ended", "serial"),
         sa.Index("job_by_external_id", "external_id", "serial"),
         sa.Index("job_by_customer", "customer", "serial"),
         sa.Index("job_by_due", "due"),
@@ -286,6 +289,8 @@ class MachineRun(Base):
     __table_args__ = (
         sa.UniqueConstraint("job", "epoch", name="one_run_of_a_claim"),
         sa.Index("run_by_end", "machine", "ended"),
+        sa.Index("run_by_end_of_all", "ended"),
+        sa.Index("run_by_machine", "machine", "id"),
     )
 
     id: Mapped[int] = mapped_column(_SERIAL, primary_key=True, autoincrement=True)

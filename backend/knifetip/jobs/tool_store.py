@@ -71,6 +71,21 @@ class ToolStore:
             for station in sorted(machine.stations, key=lambda station: station.number)
         ]
 
+    def worn_stations(self, machine: Machine) -> set[int]:
+        """Return the numbers of the stations whose tools are at the end of their lives.
+
+        Only tools with a life are looked at: the use of the others grows with the history.
+        """
+        with self._db.reading() as session:
+            present = _present_lengths(session, machine.name)
+            return {
+                station.number
+                for station in machine.stations
+                if _life(session, machine.name, station) > 0.0
+                and _use(session, machine.name, station, present.get(station.number, 0.0)).warning
+                == "over"
+            }
+
     def record_change(self, machine: Machine, station: int, actor: Actor) -> list[ToolUse]:
         """Store that a person has put a new tool into a station; return the uses of all tools.
 
@@ -176,7 +191,6 @@ def _use(session: Session, machine: str, station: Station, present: float) -> To
         Length that the tool has worked in the run that is not finished (mm).
     """
     changed = _last_event(session, machine, station.number, "changed")
-    life = _last_event(session, machine, station.number, "life")
     length = (
         sa.select(sa.func.coalesce(sa.func.sum(RunLength.length), 0.0))
         .join(MachineRun, MachineRun.id == RunLength.run)
@@ -192,10 +206,16 @@ def _use(session: Session, machine: str, station: Station, present: float) -> To
         name=station.name,
         kind=kind_of(station.tool).name,
         used=max(float(session.scalar(length) or 0.0) + present - before, 0.0),
-        life=station.life * 1000.0 if life is None else life.length,
+        life=_life(session, machine, station),
         changed=0.0 if changed is None else changed.at,
         changed_by="" if changed is None else changed.who,
     )
+
+
+def _life(session: Session, machine: str, station: Station) -> float:
+    """Return the life of the tool of a station (mm); 0 for no limit."""
+    life = _last_event(session, machine, station.number, "life")
+    return station.life * 1000.0 if life is None else life.length
 
 
 def _last_event(session: Session, machine: str, station: int, kind: str) -> ToolEvent | None:
