@@ -32,6 +32,8 @@
     │   └── OperationExpired      an operation of a person was not carried out in time
     ├── RequestError              a valid request that cannot be applied
     ├── AccessDenied              the sender of a request lacks the scope that it needs
+    ├── SignInRefused             a wrong name or password
+    ├── SignInSlowDown            too many sign-ins have failed
     ├── ServerBusy                too many requests are waiting for a process
     ├── SettingsError             a server cannot be started with these settings
     └── JobError                  the state of the job does not permit the action
@@ -267,6 +269,18 @@ class RequestError(KnifetipError):
 
 class AccessDenied(KnifetipError):
     """The sender of a request lacks the scope that the request needs."""
+
+
+class SignInRefused(KnifetipError):
+    """The name or the password of a sign-in is wrong."""
+
+
+class SignInSlowDown(KnifetipError):
+    """Too many sign-ins have failed; ``seconds`` is the time to wait (s)."""
+
+    def __init__(self, seconds: int) -> None:
+        super().__init__("sign-in.slow-down", seconds=seconds)
+        self.seconds = seconds
 
 
 class ServerBusy(KnifetipError):

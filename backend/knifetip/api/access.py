@@ -13,8 +13,9 @@ import hmac
 import ipaddress
 import re
 import time
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Protocol, TypeAlias
 
 from fastapi import Response
 from starlette.requests import Request
@@ -29,6 +30,7 @@ from knifetip.api.principal import (
     Principal,
 )
 from knifetip.api.problems import problem
+from knifetip.errors import SignInRefused, SignInSlowDown
 from knifetip.messages import Message
 
 Authority: TypeAlias = tuple[str, int | None]
@@ -38,6 +40,9 @@ Authority: TypeAlias = tuple[str, int | None]
 WRONG_KEY_DELAY = 1.0
 #: Paths that need no key: health probes of containers and load balancers use them.
 OPEN_PATHS = ("/healthz", "/readyz")
+
+#: Requests with which users sign in and out.
+SESSION_REQUESTS = (("POST", "/api/session"), ("DELETE", "/api/session"))
 
 _SAFE = ("GET", "HEAD", "OPTIONS")
 # Content types that HTML forms can send to other sites, except multipart (used for uploads).
@@ -76,7 +81,8 @@ class RequestFacts:
     content_type: str = ""
     marked: bool = False  #: has an X-Knifetip header
     authorization: str | None = None
-    session: str | None = None  #: value of the session cookie
+    session: str | None = None  #: value of the cookie of a session of the server's key
+    user_session: str | None = None  #: value of the cookie of a session of a user
 
 
 @dataclass(frozen=True, slots=True)
@@ -234,12 +240,13 @@ def _without_key(
         return proof.principal
     if rules.key and signin.is_session(facts.session or "", rules.key, now):
         return SERVER_KEY
-    if proof.closed:
-        return Refusal(401, Message("request.key-needed"))
-    if _is_local(rules, facts, host):
-        return LOCAL
-    if not rules.key:
-        return Refusal(403, Message("request.local-only"))
+    if not proof.closed:
+        if _is_local(rules, facts, host):
+            return LOCAL
+        if not rules.key:
+            return Refusal(403, Message("request.local-only"))
+    if (facts.method, facts.path) in SESSION_REQUESTS:
+        return ANONYMOUS
     return Refusal(401, Message("request.key-needed"))
 
 
@@ -357,15 +364,41 @@ def request_facts(scope: Scope, cookie: str) -> RequestFacts:
         marked="x-knifetip" in headers,
         authorization=headers.get("authorization"),
         session=request.cookies.get(cookie),
+        user_session=request.cookies.get(signin.session_cookie(request)) if hosts else None,
     )
+
+
+class AccountLookup(Protocol):
+    """Finds the owners of credentials in the database, and signs users in."""
+
+    async def proof(self, facts: RequestFacts) -> Proof:
+        """Return what the database knows about the credentials of a request."""
+
+    async def sign_in(self, name: str, password: str, address: str) -> str:
+        """Begin a session of a user and return its token, or raise the error why not."""
+
+
+class NoAccounts:
+    """Accounts of a server without a database."""
+
+    async def proof(self, facts: RequestFacts) -> Proof:  # noqa: ARG002
+        """Return that there are no accounts."""
+        return Proof()
+
+    async def sign_in(self, name: str, password: str, address: str) -> str:  # noqa: ARG002
+        """Raise ``SignInRefused``."""
+        raise SignInRefused("sign-in.wrong")
 
 
 class Access:
     """ASGI middleware that applies the access rules to every request."""
 
-    def __init__(self, app: ASGIApp, rules: AccessRules) -> None:
+    def __init__(
+        self, app: ASGIApp, rules: AccessRules, accounts: AccountLookup | None = None
+    ) -> None:
         self.app = app
         self.rules = rules
+        self._accounts = accounts or NoAccounts()
         self._cookie = signin.cookie_name(rules.key)
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -377,23 +410,27 @@ class Access:
             await send({"type": "websocket.close", "code": 1008})
             return
         facts = request_facts(scope, self._cookie)
-        found = find_access(self.rules, facts, time.time())
+        proof = await self._accounts.proof(facts)
+        found = find_access(self.rules, facts, time.time(), proof)
         refused = found if isinstance(found, Refusal) else None
         if isinstance(found, Principal):
             scope.setdefault("state", {})["principal"] = found
         answer: Response | None = None
-        if self.rules.key and (refused is None or refused.status == 401):
-            answer = await self._sign_in(Request(scope, receive), facts, refused)
+        ways = signin.Ways(proof.closed, bool(self.rules.key))
+        if any(ways) and (refused is None or refused.status == 401):
+            answer = await self._sign_in(Request(scope, receive), facts, refused, ways)
         elif refused is not None:
+            if refused.wrong_key:
+                await asyncio.sleep(WRONG_KEY_DELAY)
             answer = _problem(refused)
         await (answer or self.app)(scope, receive, send)
 
     async def _sign_in(
-        self, request: Request, facts: RequestFacts, refused: Refusal | None
+        self, request: Request, facts: RequestFacts, refused: Refusal | None, ways: signin.Ways
     ) -> Response | None:
         """Return the response to a sign-in or to a refused request, or None to forward the request.
 
-        A sign-in is a request with the key in its URL or in the sign-in form.  If the request is
+        A sign-in is a request with the key in its URL, or the sign-in form.  If the request is
         refused and comes from a browser that loads the page, the response is the sign-in page.
 
         Parameters
@@ -402,16 +439,21 @@ class Access:
             The request, and its method, path, headers and addresses.
         refused
             Refusal of the request; None if the request is accepted.
+        ways
+            How one can sign in.
         """
         if refused is not None and refused.wrong_key:
             await asyncio.sleep(WRONG_KEY_DELAY)
             return _problem(refused)
-        request_key = await signin.given_key(request)
-        if request_key is not None:
-            if same_key(request_key, self.rules.key):
-                return signin.welcome(request, self.rules.key, time.time())
+        fields = await signin.given_fields(request)
+        if fields is not None and "name" in fields:
+            return await self._sign_in_user(request, fields, ways)
+        if fields is not None and (ways.key or request.method == "POST"):
+            if ways.key and same_key(fields.get("key", ""), self.rules.key):
+                cookie = signin.key_cookie(self.rules.key, time.time())
+                return signin.welcome(request, cookie)
             await asyncio.sleep(WRONG_KEY_DELAY)
-            return signin.sign_in_page("This key is wrong.")
+            return signin.sign_in_page(ways, "This key is wrong.")
         if refused is None:
             return None
         if _is_api(facts.path) or facts.method != "GET" or not signin.wants_page(request):
@@ -420,7 +462,19 @@ class Access:
         # The page reloads itself once, and the browser then sends it.  Over plain HTTP no header
         # shows that this is the case.
         own = facts.fetch_site in ("same-origin", "none")
-        return signin.sign_in_page(again="" if own else signin.retry_url(request))
+        return signin.sign_in_page(ways, again="" if own else signin.retry_url(request))
+
+    async def _sign_in_user(
+        self, request: Request, fields: Mapping[str, str], ways: signin.Ways
+    ) -> Response:
+        address = "" if request.client is None else request.client.host
+        try:
+            token = await self._accounts.sign_in(
+                fields["name"], fields.get("password", ""), address
+            )
+        except (SignInRefused, SignInSlowDown) as reason:
+            return signin.sign_in_page(ways, f"{reason.text} {reason.hint}")
+        return signin.welcome(request, signin.user_cookie(request, token))
 
 
 def _problem(refused: Refusal) -> Response:

@@ -19,6 +19,7 @@ from starlette.exceptions import HTTPException
 
 from knifetip import errors
 from knifetip.api import (
+    accounts,
     confirmation,
     definitions,
     drawings,
@@ -35,6 +36,7 @@ from knifetip.api import (
     webhooks,
 )
 from knifetip.api.access import Access
+from knifetip.api.account_access import Accounts
 from knifetip.api.api_version import ApiVersion
 from knifetip.api.client_limits import Clients, LimitClients
 from knifetip.api.description import Description
@@ -78,13 +80,15 @@ STATUS: Mapping[type[errors.KnifetipError], int] = {
     errors.StoreError: 503,
     errors.ServerBusy: 503,
     errors.AccessDenied: 403,
+    errors.SignInRefused: 401,
+    errors.SignInSlowDown: 429,
     errors.ControllerError: 502,
 }
 
 
 _ROUTES = (
     drawings, jobs, confirmation, queues, rest, history, events, machines, tools, library,
-    definitions, profiles, webhooks, gateway,
+    definitions, profiles, webhooks, gateway, accounts,
 )  # fmt: skip
 
 
@@ -100,6 +104,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     """
     chosen = settings or Settings()
     storage = Storage(chosen.database, chosen.least_free)
+    access = Accounts()
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
@@ -125,6 +130,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         app.state.readiness = Readiness(store, storage, compiling, service.threads)
         app.state.stream = events.Stream(service)
         await asyncio.to_thread(store.prepare)
+        access.store = store
         await asyncio.to_thread(compiling.start)
         tasks = [
             asyncio.create_task(app.state.stream.run()),
@@ -143,6 +149,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             await asyncio.to_thread(compiling.stop)
             work.close()
             service.threads.close()
+            access.close()
             store.close()
 
     app = FastAPI(
@@ -165,12 +172,13 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     description = Description(app, tuple(scoped_operations(app.routes)))
     app.add_route("/api/openapi.json", description.answer, include_in_schema=False)
     app.state.known_fields = KnownFields(description.alias())
+    app.state.accounts = access
     app.router.default = Site(chosen.page)
     # The middleware added last is the outermost.
     app.add_middleware(Limits, upload=chosen.upload, body=chosen.body)
     app.add_middleware(KeepSpace, storage=storage)
     app.add_middleware(LimitClients, clients=Clients(chosen.clients))
-    app.add_middleware(Access, rules=chosen.access)
+    app.add_middleware(Access, rules=chosen.access, accounts=access)
     app.add_middleware(SecurityHeaders)
     app.add_middleware(ApiVersion)
     app.add_exception_handler(errors.KnifetipError, _knifetip_problem)
@@ -254,7 +262,9 @@ async def _knifetip_problem(request: Request, error: Exception) -> Response:
         source=error.source,
         questions=error.questions if isinstance(error, errors.OpenQuestions) else (),
         revision=error.revision if isinstance(error, errors.StaleRevision) else None,
-        headers={"Retry-After": str(error.seconds)} if isinstance(error, errors.ServerBusy) else {},
+        headers={"Retry-After": str(error.seconds)}
+        if isinstance(error, (errors.ServerBusy, errors.SignInSlowDown))
+        else {},
     )
 
 

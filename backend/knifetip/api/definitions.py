@@ -16,6 +16,7 @@ from knifetip.api.schemas.definitions import DefinitionOut, EntryOut, VersionOut
 from knifetip.api.service import ServiceDep, bytes_response
 from knifetip.api.versions import TOML, TOML_RESPONSE, Body, VersionMatch, version_of
 from knifetip.errors import LibraryError, WrongState
+from knifetip.jobs.accounts.acting import credited
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.library_store import VersionNote
 from knifetip.jobs.tables import LibraryVersion
@@ -182,7 +183,9 @@ def _add_routes(shelf: Shelf) -> None:
         text = _text(request, shelf, name, body)
         title = check_definition(shelf, name, text)
         definition = Definition(shelf, name, version or 0, text)
-        row = service.store.library.save(definition, title, VersionNote(by, note), anyway=anyway)
+        row = service.store.library.save(
+            definition, title, VersionNote(credited(by)[:100], note), anyway=anyway
+        )
         response.status_code = 201 if row.version == 1 else 200
         response.headers["ETag"] = f'"{row.version}"'
         return _definition_out(service, Definition(shelf, name, row.version, row.text))

@@ -12,6 +12,7 @@ import contextlib
 import gc
 import ipaddress
 import logging
+import secrets
 import socket
 import threading
 import time
@@ -39,6 +40,7 @@ from knifetip.gateway.job_server import GatewaySettings
 from knifetip.gateway.journal import default_path
 from knifetip.jobs.database_url import hide_password
 from knifetip.jobs.process_pool import TaskCancelled
+from knifetip.jobs.store import Store
 from knifetip.languages.registry import find_language
 from knifetip.library import load
 
@@ -136,6 +138,9 @@ def serve(
         The key or a host is malformed, or the key file cannot be used.
     """
     key = keys.load_key(access.key, access.key_file)
+    refused = ""
+    if not (key or is_loopback(host) or _has_admin(database)):
+        refused, host = host, "::1" if ":" in host else "127.0.0.1"
     with ExitStack() as open_sockets:
         sockets = _listen(host, port)
         for one in sockets:
@@ -143,6 +148,7 @@ def serve(
         addresses = [one.getsockname()[0] for one in sockets]
         rules = AccessRules(
             key=key,
+            gateway_key=secrets.token_urlsafe(32),
             hosts=keys.check_hosts(access.hosts),
             loopback_only=all(map(is_loopback, addresses)),
         )
@@ -160,13 +166,24 @@ def serve(
         taken = sockets[0].getsockname()[1]
         shown = f"[{host}]" if ":" in host else host
         lines = [f"knifetip is at http://{shown}:{taken}"]
-        if not rules.loopback_only:
+        if refused:
+            lines.append(
+                f"ERROR: not listening on {refused}, because everybody there could start the "
+                "machine. Create an administrator (knifetip user add NAME --role admin) or give "
+                "--key-file PATH, then start the server again."
+            )
+        if key:
             lines.append(_how_to_open(taken, key, access.key_file))
+        elif rules.loopback_only and not refused and not _has_admin(database):
+            lines.append(
+                "No administrator exists yet: every program on this computer may do everything. "
+                "Create one with: knifetip user add NAME --role admin"
+            )
         raise_file_limit(limits.connections.total + _FILES)
         server = _Server(create_app(settings), lines, announce, parts.samples, limits.connections)
         if parts.simulator:
             server.table = _SimulatedMachine(
-                _local(host), taken, parts.speed, _journal_path(database)
+                _local(host), taken, parts.speed, _journal_path(database), rules.gateway_key
             )
         server.run(sockets=sockets)
     if not server.started:
@@ -213,6 +230,16 @@ def _local(host: str) -> str:
     return "[::1]" if ":" in host else "127.0.0.1"
 
 
+def _has_admin(database: str) -> bool:
+    """Return whether a database has an administrator; the tables are made ready first."""
+    store = Store(database)
+    try:
+        store.prepare()
+        return store.users.has_admin()
+    finally:
+        store.close()
+
+
 def _how_to_open(port: int, key: str, key_file: Path | None) -> str:
     """Return the line of the start log that explains how other computers get access.
 
@@ -221,15 +248,10 @@ def _how_to_open(port: int, key: str, key_file: Path | None) -> str:
     port
         Port of the server.
     key
-        Key that other computers need; "" if only this computer is served.
+        Key of the server.
     key_file
         File that contains the key; None if the key is not in a file.
     """
-    if not key:
-        return (
-            "No key: only this computer is served, at its loopback address. Start with "
-            "--key-file PATH or --key KEY to serve other computers."
-        )
     if key_file is None:
         return f"Other computers need the key: open http://localhost:{port} and sign in."
     return f"Open http://localhost:{port}/?key={key}"
@@ -259,11 +281,12 @@ class _SimulatedMachine(threading.Thread):
     updates do not delay the server.
     """
 
-    def __init__(self, host: str, port: int, speed: float, journal: Path) -> None:
+    def __init__(self, host: str, port: int, speed: float, journal: Path, key: str) -> None:
         super().__init__(name="simulated table", daemon=True)
         self._api = f"http://{host}:{port}"
         self._speed = speed
         self._journal = journal
+        self._headers = {"Authorization": f"Bearer {key}"}
         self._loop: asyncio.AbstractEventLoop | None = None
         self._work: asyncio.Task[None] | None = None
 
@@ -284,7 +307,9 @@ class _SimulatedMachine(threading.Thread):
         ):
             address = table.address
             await claim.run_gateway(
-                GatewaySettings(self._api, machine, "embedded", journal=self._journal),
+                GatewaySettings(
+                    self._api, machine, "embedded", headers=self._headers, journal=self._journal
+                ),
                 lambda safe, stop_motion: dial(address, safe, stop_motion=stop_motion),
                 client=client,
             )

@@ -17,7 +17,7 @@ from fastapi.responses import PlainTextResponse
 
 from knifetip.api.jobs import job_out
 from knifetip.api.parameters import JobId
-from knifetip.api.routing import ScopedRouter, requires
+from knifetip.api.routing import ScopedRouter, requires, unaudited
 from knifetip.api.schemas.gateway import Claim, ClaimIn, FinishIn, HeartbeatIn, HeartbeatOut
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.schemas.messages import MessageIn
@@ -50,6 +50,7 @@ _OPERATION_POLL, _IDLE_POLL = 0.3, 1.0
 
 @router.post("/claim", response_model=Claim, responses={204: {"description": "No job"}})
 @requires(AccessScope.GATEWAY)
+@unaudited
 async def claim(service: ServiceDep, request: Request, claimant: ClaimIn) -> Claim | Response:
     """Claim the next job of a machine for a gateway, and wait for one if there is none yet.
 
@@ -140,6 +141,7 @@ async def get_gateway_program(service: ServiceDep, request: Request, id: JobId) 
 
 @router.post("/heartbeat")
 @requires(AccessScope.GATEWAY)
+@unaudited
 async def heartbeat(service: ServiceDep, report: HeartbeatIn) -> HeartbeatOut:
     """Report the progress of a job, renew its lease and get the next command for the machine.
 
@@ -177,6 +179,7 @@ async def finish(service: ServiceDep, report: FinishIn) -> JobOut:
 
 @router.post("/station")
 @requires(AccessScope.GATEWAY)
+@unaudited
 async def report_station(
     service: ServiceDep, request: Request, station: StationIn
 ) -> StationAnswer:

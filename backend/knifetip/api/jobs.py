@@ -13,6 +13,7 @@ from fastapi.responses import PlainTextResponse
 from knifetip.api.exceptions import accept_in_block, find_same_exceptions
 from knifetip.api.overrides import merge_overrides
 from knifetip.api.parameters import DataFormat, IdempotencyKey, JobId
+from knifetip.api.principal import Principal, PrincipalDep, demand
 from knifetip.api.queue import queued
 from knifetip.api.revisions import check_revision
 from knifetip.api.routing import ScopedRouter, requires
@@ -37,6 +38,7 @@ from knifetip.api.service import (
 from knifetip.api.waiting import Waiting, language_of, waiting_of
 from knifetip.errors import OpenQuestions
 from knifetip.jobs import tasks
+from knifetip.jobs.accounts.acting import acting_owner, credited
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.interpretations import interpretation_of
 from knifetip.jobs.job import Actor, ActorKind, State
@@ -58,6 +60,8 @@ from knifetip.model.verdict import EDGE_COLUMNS, Acceptance
 from knifetip.presentation.columns import unpack_columns
 from knifetip.presentation.verdict import areas_json, unpack_areas
 
+_BEFORE_QUEUE = (State.RECEIVED, State.COMPILING, State.READY, State.REFUSED)
+
 router = ScopedRouter(prefix="/jobs", tags=["jobs"])
 
 
@@ -65,7 +69,11 @@ router = ScopedRouter(prefix="/jobs", tags=["jobs"])
 @requires(AccessScope.DESIGNER)
 @queued
 def order_job(
-    service: ServiceDep, response: Response, order: JobIn, key: IdempotencyKey = None
+    service: ServiceDep,
+    principal: PrincipalDep,
+    response: Response,
+    order: JobIn,
+    key: IdempotencyKey = None,
 ) -> JobOut:
     """Create a job; the server then compiles and verifies its program in the background.
 
@@ -73,6 +81,8 @@ def order_job(
     answer questions about the drawing, the status is 409 and the response contains the
     ``questions``.
     """
+    if order.release:
+        demand(principal, AccessScope.OPERATOR)
     request = RequestKey(key, fingerprint(order.model_dump_json())) if key else None
     row = service.store.jobs.find(request) if request else None
     if row is None:
@@ -119,7 +129,7 @@ def _exceptions(service: Service, ordered: ExceptionsIn | None) -> Exceptions | 
         return None
     chosen = tuple(sorted(_shortfalls(ordered)))
     return Exceptions(
-        chosen, Acceptance(ordered.by, ordered.reason, service.store.database.clock())
+        chosen, Acceptance(credited(ordered.by), ordered.reason, service.store.database.clock())
     )
 
 
@@ -314,7 +324,9 @@ def accept_shortfalls(service: ServiceDep, id: JobId, exceptions: ExceptionsIn) 
     if the job is not ``refused``.
     """
     chosen = _shortfalls(exceptions)
-    acceptance = Acceptance(exceptions.by, exceptions.reason, service.store.database.clock())
+    acceptance = Acceptance(
+        credited(exceptions.by), exceptions.reason, service.store.database.clock()
+    )
     row = service.store.operators.accept(
         id,
         partial(accept_in_block, chosen=chosen, acceptance=acceptance),
@@ -338,13 +350,14 @@ def release_job(service: ServiceDep, id: JobId) -> JobOut:
 
 @router.post("/{id}/recompile")
 @requires(AccessScope.DESIGNER)
-def recompile_job(service: ServiceDep, id: JobId) -> JobOut:
+def recompile_job(service: ServiceDep, principal: PrincipalDep, id: JobId) -> JobOut:
     """Compile a job again for the newest versions of its machine and its board.
 
     This is necessary if one of them has changed since the compile.  A job that was queued is queued
     again when its new program is accepted.  The status is 409 if the job is neither ``ready`` nor
     ``queued``, or if its machine or board was deleted.
     """
+    _check_own(service, principal, id)
     return job_out(service.store, service.store.operators.recompile(id))
 
 
@@ -394,8 +407,12 @@ def resume_job(service: ServiceDep, id: JobId, resume: ResumeIn | None = None) -
 
 @router.post("/{id}/cancel")
 @requires(AccessScope.DESIGNER)
-def cancel_job(service: ServiceDep, id: JobId) -> JobOut:
-    """Cancel a job: a running job when the machine has stopped, any other job immediately."""
+def cancel_job(service: ServiceDep, principal: PrincipalDep, id: JobId) -> JobOut:
+    """Cancel a job: a running job when the machine has stopped, any other job immediately.
+
+    Designers can cancel the jobs that they have ordered, until these are queued.
+    """
+    _check_own(service, principal, id)
     return job_out(service.store, service.store.operators.cancel(id))
 
 
@@ -418,6 +435,19 @@ def requeue_job(service: ServiceDep, id: JobId) -> JobOut:
 def scrap_job(service: ServiceDep, id: JobId) -> JobOut:
     """Give up an interrupted job and free the table of its machine."""
     return job_out(service.store, service.store.operators.scrap(id))
+
+
+def _check_own(service: Service, principal: Principal, id: str) -> None:
+    """Raise ``AccessDenied`` unless a principal may withdraw a job.
+
+    Operators may do so with all jobs, designers with those that they have ordered and that are not
+    queued yet.
+    """
+    if AccessScope.OPERATOR in principal.scopes:
+        return
+    row = service.store.jobs.get(id)
+    if row.state not in _BEFORE_QUEUE or row.ordered_by != acting_owner():
+        demand(principal, AccessScope.OPERATOR)
 
 
 def job_out(store: Store, row: Job) -> JobOut:

@@ -17,14 +17,17 @@ from typing import Any, Final, NamedTuple, TypeVar
 from fastapi import APIRouter, Request
 from fastapi.routing import APIRoute, iter_route_contexts
 from starlette.routing import BaseRoute
-from starlette.types import Receive, Scope, Send
+from starlette.types import Message, Receive, Scope, Send
 
-from knifetip.api.principal import demand, principal_of
+from knifetip.api.principal import Principal, demand, missing_scope, principal_of
+from knifetip.jobs.accounts.acting import DONE, FAILED, REFUSED, Acting, acting_as
 from knifetip.jobs.accounts.scopes import AccessScope
 
 F = TypeVar("F", bound=Callable[..., Any])
 
 _DECLARED: Final = "needed_scopes"
+_UNAUDITED: Final = "unaudited"
+_SAFE: Final = ("GET", "HEAD", "OPTIONS")
 
 
 def requires(*scopes: AccessScope) -> Callable[[F], F]:
@@ -47,14 +50,75 @@ def public(endpoint: F) -> F:
     return _declaration(())(endpoint)
 
 
+def unaudited(endpoint: F) -> F:
+    """Declare that the audit log gets no entry for accepted requests of an endpoint.
+
+    It is for reports that a program sends several times a second.
+    """
+    vars(endpoint)[_UNAUDITED] = True
+    return endpoint
+
+
 class ScopedRoute(APIRoute):
     """A route that refuses requests of principals without its scope."""
 
     async def handle(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Answer a request, or raise ``AccessDenied`` if the scope of its principal is missing."""
-        if scope["method"] in (self.methods or ()):
-            demand(principal_of(Request(scope)), *needed_scopes(self.endpoint))
-        await super().handle(scope, receive, send)
+        """Answer a request, or raise ``AccessDenied`` if the scope of its principal is missing.
+
+        A request that is not GET gets an entry in the audit log before its response is sent: in its
+        first transaction, or else afterwards.
+        """
+        if scope["method"] not in (self.methods or ()):
+            await super().handle(scope, receive, send)
+            return
+        principal = principal_of(Request(scope))
+        needed = needed_scopes(self.endpoint)
+        if scope["method"] in _SAFE:
+            demand(principal, *needed)
+            await super().handle(scope, receive, send)
+            return
+        acting = _acting(self, scope, principal)
+        outcome = REFUSED if missing_scope(principal, needed) else FAILED
+        acting.audited = outcome == REFUSED or not getattr(self.endpoint, _UNAUDITED, False)
+
+        async def send_audited(event: Message) -> None:
+            if event["type"] == "http.response.start":
+                await _write_entry(scope, acting, _outcome(event["status"]))
+            await send(event)
+
+        try:
+            with acting_as(acting):
+                demand(principal, *needed)
+                await super().handle(scope, receive, send_audited)
+        finally:
+            await _write_entry(scope, acting, outcome)
+
+
+def _acting(route: APIRoute, scope: Scope, principal: Principal) -> Acting:
+    """Return the principal of a request with what it does, for events and the audit log."""
+    values = [str(value) for value in scope.get("path_params", {}).values()]
+    kind = scope["path"].removeprefix("/api/").partition("/")[0].removesuffix("s")
+    client = scope.get("client")
+    return Acting(
+        kind=principal.kind.value,
+        name=principal.name,
+        id=principal.id,
+        action=route.name.strip("_"),
+        subject_kind=kind,
+        subject="/".join(values),
+        peer=client[0] if client else "",
+    )
+
+
+def _outcome(status: int) -> str:
+    return DONE if status < 400 else REFUSED if status < 500 else FAILED
+
+
+async def _write_entry(scope: Scope, acting: Acting, outcome: str) -> None:
+    """Write the entry of a request in the audit log, unless it has one or needs none."""
+    if acting.audited and not acting.written:
+        service = scope["app"].state.service
+        await service.threads.reports(service.store.audit.write, acting, outcome)
 
 
 class ScopedRouter(APIRouter):

@@ -1,8 +1,8 @@
-"""Sign-in of browsers, by a link with the key or by entering the key in a form.
+"""Sign-in of browsers: by name and password, by a link with the server's key, or by entering it.
 
-``GET /?key=KEY`` and ``POST /sign-in`` with ``key=KEY`` set a session cookie and then show the
-page. A session is ``EXPIRY.SIGNATURE``, signed with the key.  The server stores no sessions; a new
-key invalidates all sessions.
+``GET /?key=KEY`` and ``POST /sign-in`` set a session cookie and then show the page.  A session of
+the server's key is ``EXPIRY.SIGNATURE``, signed with the key: the server stores none of them, and a
+new key invalidates them.  A session of a user is a random token, see ``accounts.session_store``.
 """
 
 from __future__ import annotations
@@ -10,14 +10,20 @@ from __future__ import annotations
 import hashlib
 import hmac
 import html
+import re
+from typing import Final, NamedTuple
 from urllib.parse import parse_qs, urlencode
 
 from fastapi import Response
 from fastapi.responses import HTMLResponse
 from starlette.requests import Request
 
+from knifetip.jobs.accounts.session_store import LIFETIME as USER_LIFETIME
+
 PATH = "/sign-in"
 LIFETIME = 30 * 24 * 3600  #: lifetime of a session (s)
+_PORT: Final = re.compile(r":([0-9]{1,5})$")
+_PORTS: Final = {"http": 80, "https": 443}
 _LONGEST = 4096  # longest form (bytes)
 _HEADERS = {
     "Cache-Control": "no-store",
@@ -32,16 +38,26 @@ _PAGE = """<!doctype html>
 <meta name="viewport" content="width=device-width, initial-scale=1">{refresh}
 <body style="font: 16px/1.5 system-ui; max-width: 24rem; margin: 4rem auto; padding: 0 1rem">
 <h1>knifetip</h1>
-<form method="post" action="{path}">
-<p><label for="key">Key</label><br>
-<input id="key" name="key" type="password" autocomplete="current-password" required autofocus
-style="font: inherit; width: 100%; box-sizing: border-box; padding: 0.4rem"></p>
-<p role="alert">{fault}</p>
-<button style="font: inherit; padding: 0.4rem 1rem">Sign in</button>
-</form>
-<p>The key, or a link with it, is in the server's start log.</p>
+<p role="alert" style="color: #b00020">{fault}</p>
+{forms}
 </html>
 """
+_STYLE = "font: inherit; width: 100%; box-sizing: border-box; padding: 0.4rem"
+_PASSWORD_FORM = """<form method="post" action="{path}">
+<p><label for="name">Name</label><br>
+<input id="name" name="name" autocomplete="username" autocapitalize="none" required autofocus
+maxlength="64" style="{style}"></p>
+<p><label for="password">Password</label><br>
+<input id="password" name="password" type="password" autocomplete="current-password" required
+style="{style}"></p>
+<button style="font: inherit; padding: 0.4rem 1rem">Sign in</button>
+</form>"""
+_KEY_FORM = """<form method="post" action="{path}">
+<p><label for="key">Key</label><br>
+<input id="key" name="key" type="password" autocomplete="{complete}" required style="{style}"></p>
+<button style="font: inherit; padding: 0.4rem 1rem">{button}</button>
+</form>
+<p>The key, or a link with it, is in the server's start log.</p>"""
 _AGAIN = "again"  # query parameter of the second attempt
 
 
@@ -87,24 +103,28 @@ def _signature(key: str, expiry: str) -> str:
     return hmac.new(key.encode(), f"session {expiry}".encode(), hashlib.sha256).hexdigest()
 
 
-async def given_key(request: Request) -> str | None:
-    """Return the key in the URL or in the sign-in form of a request.
+async def given_fields(request: Request) -> dict[str, str] | None:
+    """Return what a request for a sign-in contains: ``key``, or ``name`` and ``password``.
 
-    The result is None if the request is neither a sign-in form nor a URL with a key, and "" if the
-    form is too long or contains no key.
+    The result is None if the request is neither a sign-in form nor a URL with a key, and empty if
+    the form is too long or contains none of these fields.
     """
     path = request.url.path
     if request.method == "GET" and path != "/api" and not path.startswith("/api/"):
-        return request.query_params.get("key")
+        key = request.query_params.get("key")
+        return None if key is None else {"key": key}
     if request.method != "POST" or path != PATH:
         return None
     body = b""
     async for block in request.stream():
         body += block
         if len(body) > _LONGEST:
-            return ""
+            return {}
     fields = parse_qs(body.decode("ascii", "replace"))
-    return fields.get("key", [""])[0].strip()
+    names = ("key", "name", "password")
+    found: dict[str, str] = {name: fields[name][0] for name in names if name in fields}
+    # A password may begin or end with a space.
+    return {name: text if name == "password" else text.strip() for name, text in found.items()}
 
 
 def wants_page(request: Request) -> bool:
@@ -112,11 +132,48 @@ def wants_page(request: Request) -> bool:
     return "text/html" in request.headers.get("accept", "")
 
 
-def welcome(request: Request, key: str, now: float) -> Response:
-    """Return a page that sets the session cookie and then loads the same URL without the key.
+class Cookie(NamedTuple):
+    """Name, value and lifetime of a session cookie."""
 
-    ``now`` is the current time in seconds since 1970.
+    name: str
+    value: str
+    lifetime: int  #: seconds
+
+
+def key_cookie(key: str, now: float) -> Cookie:
+    """Return the cookie of a session of the server's key that begins at ``now``."""
+    return Cookie(cookie_name(key), new_session(key, now), LIFETIME)
+
+
+def user_cookie(request: Request, token: str) -> Cookie:
+    """Return the cookie of a session of a user."""
+    return Cookie(session_cookie(request), token, int(USER_LIFETIME))
+
+
+def session_cookie(request: Request) -> str:
+    """Return the name of the cookie of a user's session.
+
+    It contains the port, because a browser sends the same cookies to all ports of a host.
     """
+    port = _PORT.search(request.headers.get("host", ""))
+    return f"knifetip-session-{port[1] if port else _PORTS.get(request.scope['scheme'], 80)}"
+
+
+def set_cookie(request: Request, answer: Response, cookie: Cookie) -> None:
+    """Add a session cookie to a response: not for scripts, nor for requests of other sites."""
+    answer.set_cookie(
+        cookie.name,
+        cookie.value,
+        max_age=cookie.lifetime,
+        path="/",
+        secure=request.url.scheme == "https",
+        httponly=True,
+        samesite="strict",
+    )
+
+
+def welcome(request: Request, cookie: Cookie) -> Response:
+    """Return a page that sets the session cookie and then loads the same URL without the key."""
     # Not a redirect: after a link from another site a browser would follow it without the cookie.
     path = "/" if request.method == "POST" else "/" + request.url.path.lstrip("/")
     rest = urlencode([pair for pair in request.query_params.multi_items() if pair[0] != "key"])
@@ -127,15 +184,7 @@ def welcome(request: Request, key: str, now: float) -> Response:
         f'<p><a href="{html.escape(url)}">Signed in</a></p></html>',
         headers=_HEADERS,
     )
-    answer.set_cookie(
-        cookie_name(key),
-        new_session(key, now),
-        max_age=LIFETIME,
-        path="/",
-        secure=request.url.scheme == "https",
-        httponly=True,
-        samesite="strict",
-    )
+    set_cookie(request, answer, cookie)
     return answer
 
 
@@ -153,18 +202,37 @@ def retry_url(request: Request) -> str:
     return f"{path}?{urlencode([*request.query_params.multi_items(), (_AGAIN, '1')])}"
 
 
-def sign_in_page(fault: str = "", *, again: str = "") -> Response:
+class Ways(NamedTuple):
+    """How one can sign in at a server."""
+
+    password: bool  #: by name and password
+    key: bool  #: by the key with which the server was started
+
+
+def sign_in_page(ways: Ways, fault: str = "", *, again: str = "") -> Response:
     """Return the sign-in page as a response with status 401.
 
     Parameters
     ----------
+    ways
+        The forms of the page.
     fault
         Error message on the page; "" for none.
     again
         URL that the browser loads first, before it shows the form; "" for none.
     """
+    forms = []
+    if ways.password:
+        forms.append(_PASSWORD_FORM.format(path=PATH, style=_STYLE))
+    if ways.key:
+        button = "Sign in with the key" if ways.password else "Sign in"
+        complete = "off" if ways.password else "current-password"
+        form = _KEY_FORM.format(path=PATH, style=_STYLE, button=button, complete=complete)
+        if ways.password:
+            form = f"<details><summary>Use the key of the server</summary>{form}</details>"
+        forms.append(form)
     refresh = _refresh(again) if again else ""
-    body = _PAGE.format(path=PATH, fault=html.escape(fault), refresh=refresh)
+    body = _PAGE.format(fault=html.escape(fault), forms="\n".join(forms), refresh=refresh)
     return HTMLResponse(body, 401, headers=_HEADERS)
 
 

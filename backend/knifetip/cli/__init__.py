@@ -2,6 +2,7 @@
 
     knifetip read | classify | clean | program | verify | samples
     knifetip profile | machine | calibrate | schema | job
+    knifetip user | key
     knifetip serve | worker | gateway | simulator
 
 Exit codes: 0 success; 1 the verifier refused the program; 2 the user must first answer questions

@@ -37,6 +37,8 @@ COMMANDS: Final[dict[str, _Command]] = {
         "calibrate", "Compute the deflection of a cutter from a measured test cut."
     ),
     "job": _Command("job", "List and control the jobs of a server."),
+    "user": _Command("account", "Add, list and change the users of a server's database."),
+    "key": _Command("account", "Create, list and revoke the API keys of a server's database."),
     "serve": _Command(
         "service", "Run the server with its page, a compile worker and a simulated machine."
     ),

@@ -14,6 +14,7 @@ from sqlalchemy.orm import Session
 
 from knifetip.errors import NoSuchJob, WrongState
 from knifetip.jobs import schema
+from knifetip.jobs.accounts.acting import add_audit_entry
 from knifetip.jobs.changes import Changes
 from knifetip.jobs.database_url import sqlite_file
 from knifetip.jobs.schema import Migration, Schema
@@ -191,6 +192,9 @@ class Database:
         ):
             with session.begin():
                 yield session
+                acting = add_audit_entry(session, self.clock())
+            if acting is not None:
+                acting.written = True
             topics = topics_of(session)
         if topics:
             self.changes.notify(topics)

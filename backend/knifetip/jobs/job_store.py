@@ -11,6 +11,7 @@ from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
 from knifetip.errors import WrongState
+from knifetip.jobs.accounts.acting import acting_owner
 from knifetip.jobs.database import Database
 from knifetip.jobs.interpretations import job_columns
 from knifetip.jobs.job import (
@@ -405,6 +406,7 @@ def _initial_columns(now: float, key: RequestKey | None) -> dict[str, Any]:
         "source": [],
         "questions": [],
         "attempt": 1,
+        "ordered_by": acting_owner(),
         "epoch": 0,
         "owner": "",
         "lease": 0.0,

@@ -10,6 +10,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from knifetip.jobs.accounts.audit_store import AuditStore
+from knifetip.jobs.accounts.key_store import KeyStore
+from knifetip.jobs.accounts.session_store import SessionStore
+from knifetip.jobs.accounts.user_store import UserStore
 from knifetip.jobs.changes import Changes
 from knifetip.jobs.claimed_jobs import ClaimedJobs
 from knifetip.jobs.compile_store import CompileStore
@@ -65,6 +69,10 @@ class Store:
         self.profiles = ProfileStore(self.database)
         self.stations = StationStore(self.database)
         self.history = HistoryStore(self.database)
+        self.users = UserStore(self.database)
+        self.keys = KeyStore(self.database)
+        self.sessions = SessionStore(self.database)
+        self.audit = AuditStore(self.database)
         self.statistics = StatisticsStore(self.database)
         self.webhooks = WebhookStore(self.database)
         self.webhook_queue = WebhookQueue(self.database)

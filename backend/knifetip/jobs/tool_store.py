@@ -13,6 +13,7 @@ from typing import Final, Literal
 import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
+from knifetip.jobs.accounts.acting import signature
 from knifetip.jobs.database import Database
 from knifetip.jobs.job import LEASED, Actor
 from knifetip.jobs.tables import Job, MachineRun, RunLength, ToolEvent
@@ -148,7 +149,7 @@ class ToolStore:
                 station=station,
                 kind=kind,
                 at=self._db.clock(),
-                who=str(actor)[:200],
+                who=signature(actor)[:200],
                 length=length,
                 unfinished=unfinished,
             )

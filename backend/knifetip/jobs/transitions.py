@@ -13,6 +13,7 @@ import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
 from knifetip.errors import NoSuchJob, StaleEpoch, WrongState
+from knifetip.jobs.accounts.acting import set_subject, signature
 from knifetip.jobs.changes import ALL, RECEIVED, machine_topic
 from knifetip.jobs.database import Database, note_change, short
 from knifetip.jobs.job import ADVICE, ENDED, Action, Actor, ActorKind, State, sources, target
@@ -183,12 +184,13 @@ class Transitions:
         """
         topics = [machine_topic(machine) if machine else ALL]
         note_change(session, *topics, *([RECEIVED] if state == State.RECEIVED else []))
+        set_subject(session, kind, subject)
         row = Event(
             kind=kind,
             subject=subject,
             at=self._db.clock(),
             state=str(state),
-            who=str(actor)[:200],
+            who=signature(actor)[:200],
             message=message,
         )
         session.add(row)

@@ -2607,6 +2607,18 @@ export const TEXTS = {
     "text": "Job {job} is {state}, but the request {request} needs a job that is {states: or }.",
     "hint": "{advice}"
   },
+  "key.expired-at-once": {
+    "text": "The key would already be expired.",
+    "hint": "Choose a time in the future, or no time for a key that does not expire."
+  },
+  "key.incomplete": {
+    "text": "A key needs a title and at least one scope.",
+    "hint": "Write in the title what uses the key, and choose its scopes."
+  },
+  "key.unknown": {
+    "text": "There is no API key with the id {id}.",
+    "hint": "List the keys with `knifetip key list`."
+  },
   "language.bad-entry-point": {
     "text": "The Python entry point {name!r} of the group {group} must provide a controller language that is named {name!r}, but does not provide one.",
     "hint": "Correct or remove the Python package that declares the entry point."
@@ -4055,6 +4067,14 @@ export const TEXTS = {
     "text": "The cuts of the drawing form no closed outline around all of its other lines, so the outline of the sheet is not known.",
     "hint": "Enter the width and the height of the sheet, or close the outline of the drawing."
   },
+  "sign-in.slow-down": {
+    "text": "Too many sign-ins failed for this name.",
+    "hint": "Wait {seconds} s, then try again."
+  },
+  "sign-in.wrong": {
+    "text": "The name or the password is wrong.",
+    "hint": "Check both; an administrator can set a new password."
+  },
   "store.no-column": {
     "text": "The {kind} {id} has no {column} yet.",
     "hint": "Wait until the {kind} is compiled. If the compilation failed, the fields state and reason of the {kind} show why."
@@ -4486,6 +4506,34 @@ export const TEXTS = {
   "unit.unsupported": {
     "text": "{unit!r} is not a supported unit of length.",
     "hint": "Choose one of {known:or}."
+  },
+  "user.bad-name": {
+    "text": "{name} is not permitted as the name of a user.",
+    "hint": "Use 1 to 64 letters, digits and . _ @ + -, with a letter or a digit first."
+  },
+  "user.bad-password": {
+    "text": "The password has {length} characters, but must have {shortest} to {longest}.",
+    "hint": "Choose a longer password, for example four words."
+  },
+  "user.bad-role": {
+    "text": "{role} is not a role of users.",
+    "hint": "Choose one of {roles:or}; gateways use API keys."
+  },
+  "user.exists": {
+    "text": "There is already a user with the name {name}.",
+    "hint": "Choose another name, or change that user."
+  },
+  "user.last-admin": {
+    "text": "{name} is the last active administrator.",
+    "hint": "Make another user an administrator first."
+  },
+  "user.not-signed-in": {
+    "text": "Only a user who has signed in with a password can change it.",
+    "hint": "Sign in with name and password."
+  },
+  "user.unknown": {
+    "text": "There is no user with the name {name}.",
+    "hint": "List the users with `knifetip user list`."
   },
   "verify.bad-tolerance": {
     "text": "The tolerance of the verification is {tolerance} mm, which is not a valid length.",

@@ -346,7 +346,18 @@ def test_every_error_has_a_status_and_none_is_an_internal_error() -> None:
     kinds = descendants(errors.KnifetipError)
     made = [kind.__new__(kind) for kind in kinds]
     assert len(made) > 20
-    assert {status_of(error) for error in made} == {403, 404, 409, 412, 413, 422, 502, 503}
+    assert {status_of(error) for error in made} == {
+        401,
+        403,
+        404,
+        409,
+        412,
+        413,
+        422,
+        429,
+        502,
+        503,
+    }
 
 
 def test_openapi_is_3_1_and_every_route_declares_its_problems(

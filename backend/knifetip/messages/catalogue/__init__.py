@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import Final
 
 from knifetip.messages.catalogue import (
+    account,
     classification,
     cleaning,
     compensation,
@@ -43,6 +44,7 @@ from knifetip.messages.catalogue import (
 from knifetip.messages.entry import Entries, Entry
 
 _AREAS: Final = (
+    account,
     general,
     geometry,
     reading,

@@ -1,0 +1,177 @@
+"""Look up the users and API keys of requests, and sign users in."""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from collections import Counter, OrderedDict
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from typing import Final, TypeVar
+
+from knifetip.api.access import Proof, RequestFacts, bearer_key
+from knifetip.api.principal import Principal, PrincipalKind
+from knifetip.api.slow_down import SlowDown
+from knifetip.errors import SignInRefused, SignInSlowDown
+from knifetip.jobs.accounts.acting import DONE, REFUSED, Acting
+from knifetip.jobs.accounts.scopes import AccessScope, scopes_of
+from knifetip.jobs.store import Store
+
+T = TypeVar("T")
+
+#: Time after which a change by another process holds here (s).
+KEPT: Final = 1.0
+_CREDENTIALS: Final = 4096  # greatest number of remembered credentials
+_AT_ONCE: Final = 2  # sign-ins of one address that may wait for the computation of a hash
+
+
+class Accounts:
+    """Users and API keys of a server, for the access control.
+
+    It has threads of its own, so that the requests of gateways do not wait for other requests.
+    What it has found is remembered for ``KEPT`` seconds.
+    """
+
+    def __init__(self) -> None:
+        #: the store; None while the server starts
+        self.store: Store | None = None
+        self._threads = ThreadPoolExecutor(2, "accounts")
+        self._hashing = ThreadPoolExecutor(2, "passwords")
+        self._found: OrderedDict[str, tuple[float, Principal | None]] = OrderedDict()
+        self._slow_down = SlowDown()
+        self._hashes: Counter[str] = Counter()
+        self._closed = False  # never becomes False again: there is always an administrator then
+        self._checked = -KEPT
+
+    def close(self) -> None:
+        """Shut the threads down."""
+        for pool in (self._threads, self._hashing):
+            pool.shutdown(wait=False, cancel_futures=True)
+
+    def forget(self) -> None:
+        """Forget what was found, because users or keys have changed."""
+        self._found.clear()
+        self._checked = -KEPT
+
+    async def proof(self, facts: RequestFacts) -> Proof:
+        """Return what the database knows about the credentials of a request."""
+        if self.store is None:
+            return Proof()
+        now = time.monotonic()
+        if not self._closed and now - self._checked >= KEPT:
+            self._closed = await self._run(self._threads, self.store.users.has_admin)
+            self._checked = now
+        bearer = bearer_key(facts.authorization)
+        if bearer is not None:
+            principal = await self._find(f"key {bearer}", lambda: self._owner_of_key(bearer))
+        elif facts.user_session:
+            token = facts.user_session
+            principal = await self._find(f"session {token}", lambda: self._user(token))
+        else:
+            principal = None
+        return Proof(principal, self._closed)
+
+    async def _find(
+        self, credential: str, look_up: Callable[[], Principal | None]
+    ) -> Principal | None:
+        if len(credential) > 200:
+            return None
+        now = time.monotonic()
+        found = self._found.get(credential)
+        if found is None or found[0] <= now:
+            principal = await self._run(self._threads, look_up)
+            self._found.pop(credential, None)
+            self._found[credential] = found = now + KEPT, principal
+            if len(self._found) > _CREDENTIALS:
+                self._found.popitem(last=False)
+        return found[1]
+
+    def _owner_of_key(self, secret: str) -> Principal | None:
+        assert self.store is not None
+        row = self.store.keys.find(secret)
+        if row is None:
+            return None
+        scopes = scopes_of(AccessScope(scope) for scope in row.scopes)
+        return Principal(PrincipalKind.KEY, row.title, row.id, scopes)
+
+    def _user(self, token: str) -> Principal | None:
+        assert self.store is not None
+        row = self.store.sessions.find(token)
+        if row is None:
+            return None
+        scopes = scopes_of([AccessScope(row.role)])
+        return Principal(PrincipalKind.USER, row.name, row.id, scopes)
+
+    async def sign_in(self, name: str, password: str, address: str) -> str:
+        """Begin a session of a user and return its token.
+
+        Parameters
+        ----------
+        name, password
+            What the user has entered.
+        address
+            Address of the sender.
+
+        Raises
+        ------
+        SignInRefused
+            The name or the password is wrong, or the user is disabled.
+        SignInSlowDown
+            Too many sign-ins have failed for this name from this address, or too many of this
+            address are waiting.
+        """
+        account = name.strip().lower()[:64]
+        now = time.monotonic()
+        pause = self._slow_down.pause(account, address, now)
+        if pause or self._hashes[address] >= _AT_ONCE:
+            raise SignInSlowDown(pause or 1)
+        # Counted before it is known, so that attempts at the same time do not share one free try.
+        self._slow_down.failed(account, address, now)
+        self._hashes[address] += 1
+        try:
+            token = await self._run(
+                self._hashing, lambda: self._open_session(account, password, address)
+            )
+        finally:
+            self._hashes[address] -= 1
+            self._hashes += Counter()  # drops the addresses without sign-ins
+        if token is None:
+            raise SignInRefused("sign-in.wrong")
+        self._slow_down.succeeded(account, address)
+        return token
+
+    def _open_session(self, account: str, password: str, address: str) -> str | None:
+        assert self.store is not None
+        user = self.store.users.with_password(account, password)
+        known = user is not None or self.store.users.exists(account)
+        # A name that no user has is not recorded: it may be a password in the wrong field.
+        acting = Acting(
+            kind=PrincipalKind.USER,
+            name=account if known else "",
+            id="",
+            action="sign_in",
+            subject_kind="user",
+            subject=account if known else "",
+            peer=address,
+        )
+        token = None if user is None else self.store.sessions.open(user)
+        self.store.audit.write(acting, REFUSED if token is None else DONE)
+        return token
+
+    async def user_of(self, token: str) -> Principal:
+        """Return the user of a session that has just begun."""
+        found = await self._find(f"session {token}", lambda: self._user(token))
+        if found is None:  # the user was disabled in the meantime
+            raise SignInRefused("sign-in.wrong")
+        return found
+
+    async def sign_out(self, token: str) -> None:
+        """End a session."""
+        assert self.store is not None
+        store = self.store
+        await self._run(self._threads, lambda: store.sessions.close(token))
+        self.forget()
+
+    @staticmethod
+    async def _run(pool: ThreadPoolExecutor, call: Callable[[], T]) -> T:
+        return await asyncio.get_running_loop().run_in_executor(pool, call)

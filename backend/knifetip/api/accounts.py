@@ -1,0 +1,214 @@
+"""Routes for signing in, users, API keys and the audit log (ADR 83)."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from fastapi import Path, Query, Request, Response
+
+from knifetip.api import signin
+from knifetip.api.account_access import Accounts
+from knifetip.api.principal import Principal, PrincipalDep, PrincipalKind
+from knifetip.api.routing import ScopedRouter, public, requires, unaudited
+from knifetip.api.schemas.accounts import (
+    AuditOut,
+    AuditQuery,
+    KeyIn,
+    KeyOut,
+    MeOut,
+    NewKeyOut,
+    PasswordIn,
+    SignIn,
+    UserChangeIn,
+    UserIn,
+    UserOut,
+)
+from knifetip.api.service import Service, ServiceDep, set_next_page
+from knifetip.errors import WrongState
+from knifetip.jobs.accounts.acting import credited
+from knifetip.jobs.accounts.audit_store import AuditFilter
+from knifetip.jobs.accounts.scopes import AccessScope
+from knifetip.jobs.tables import ApiKey, UserAccount
+
+router = ScopedRouter(tags=["accounts"])
+
+UserName = Annotated[str, Path(max_length=64, description="Name of the user")]
+KeyId = Annotated[str, Path(max_length=32, description="Id of the key")]
+
+
+@router.post("/session")
+@public
+@unaudited
+async def sign_in(service: ServiceDep, request: Request, response: Response, sent: SignIn) -> MeOut:
+    """Sign in with name and password; the response sets the cookie of a session.
+
+    The session ends twelve hours after its last request, seven days after the sign-in, at the
+    sign-out, and when password, role or state of the user change.  The status is 429 after several
+    failed sign-ins; `Retry-After` is then the time to wait.
+    """
+    accounts = _accounts(request)
+    token = await accounts.sign_in(sent.name, sent.password, _address(request))
+    signin.set_cookie(request, response, signin.user_cookie(request, token))
+    user = await accounts.user_of(token)
+    return await service.threads.reports(_me, service, user)
+
+
+@router.delete("/session", status_code=204)
+@public
+async def sign_out(service: ServiceDep, request: Request, response: Response) -> None:
+    """End the session of the request, and delete its cookie."""
+    token = request.cookies.get(signin.session_cookie(request))
+    if token:
+        await _accounts(request).sign_out(token)
+    for name in request.cookies:
+        if name in (
+            signin.session_cookie(request),
+            signin.cookie_name(service.settings.access.key),
+        ):
+            response.delete_cookie(name, path="/", httponly=True, samesite="strict")
+
+
+@router.get("/me")
+@requires(AccessScope.VIEWER, AccessScope.GATEWAY)
+def get_me(service: ServiceDep, principal: PrincipalDep) -> MeOut:
+    """Get the sender of the request and its scopes."""
+    return _me(service, principal)
+
+
+def _me(service: Service, principal: Principal) -> MeOut:
+    return MeOut.model_validate(
+        {
+            "kind": principal.kind.value,
+            "name": principal.name,
+            "scopes": [scope for scope in AccessScope if scope in principal.scopes],
+            "has_admin": service.store.users.has_admin(),
+        }
+    )
+
+
+@router.post("/me/password", status_code=204)
+@requires(AccessScope.VIEWER)
+async def change_own_password(
+    service: ServiceDep,
+    request: Request,
+    response: Response,
+    principal: PrincipalDep,
+    sent: PasswordIn,
+) -> None:
+    """Change the password of the user who sends the request; all other sessions of the user end."""
+    if principal.kind != PrincipalKind.USER:
+        raise WrongState("user.not-signed-in")
+    accounts = _accounts(request)
+    await accounts.sign_out(await accounts.sign_in(principal.name, sent.current, _address(request)))
+    change = service.store.users.change
+    await service.threads.claims(change, principal.name, password=sent.new)
+    accounts.forget()
+    token = await accounts.sign_in(principal.name, sent.new, _address(request))
+    signin.set_cookie(request, response, signin.user_cookie(request, token))
+
+
+@router.get("/users")
+@requires(AccessScope.ADMIN)
+def list_users(service: ServiceDep) -> list[UserOut]:
+    """List the users, ordered by name."""
+    return [_user_out(row) for row in service.store.users.all()]
+
+
+@router.post("/users", status_code=201)
+@requires(AccessScope.ADMIN)
+def create_user(service: ServiceDep, request: Request, sent: UserIn) -> UserOut:
+    """Create a user.
+
+    As soon as the first administrator exists, requests from the server's computer need a key or a
+    session too.
+    """
+    row = service.store.users.add(sent.name, sent.password, AccessScope(sent.role), credited(""))
+    _accounts(request).forget()
+    return _user_out(row)
+
+
+@router.patch("/users/{name}")
+@requires(AccessScope.ADMIN)
+def change_user(
+    service: ServiceDep, request: Request, name: UserName, sent: UserChangeIn
+) -> UserOut:
+    """Change role, state or password of a user; the sessions of the user end.
+
+    The status is 409 if there would be no active administrator.
+    """
+    row = service.store.users.change(
+        name,
+        role=None if sent.role is None else AccessScope(sent.role),
+        active=sent.active,
+        password=sent.password,
+    )
+    _accounts(request).forget()
+    return _user_out(row)
+
+
+@router.get("/keys")
+@requires(AccessScope.ADMIN)
+def list_keys(service: ServiceDep) -> list[KeyOut]:
+    """List the API keys without their secrets, the newest first."""
+    return [_key_out(row) for row in service.store.keys.all()]
+
+
+@router.post("/keys", status_code=201)
+@requires(AccessScope.ADMIN)
+def create_key(service: ServiceDep, response: Response, sent: KeyIn) -> NewKeyOut:
+    """Create an API key; only this response contains its secret."""
+    row, secret = service.store.keys.add(sent.title, sent.scopes, sent.expires, credited(""))
+    response.headers["Cache-Control"] = "no-store"
+    return NewKeyOut(**_key_out(row).model_dump(), secret=secret)
+
+
+@router.delete("/keys/{id}", status_code=204)
+@requires(AccessScope.ADMIN)
+def revoke_key(service: ServiceDep, request: Request, id: KeyId) -> None:
+    """Revoke an API key: it becomes invalid, and stays in the list."""
+    service.store.keys.revoke(id)
+    _accounts(request).forget()
+
+
+@router.get("/audit")
+@requires(AccessScope.ADMIN)
+def list_audit(
+    service: ServiceDep,
+    request: Request,
+    response: Response,
+    wanted: Annotated[AuditQuery, Query()],
+) -> list[AuditOut]:
+    """List the audit log, the newest entries first; `Link` contains the URL of the next page.
+
+    It has an entry for each request that is not GET: also for a refused one.  The reports of
+    gateways are left out; what they change is among the events of jobs.
+    """
+    conditions = AuditFilter(
+        wanted.principal,
+        wanted.action,
+        wanted.subject,
+        wanted.outcome or "",
+        wanted.since,
+        wanted.until,
+    )
+    rows = service.store.audit.search(conditions, wanted.cursor, wanted.limit)
+    last = rows[-1].id if len(rows) == wanted.limit else None
+    set_next_page(request, response, last, wanted.limit)
+    return [AuditOut.model_validate(row, from_attributes=True) for row in rows]
+
+
+def _accounts(request: Request) -> Accounts:
+    accounts: Accounts = request.app.state.accounts
+    return accounts
+
+
+def _address(request: Request) -> str:
+    return "" if request.client is None else request.client.host
+
+
+def _user_out(row: UserAccount) -> UserOut:
+    return UserOut.model_validate(row, from_attributes=True)
+
+
+def _key_out(row: ApiKey) -> KeyOut:
+    return KeyOut.model_validate(row, from_attributes=True)

@@ -1,0 +1,140 @@
+"""Models for users, API keys, sessions and the audit log."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, Field
+
+from knifetip.api.schemas.common import PageQuery, Strict
+from knifetip.api.schemas.times import Moment, MomentIn
+from knifetip.jobs.accounts.scopes import AccessScope
+
+UserRole = Literal["viewer", "designer", "operator", "admin"]
+_NAME = Field(min_length=1, max_length=64, description="Name of the user")
+_PASSWORD = Field(
+    min_length=1, max_length=1000, description="Password of at least ten characters", repr=False
+)
+_ROLE = Field(description="What the user may do; each role contains those before it")
+
+
+class SignIn(Strict):
+    """Name and password of a user."""
+
+    name: Annotated[str, _NAME]
+    password: Annotated[str, _PASSWORD]
+
+
+class MeOut(BaseModel):
+    """The sender of the request, and what it may do."""
+
+    kind: Literal["user", "key", "local", "server-key"] = Field(
+        description="user: a user who has signed in; key: an API key; local: this computer, while "
+        "there is no administrator; server-key: the key with which the server was started"
+    )
+    name: str = Field(description="Name of the user or of the key")
+    scopes: list[AccessScope] = Field(description="All scopes of the sender")
+    has_admin: bool = Field(
+        description="Whether there is an administrator; before, every program on the server's "
+        "computer may do everything"
+    )
+
+
+class PasswordIn(Strict):
+    """The present and the new password of the user who sends the request."""
+
+    current: Annotated[str, _PASSWORD]
+    new: Annotated[str, _PASSWORD]
+
+
+class UserOut(BaseModel):
+    """A user."""
+
+    name: str = Field(description="Name of the user, in small letters")
+    role: UserRole = _ROLE
+    active: bool = Field(description="Whether the user can sign in")
+    created: Moment = Field(description="Time of the creation")
+    created_by: str = Field(description="Who created the user; empty if it is not known")
+    signed_in: Moment | None = Field(description="Time of the last sign-in; null for none")
+
+
+class UserIn(Strict):
+    """A new user."""
+
+    name: Annotated[str, _NAME]
+    password: Annotated[str, _PASSWORD]
+    role: UserRole = _ROLE
+
+
+class UserChangeIn(Strict):
+    """Changes of a user; they end the sessions of the user."""
+
+    role: UserRole | None = Field(default=None, description="New role; null for no change")
+    active: bool | None = Field(default=None, description="Whether the user can sign in")
+    password: Annotated[str | None, _PASSWORD] = None
+
+
+class KeyOut(BaseModel):
+    """An API key without its secret."""
+
+    id: str = Field(description="Id of the key, which is a part of its secret")
+    title: str = Field(description="What uses the key")
+    scopes: list[AccessScope] = Field(description="Scopes that were given to the key")
+    created: Moment = Field(description="Time of the creation")
+    created_by: str = Field(description="Who created the key; empty if it is not known")
+    expires: Moment | None = Field(description="Time of its end; null for never")
+    used: Moment | None = Field(
+        description="Time of the last use, recorded once a minute; null for never"
+    )
+    revoked: Moment | None = Field(description="Time of its revocation; null if valid")
+
+
+class KeyIn(Strict):
+    """A new API key."""
+
+    title: str = Field(min_length=1, max_length=100, description="What uses the key")
+    scopes: list[AccessScope] = Field(
+        min_length=1,
+        max_length=10,
+        description="What the key permits; each role contains the lesser ones. Programs at a "
+        "machine need `gateway`",
+    )
+    expires: MomentIn | None = Field(
+        default=None, description="Time at which the key becomes invalid; null for never"
+    )
+
+
+class NewKeyOut(KeyOut):
+    """A new API key with its secret, which is not stored and cannot be read again."""
+
+    secret: str = Field(description="Secret for the header `Authorization: Bearer`")
+
+
+class AuditOut(BaseModel):
+    """An entry of the audit log: a request that changed something or was refused."""
+
+    id: int = Field(description="Number of the entry")
+    at: Moment = Field(description="Time")
+    kind: str = Field(description="Kind of the sender, as in `GET /api/me`")
+    principal: str = Field(description="Name of the user or of the key")
+    action: str = Field(description="Operation, as `operationId` in the OpenAPI description")
+    subject_kind: str = Field(description="Kind of the object, such as job; empty for none")
+    subject: str = Field(description="Id or name of the object; empty for none")
+    outcome: Literal["done", "refused", "failed"] = Field(
+        description="done; refused: by the access control or the state of the object; failed: by "
+        "an error of the server"
+    )
+    peer: str = Field(description="Address of the sender")
+
+
+class AuditQuery(PageQuery, Strict):
+    """Conditions on entries of the audit log, and the page of the list."""
+
+    principal: str = Field(default="", max_length=200, description="Name of the sender")
+    action: str = Field(default="", max_length=80, description="Operation")
+    subject: str = Field(default="", max_length=200, description="Id or name of the object")
+    outcome: Literal["done", "refused", "failed"] | None = Field(
+        default=None, description="Outcome; all if it is missing"
+    )
+    since: MomentIn | None = Field(default=None, description="Only entries since then")
+    until: MomentIn | None = Field(default=None, description="Only entries before then")

@@ -1,0 +1,181 @@
+"""knifetip user and key: users and API keys in the database of a server.
+
+The commands work on the database itself, so that the first administrator can be created.  Passwords
+are read from the terminal or from stdin, never from the command line, which other users of the
+computer can see.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from datetime import datetime
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from knifetip.cli.database_options import DatabaseOptions
+from knifetip.cli.drawing import Json
+from knifetip.cli.options import expand
+from knifetip.cli.terminal import print_json, print_stderr
+from knifetip.jobs.accounts.scopes import AccessScope
+from knifetip.messages import printable
+
+if TYPE_CHECKING:
+    from knifetip.jobs.store import Store
+
+UserName = Annotated[str, typer.Argument(metavar="NAME", help="Name of the user.")]
+Role = Annotated[
+    AccessScope,
+    typer.Option("--role", help="What the user may do: viewer, designer, operator or admin."),
+]
+_DAY = 86_400.0
+
+
+@contextmanager
+def _opened(database: str) -> Iterator[Store]:
+    from knifetip.jobs.store import Store  # imported here: slow, and the help does not need it
+
+    store = Store(database)
+    try:
+        store.prepare()
+        yield store
+    finally:
+        store.close()
+
+
+def _password() -> str:
+    """Return a new password: typed twice at a terminal, or the first line of stdin."""
+    if sys.stdin.isatty():
+        typed: str = typer.prompt("Password", hide_input=True, confirmation_prompt=True, err=True)
+        return typed
+    return sys.stdin.readline().rstrip("\r\n")
+
+
+def add_user(name: UserName, role: Role = AccessScope.VIEWER, *, chosen: DatabaseOptions) -> None:
+    """Add a user; the password is asked for, or read from stdin."""
+    password = _password()
+    with _opened(chosen.url) as store:
+        row = store.users.add(name, password, role, "command line")
+    typer.echo(f"{row.name}: {row.role}")
+
+
+def list_users(as_json: Json = False, *, chosen: DatabaseOptions) -> None:
+    """List the users with their roles."""
+    with _opened(chosen.url) as store:
+        rows = store.users.all()
+    if as_json:
+        names = ("name", "role", "active", "created", "created_by", "signed_in")
+        print_json([{name: getattr(row, name) for name in names} for row in rows])
+        return
+    for row in rows:
+        state = "" if row.active else " (disabled)"
+        typer.echo(f"{row.name:20} {row.role:9} last sign-in {_date(row.signed_in)}{state}")
+
+
+def set_password(name: UserName, *, chosen: DatabaseOptions) -> None:
+    """Set a new password, which is asked for or read from stdin; the user's sessions end."""
+    password = _password()
+    with _opened(chosen.url) as store:
+        store.users.change(name, password=password)
+
+
+def set_role(
+    name: UserName,
+    role: Annotated[AccessScope, typer.Argument(help="viewer, designer, operator or admin.")],
+    *,
+    chosen: DatabaseOptions,
+) -> None:
+    """Set the role of a user; the user's sessions end."""
+    with _opened(chosen.url) as store:
+        store.users.change(name, role=role)
+
+
+def disable_user(name: UserName, *, chosen: DatabaseOptions) -> None:
+    """Disable a user; the user's sessions end."""
+    with _opened(chosen.url) as store:
+        store.users.change(name, active=False)
+
+
+def enable_user(name: UserName, *, chosen: DatabaseOptions) -> None:
+    """Enable a disabled user."""
+    with _opened(chosen.url) as store:
+        store.users.change(name, active=True)
+
+
+def create_key(
+    title: Annotated[str, typer.Argument(metavar="TITLE", help="What uses the key.")],
+    scope: Annotated[
+        list[AccessScope],
+        typer.Option(
+            help="viewer, designer, operator, admin or gateway; may be repeated. Each role "
+            "contains those before it."
+        ),
+    ],
+    days: Annotated[
+        float | None, typer.Option(min=0.001, help="Days until the key expires. Default: never.")
+    ] = None,
+    *,
+    chosen: DatabaseOptions,
+) -> None:
+    """Create an API key and print its secret, which cannot be read again."""
+    expires = None if days is None else time.time() + days * _DAY
+    with _opened(chosen.url) as store:
+        row, secret = store.keys.add(title, scope, expires, "command line")
+    print_stderr(f"key {row.id} for {row.title}: {', '.join(row.scopes)}")
+    typer.echo(secret)
+
+
+def list_keys(as_json: Json = False, *, chosen: DatabaseOptions) -> None:
+    """List the API keys with their scopes and last use, without their secrets."""
+    with _opened(chosen.url) as store:
+        rows = store.keys.all()
+    if as_json:
+        names = ("id", "title", "scopes", "created", "created_by", "expires", "used", "revoked")
+        print_json([{name: getattr(row, name) for name in names} for row in rows])
+        return
+    for row in rows:
+        state = f", revoked {_date(row.revoked)}" if row.revoked else ""
+        state += f", expires {_date(row.expires)}" if row.expires else ""
+        title = printable(row.title)
+        used = _date(row.used)
+        typer.echo(f"{row.id} {title:24} {','.join(row.scopes)} used {used}{state}")
+
+
+def revoke_key(
+    id: Annotated[str, typer.Argument(metavar="ID", help="Id of the key.")],
+    *,
+    chosen: DatabaseOptions,
+) -> None:
+    """Revoke an API key."""
+    with _opened(chosen.url) as store:
+        store.keys.revoke(id)
+
+
+def _date(seconds: float | None) -> str:
+    if seconds is None:
+        return "never"
+    return datetime.fromtimestamp(seconds).astimezone().strftime("%Y-%m-%d %H:%M")
+
+
+def register(app: typer.Typer) -> None:
+    """Add the commands ``user`` and ``key`` with their subcommands to a Typer application."""
+    user = typer.Typer(
+        help="Add, list and change the users of a server's database.", no_args_is_help=True
+    )
+    key = typer.Typer(
+        help="Create, list and revoke the API keys of a server's database.", no_args_is_help=True
+    )
+    app.add_typer(user, name="user")
+    app.add_typer(key, name="key")
+    user.command("add")(expand(add_user))
+    user.command("list")(expand(list_users))
+    user.command("password")(expand(set_password))
+    user.command("role")(expand(set_role))
+    user.command("disable")(expand(disable_user))
+    user.command("enable")(expand(enable_user))
+    key.command("create")(expand(create_key))
+    key.command("list")(expand(list_keys))
+    key.command("revoke")(expand(revoke_key))
