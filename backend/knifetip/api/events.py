@@ -21,6 +21,7 @@ from fastapi import Header, Query, Request
 from fastapi.sse import EventSourceResponse, ServerSentEvent
 
 from knifetip.api.drawing_requests import summary_out
+from knifetip.api.event_gaps import EventGaps
 from knifetip.api.jobs import job_out, jobs_out
 from knifetip.api.machines import station_out
 from knifetip.api.routing import ScopedRouter, requires
@@ -39,6 +40,7 @@ router = ScopedRouter(tags=["events"])
 
 _PROGRESS_POLL = 0.2  # seconds between two queries for progress
 _EVENT_POLL = 1.0  # seconds between two queries for changes made by other servers
+_RECENT = 100  # events among which late ones are looked for when the first client connects
 _REFRESH = 2.0  # seconds between two queries for what queued jobs wait for, without events
 _RETRY = 2000  # milliseconds after which a client connects again
 _BACKLOG = 1000  # unsent messages after which a slow listener is disconnected
@@ -59,6 +61,7 @@ class Stream:
         self._has_listeners = asyncio.Event()
         self._lock = asyncio.Lock()
         self._last = 0
+        self._gaps = EventGaps()
         self._sent_progress: dict[str, tuple[object, ...]] = {}
         self._sent_stations: dict[str, StationOut] = {}
         self._waits: dict[str, tuple[WaitingFor, MessageOut | None]] = {}
@@ -110,7 +113,7 @@ class Stream:
                 queue.put_nowait(None)
 
     def _new_messages(self) -> list[ServerSentEvent]:
-        events = self._service.store.events.after(self._last)
+        events = self._service.store.events.after(self._last, late=self._gaps.numbers)
         messages = self._messages(events)
         search = self._service.store.jobs.search
         waiting = search((State.RECEIVED.value,), limit=_MAX_WAITING)
@@ -133,8 +136,7 @@ class Stream:
         messages += self._stations()
         if events or time.monotonic() - self._refreshed >= _REFRESH:
             messages += self._queued({event.subject for event in events})
-        if events:
-            self._last = events[-1].id
+        self._last = self._gaps.read(self._last, {event.id for event in events})
         return messages
 
     def _stations(self) -> list[ServerSentEvent]:
@@ -211,6 +213,7 @@ class Stream:
             missed: list[ServerSentEvent] = []
             if not self._listeners:
                 self._last, self._sent_progress = newest, {}
+                await asyncio.to_thread(self._find_gaps, newest)
                 # The client has just fetched jobs and stations: their present state is not sent.
                 await asyncio.to_thread(self._queued, ())
                 await asyncio.to_thread(self._stations)
@@ -229,6 +232,13 @@ class Stream:
             self._listeners.discard(queue)
             if not self._listeners:
                 self._has_listeners.clear()
+
+    def _find_gaps(self, newest: int) -> None:
+        """Note which of the last events before the newest one may still appear."""
+        before = max(newest - _RECENT, 0)
+        recent = self._service.store.events.after(before)
+        self._gaps = EventGaps()
+        self._gaps.read(before, {event.id for event in recent if event.id <= newest})
 
     def _missed(self, after: int, last: int) -> list[ServerSentEvent]:
         events: list[Event] = []

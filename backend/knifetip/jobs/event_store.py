@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 import sqlalchemy as sa
 
 from knifetip.jobs.database import Database
@@ -24,9 +26,10 @@ class EventStore:
                 session.scalars(sa.select(Event).where(Event.subject == id).order_by(Event.id))
             )
 
-    def after(self, last: int, limit: int = 1000) -> list[Event]:
-        """Return at most ``limit`` events whose ids are greater than ``last``, oldest first."""
-        query = sa.select(Event).where(Event.id > last).order_by(Event.id).limit(limit)
+    def after(self, last: int, limit: int = 1000, late: Collection[int] = ()) -> list[Event]:
+        """Return at most ``limit`` events with ids above ``last`` or in ``late``, oldest first."""
+        wanted = sa.or_(Event.id > last, Event.id.in_(late)) if late else Event.id > last
+        query = sa.select(Event).where(wanted).order_by(Event.id).limit(limit)
         with self._db.reading() as session:
             return list(session.scalars(query))
 
