@@ -46,6 +46,7 @@ from knifetip.api.limits import Limits
 from knifetip.api.problems import problem
 from knifetip.api.queue import WorkQueue
 from knifetip.api.readiness import Readiness
+from knifetip.api.request_log import RequestLog
 from knifetip.api.routing import (
     ScopedRouter,
     public,
@@ -181,6 +182,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_middleware(Access, rules=chosen.access, accounts=access)
     app.add_middleware(SecurityHeaders)
     app.add_middleware(ApiVersion)
+    app.add_middleware(RequestLog)
     app.add_exception_handler(errors.KnifetipError, _knifetip_problem)
     app.add_exception_handler(RequestValidationError, _request_problem)
     app.add_exception_handler(HTTPException, _http_problem)

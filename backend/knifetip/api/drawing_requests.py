@@ -37,6 +37,8 @@ from knifetip.presentation.import_report import unpack_rows
 
 #: Number of attempts to change a drawing that other requests change at the same time.
 _ATTEMPTS: Final = 3
+#: Unicode categories of characters that names do not keep: control, format, line separators.
+_ACTING: Final = ("Cc", "Cf", "Cn", "Co", "Cs", "Zl", "Zp")
 #: Maximum number of import report rows in the JSON of a drawing.
 _MAX_ROWS: Final = 2000
 
@@ -261,7 +263,8 @@ def drawing_name(name: str) -> str:
         File name that the client has sent.
     """
     base = name.replace("\\", "/").rsplit("/", 1)[-1]
-    shown_name = "".join(char for char in base if unicodedata.category(char)[0] != "C").strip()
+    kept = (char for char in base if unicodedata.category(char) not in _ACTING)
+    shown_name = "".join(kept).strip()
     if len(shown_name) > 120:
         stem, dot, suffix = shown_name.rpartition(".")
         shown_name = stem[:110] + dot + suffix[:9] if dot and stem else shown_name[:120]

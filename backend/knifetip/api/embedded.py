@@ -27,6 +27,7 @@ import sqlalchemy as sa
 import uvicorn
 from fastapi import FastAPI
 
+from knifetip import logs
 from knifetip.api import keys
 from knifetip.api.access import AccessRules, is_loopback
 from knifetip.api.app import create_app
@@ -141,6 +142,7 @@ def serve(
     refused = ""
     if not (key or is_loopback(host) or _has_admin(database)):
         refused, host = host, "::1" if ":" in host else "127.0.0.1"
+    logs.hide(key)
     with ExitStack() as open_sockets:
         sockets = _listen(host, port)
         for one in sockets:
@@ -337,6 +339,8 @@ class _Server(uvicorn.Server):
             uvicorn.Config(
                 app,
                 http=limited_protocol(limits),
+                # The loggers of uvicorn are written by the handler of the process, like all others.
+                log_config=None,
                 log_level="warning",
                 access_log=False,
                 timeout_graceful_shutdown=2,

@@ -16,6 +16,7 @@ from knifetip.cli.rules import find_profile
 from knifetip.cli.terminal import (
     QUESTIONS,
     print_json,
+    print_line,
     print_stderr,
     read_bytes,
     report_questions,
@@ -173,11 +174,11 @@ def register(app: typer.Typer) -> None:
         if json:
             print_json({"drawing": about})
             return
-        typer.echo(f"{file.name}: {_size(drawing)}, {len(drawing)} segments; {drawing.evidence}")
+        print_line(f"{file.name}: {_size(drawing)}, {len(drawing)} segments; {drawing.evidence}")
         for warning in about["warnings"]:
-            typer.echo(f"  ! {warning['text']}")
+            print_line(f"  ! {warning['text']}")
         for text in _evidence_lines(about["unit_finding"]):
-            typer.echo(f"  {text}")
+            print_line(f"  {text}")
         _print_lines(_report_lines(about["import_report"]["rows"]))
 
     @app.command()
@@ -195,12 +196,12 @@ def register(app: typer.Typer) -> None:
             data = result.as_json(file.name)
             print_json({**data, "questions": data["drawing"]["questions"]})
         else:
-            typer.echo(f"{file.name}: {_size(result.drawing)}; {result.drawing.evidence}")
+            print_line(f"{file.name}: {_size(result.drawing)}; {result.drawing.evidence}")
             for kind in LineType:
                 selected = result.dieline.line_type == kind
                 if selected.any():
                     length = float(result.drawing.lengths[selected].sum())
-                    typer.echo(f"  {kind.word:12} {int(selected.sum()):6} edges {length:12.1f} mm")
+                    print_line(f"  {kind.word:12} {int(selected.sum()):6} edges {length:12.1f} mm")
                     _print_lines(_rule_lines(result, np.flatnonzero(selected)), indent=4)
             report_questions(open_questions)
         if open_questions:
@@ -223,12 +224,12 @@ def register(app: typer.Typer) -> None:
             print_json({"drawing": about, "cleaning": cleaned.as_json(result.drawing.handles)})
             return
         lengths = cleaned.lengths
-        typer.echo(f"{file.name}: {_size(result.drawing)}, {len(result.drawing)} edges")
-        typer.echo(
+        print_line(f"{file.name}: {_size(result.drawing)}, {len(result.drawing)} edges")
+        print_line(
             f"  drawn {lengths['drawn']:.3f} mm = kept {lengths['kept']:.3f} "
             f"+ merged {lengths['merged']:.3f} + dropped {lengths['dropped']:.3f}"
         )
-        typer.echo(
+        print_line(
             f"  worked {lengths['worked']:.3f} mm = kept {lengths['kept']:.3f} "
             f"+ added by closing gaps {lengths['added']:.3f}"
         )
@@ -246,7 +247,7 @@ def register(app: typer.Typer) -> None:
 
         for name, data in samples().items():
             write_bytes(folder / name, data)
-            typer.echo(str(folder / name))
+            print_line(str(folder / name))
 
 
 def _print_lines(lines: list[str], indent: int = 2) -> None:
@@ -255,9 +256,9 @@ def _print_lines(lines: list[str], indent: int = 2) -> None:
     After ``_MAX_LINES`` lines, only the number of further lines is printed.
     """
     for line in lines[:_MAX_LINES]:
-        typer.echo(" " * indent + line)
+        print_line(" " * indent + line)
     if len(lines) > _MAX_LINES:
-        typer.echo(" " * indent + f"… and {len(lines) - _MAX_LINES} more: --json lists them all")
+        print_line(" " * indent + f"… and {len(lines) - _MAX_LINES} more: --json lists them all")
 
 
 def _report_lines(rows: list[dict[str, Any]]) -> list[str]:

@@ -19,7 +19,7 @@ from knifetip.cli.drawing import Json
 from knifetip.cli.job_client import JobClient
 from knifetip.cli.options import expand
 from knifetip.cli.rest import RestOptions
-from knifetip.cli.terminal import print_json
+from knifetip.cli.terminal import print_json, print_line
 from knifetip.messages import from_json, hint, render
 
 Server = Annotated[
@@ -91,7 +91,7 @@ def list_jobs(
     for row in rows:
         waits = f"  waits for {row['waiting_for']}" if row["waiting_for"] else ""
         actions = f"  [{', '.join(row['actions'])}]" if row["actions"] else ""
-        typer.echo(
+        print_line(
             f"{row['id']}  {row['state']:11} {row['machine']:14} {row['board']:14} "
             f"{row['drawing_name']}{waits}{actions}"
         )
@@ -166,7 +166,7 @@ def list_tracks(id: Id, server: Server = SERVER, key: Key = "", json: Json = Fal
         return
     for row in rows:
         (x, y), edges = row["start"], ", ".join(map(str, row["edges"]))
-        typer.echo(
+        print_line(
             f"{row['number']:5}  {row['state']:6} station {row['station']}  lines "
             f"{row['first_line']}-{row['last_line']}  from X{x:.1f} Y{y:.1f}  edges {edges}"
         )
@@ -240,13 +240,13 @@ def _print_job(row: dict[str, Any]) -> None:
     row
         The job as JSON data.
     """
-    typer.echo(f"{row['id']}  {row['state']}  {row['drawing_name']}")
-    typer.echo(f"  {row['machine']}, board {row['board']}")
+    print_line(f"{row['id']}  {row['state']}  {row['drawing_name']}")
+    print_line(f"  {row['machine']}, board {row['board']}")
     if row["tools"]:
         tools = ", ".join(f"{tool['name']} (station {tool['station']})" for tool in row["tools"])
-        typer.echo(f"  tools: {tools}")
+        print_line(f"  tools: {tools}")
     if row["lines"]:
-        typer.echo(
+        print_line(
             f"  line {row['line']} of {row['lines']}, copies {row['copies_done']} of "
             f"{row['copies']}"
         )
@@ -254,6 +254,6 @@ def _print_job(row: dict[str, Any]) -> None:
         message = from_json(row["message"])
         for text in (render(message), hint(message)):
             if text:
-                typer.echo(f"  {text}")
+                print_line(f"  {text}")
     if row["actions"]:
-        typer.echo(f"  actions: {', '.join(row['actions'])}")
+        print_line(f"  actions: {', '.join(row['actions'])}")

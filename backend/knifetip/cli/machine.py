@@ -7,7 +7,7 @@ from typing import Annotated, Any
 import typer
 
 from knifetip.cli.drawing import Json
-from knifetip.cli.terminal import print_json
+from knifetip.cli.terminal import print_json, print_line
 from knifetip.library import load
 from knifetip.model.machine import Gantry, Machine, Station
 from knifetip.model.tool import kind_of
@@ -34,10 +34,10 @@ def _station_json(station: Station) -> dict[str, Any]:
 
 def _print_carriages(machine: Machine, gantry: Gantry) -> None:
     """Print the carriages of a machine with the letters of their axes and their stations."""
-    typer.echo(f"  carriages at least {gantry.min_distance:g} mm apart")
+    print_line(f"  carriages at least {gantry.min_distance:g} mm apart")
     for number, carriage in enumerate(gantry.carriages, 1):
         stations = [str(one.number) for one in machine.stations if one.carriage == number]
-        typer.echo(
+        print_line(
             f"  carriage {number}: axes {' '.join(carriage.letters)}, parks at "
             f"{carriage.letters[1]}{carriage.park:g}, stations {', '.join(stations) or 'none'}"
         )
@@ -72,16 +72,16 @@ def register(app: typer.Typer) -> None:
         if json:
             print_json(data)
             return
-        typer.echo(f"{chosen.title} ({chosen.name}), language {chosen.dialect}, {chosen.feed} feed")
+        print_line(f"{chosen.title} ({chosen.name}), language {chosen.dialect}, {chosen.feed} feed")
         if chosen.gantry:
             _print_carriages(chosen, chosen.gantry)
         for zone in chosen.zones:
-            typer.echo(
+            print_line(
                 f"  keep-out zone {zone.name}: X {zone.x:g} to {zone.x + zone.width:g}, "
                 f"Y {zone.y:g} to {zone.y + zone.height:g}, {zone.top:g} mm high"
             )
         for row in data["stations"]:
             tool = dict(row["tool"])
             datum = ", ".join(f"{axis} {value:g}" for axis, value in row["datum"].items())
-            typer.echo(f"  {row['number']}  {row['name']}: {tool.pop('kind')}, datum {datum}")
-            typer.echo("     " + ", ".join(f"{key} {value:g}" for key, value in tool.items()))
+            print_line(f"  {row['number']}  {row['name']}: {tool.pop('kind')}, datum {datum}")
+            print_line("     " + ", ".join(f"{key} {value:g}" for key, value in tool.items()))

@@ -20,7 +20,7 @@ from knifetip.cli.rules import (
     profile_toml,
     stored_profiles,
 )
-from knifetip.cli.terminal import print_json, read_bytes, write_bytes
+from knifetip.cli.terminal import print_json, print_line, read_bytes, write_bytes
 from knifetip.errors import LibraryError, ProfileError
 from knifetip.library import custom_profiles, load
 from knifetip.messages import with_text
@@ -74,7 +74,7 @@ def list_profiles(database: Database = None, json: Json = False) -> None:
         print_json([{"name": name, "title": title, "where": where} for name, title, where in rows])
         return
     for name, title, where in rows:
-        typer.echo(f"{name:28} {where:8} {title}")
+        print_line(f"{name:28} {where:8} {title}")
 
 
 def show_profile(name: Name, database: Database = None, json: Json = False) -> None:
@@ -87,9 +87,9 @@ def show_profile(name: Name, database: Database = None, json: Json = False) -> N
     if json:
         print_json(about)
         return
-    typer.echo(rules.title)
+    print_line(rules.title)
     for number, rule in enumerate(about["rules"], 1):
-        typer.echo(f"{number:4} {rule['type']:12} {rule['conditions']['text']}")
+        print_line(f"{number:4} {rule['type']:12} {rule['conditions']['text']}")
 
 
 def export_profile(
@@ -134,10 +134,10 @@ def import_profile(
     except UnicodeDecodeError as reason:
         raise ProfileError("profile.not-utf8", name=file) from reason
     rules = custom_profiles.parse_text(profile_name, text)
-    typer.echo(f"{profile_name}: {rules.title}, {len(rules.rules)} rules")
+    print_line(f"{profile_name}: {rules.title}, {len(rules.rules)} rules")
     url = database_of(database)
     if url is None:
-        typer.echo("No database: the profile was not stored. Name one with --database.")
+        print_line("No database: the profile was not stored. Name one with --database.")
         return
     if profile_name in load.names("profiles"):
         raise LibraryError("profile.shipped-command", name=profile_name)
@@ -149,4 +149,4 @@ def import_profile(
         row = store.profiles.save(profile_name, rules.title, text, None, anyway=replace)
     finally:
         store.close()
-    typer.echo(f"stored as version {row.version}")
+    print_line(f"stored as version {row.version}")

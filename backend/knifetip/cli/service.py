@@ -16,6 +16,7 @@ import typer
 
 from knifetip.cli.access_key import KeyOptions
 from knifetip.cli.database_options import DatabaseOptions
+from knifetip.cli.log_options import LogOptions
 from knifetip.cli.options import expand
 from knifetip.cli.terminal import print_stderr
 from knifetip.errors import StaleVersion, StoreError
@@ -212,6 +213,7 @@ def serve(
     parts: PartOptions,
     access: AccessOptions,
     limits: LimitOptions,
+    log: LogOptions,
 ) -> None:
     """Run the server with its page, a compile worker and a simulated machine.
 
@@ -221,6 +223,7 @@ def serve(
     from knifetip.api.client_limits import ClientLimits
     from knifetip.api.connections import ConnectionLimits
 
+    log.apply()
     _prepare(storage, migrate)
     embedded.serve(
         host,
@@ -272,12 +275,14 @@ def worker(
     migrate: Migrate = False,
     *,
     storage: DatabaseOptions,
+    log: LogOptions,
 ) -> None:
     """Run a compile worker for a database until Ctrl-C."""
     from knifetip.jobs.compile_service import CompileService
     from knifetip.jobs.process_pool import ProcessPool
     from knifetip.jobs.store import Store
 
+    log.apply()
     _prepare(storage, migrate)
     store = Store(storage.url)
     service = CompileService(store, ProcessPool(processes), name, True, processes, gateways=False)
@@ -322,19 +327,23 @@ def gateway(
     ] = None,
     *,
     access: KeyOptions,
+    log: LogOptions,
 ) -> None:
     """Fetch the jobs of a machine from the server and send them to its controller.
 
     Ctrl-C or SIGTERM stops the machine, then the gateway.  An address at which there can be no
     controller ends it at once; a controller that is switched off is waited for.
     """
+    log.apply()
     from knifetip.cli.served_machine import find_machine, reload_machine
     from knifetip.gateway import claim
     from knifetip.gateway.hot_folder import find_driver
     from knifetip.gateway.job_server import GatewaySettings
     from knifetip.gateway.journal import default_path
+    from knifetip.logs import hide
 
     headers = access.headers
+    hide(headers.get("Authorization", "").removeprefix("Bearer "))
     record = journal or default_path(machine, server)
     table = find_machine(machine, server, headers)
     while True:

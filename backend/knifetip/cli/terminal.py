@@ -19,6 +19,7 @@ from knifetip.errors import (
     OpenQuestions,
 )
 from knifetip.formats.limits import Limits
+from knifetip.harmless import harmless
 from knifetip.messages import from_json
 from knifetip.model.question import Question
 
@@ -37,7 +38,12 @@ def print_stderr(text: str, colour: str | None = None) -> None:
     colour
         Colour of the text, which is then also bold; None for plain text.
     """
-    typer.secho(text, err=True, fg=colour, bold=colour is not None)
+    typer.secho(harmless(text, "\n"), err=True, fg=colour, bold=colour is not None)
+
+
+def print_line(text: str) -> None:
+    """Print a line on stdout, without the effect of control characters that a name contains."""
+    typer.echo(harmless(text))
 
 
 def report_error(error: KnifetipError) -> None:
@@ -62,8 +68,9 @@ def report_questions(questions: Sequence[Question]) -> None:
 
 
 def print_json(data: Any) -> None:
-    """Print JSON data on stdout."""
-    sys.stdout.write(json_bytes(data).decode())
+    """Print JSON data on stdout; a terminal gets no control characters."""
+    text = json_bytes(data).decode()
+    sys.stdout.write(harmless(text, "\n") if sys.stdout.isatty() else text)
 
 
 def read_bytes(path: Path) -> bytes:

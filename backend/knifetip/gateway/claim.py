@@ -35,6 +35,7 @@ from contextlib import aclosing, suppress
 
 import httpx
 
+from knifetip import logs
 from knifetip.errors import ControllerError, KnifetipError, NoSuchController
 from knifetip.gateway.controller import Controller, SafeState, State
 from knifetip.gateway.interpreter import tool_offsets
@@ -101,7 +102,8 @@ class _GatewayLoop:
             await self._wait_until_idle()
             claim = await self._server.claim()
             if claim is not None:
-                await self._run_job(claim)
+                with logs.about(job=claim.job):
+                    await self._run_job(claim)
                 if jobs is not None:
                     jobs -= 1
 
@@ -221,6 +223,7 @@ class _GatewayLoop:
             heartbeats.cancel()
             await asyncio.gather(heartbeats, return_exceptions=True)
         await self._server.finish(JobEnd.of(run, outcome, cause))
+        _log.info("the run ended: %s", outcome)
 
     async def _wait_for_confirmation(self, run: JobRun) -> None:
         """Wait until the operator has confirmed the job; return at once if that is not necessary.

@@ -17,6 +17,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from importlib.metadata import version
 
+from knifetip import logs
 from knifetip.errors import JobError, KnifetipError, LibraryError, OpenQuestions
 from knifetip.jobs import tasks
 from knifetip.jobs.compile_queue import CompileQueue, queue_of
@@ -221,6 +222,14 @@ class CompileService:
             self._stopping.wait(_SWEEP if leased else _IDLE_SWEEP)
 
     def compile(self, job: Job) -> None:
+        """Compile a job and store the result; see ``_compile``."""
+        with logs.about(job=job.id):
+            begun = time.monotonic()
+            self._compile(job)
+            fields = {"duration": round(time.monotonic() - begun, 4)}
+            _log.info("compiled", extra={logs.FIELDS: fields})
+
+    def _compile(self, job: Job) -> None:
         """Compile a job and store the result.
 
         If the job cannot be compiled, it is refused with a message about the reason.
