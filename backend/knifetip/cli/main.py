@@ -49,6 +49,7 @@ COMMANDS: Final[dict[str, _Command]] = {
     "simulator": _Command(
         "service", "Run a simulated controller, to try programs without a machine."
     ),
+    "watch": _Command("watch", "Order a job for each drawing that is put into a folder."),
     "db": _Command("database", "Show or migrate the tables of a database."),
     "backup": _Command("database", "Copy an SQLite database to a file."),
     "restore": _Command("database", "Put a copy of an SQLite database in its place."),

@@ -5055,6 +5055,22 @@ export const TEXTS = {
     "text": " The unfinished sheet of job {job} may still lie on it.",
     "hint": ""
   },
+  "watch.bad-sidecar": {
+    "text": "The file with the fields of the order cannot be read: {reason}.",
+    "hint": "Write a JSON object with the fields of an order, such as board and copies."
+  },
+  "watch.folder": {
+    "text": "The folder {folder} cannot be used: {reason}.",
+    "hint": "Choose a folder that exists and that you may change."
+  },
+  "watch.large-sidecar": {
+    "text": "The file with the fields of the order is larger than {limit} MB.",
+    "hint": "Write only the fields of the order into it."
+  },
+  "watch.no-object": {
+    "text": "The file with the fields of the order is not a JSON object.",
+    "hint": "Write a JSON object with the fields of an order, such as board and copies."
+  },
   "webhook.bad-url": {
     "text": "The URL of the webhook is not usable: {reason}.",
     "hint": "Give an http or https URL without user name, such as https://erp.example/hooks."

@@ -39,6 +39,7 @@ from knifetip.messages.catalogue import (
     unit,
     verification,
     waiting,
+    watch,
     webhook,
 )
 from knifetip.messages.entry import Entries, Entry
@@ -75,6 +76,7 @@ _AREAS: Final = (
     library,
     server,
     limit,
+    watch,
     webhook,
 )
 

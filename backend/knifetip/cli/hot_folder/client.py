@@ -1,0 +1,112 @@
+"""Requests of a hot folder to the server."""
+
+from __future__ import annotations
+
+from typing import Any
+from urllib.parse import quote
+
+import httpx
+
+from knifetip.errors import RequestError
+from knifetip.messages import Message, from_json
+
+#: Statuses of answers after which the same request is sent again later.
+_AGAIN = (408, 423, 425, 429)
+
+
+class NotNow(Exception):
+    """Raised when a request must be repeated later; the text is the reason."""
+
+
+class Refused(RequestError):
+    """Raised when the server refuses a request; ``questions`` are those of the drawing.
+
+    Parameters
+    ----------
+    message
+        Message of the server.
+    questions
+        Open questions about the drawing, as texts.
+    """
+
+    def __init__(self, message: Message, questions: tuple[str, ...] = ()) -> None:
+        super().__init__(message)
+        self.questions = questions
+
+
+class OrderClient:
+    """HTTP client for uploads, jobs and their results.
+
+    Parameters
+    ----------
+    server
+        URL of the server.
+    headers
+        Headers of all requests, such as that with the access key.
+    """
+
+    def __init__(self, server: str, headers: dict[str, str]) -> None:
+        self._server = server.rstrip("/")
+        self._client = httpx.Client(
+            headers={**headers, "X-Knifetip": "watch"}, timeout=60.0, trust_env=False
+        )
+
+    def upload(self, name: str, content: bytes, fields: dict[str, str], key: str) -> str:
+        """Upload a drawing under an Idempotency-Key; return its id."""
+        answer = self._send(
+            "POST", "/drawings", files={"file": (name, content)}, data=fields, key=key
+        )
+        return str(answer.json()["id"])
+
+    def order(self, order: dict[str, Any], key: str) -> str:
+        """Create a job under an Idempotency-Key; return its id."""
+        return str(self._send("POST", "/jobs", json=order, key=key).json()["id"])
+
+    def job(self, id: str) -> dict[str, Any]:
+        """Return a job as JSON data."""
+        return dict(self._send("GET", f"/jobs/{quote(id, safe='')}").json())
+
+    def program(self, id: str) -> tuple[bytes, str]:
+        """Return the program of a job, and the name under which the server sends it."""
+        answer = self._send("GET", f"/jobs/{quote(id, safe='')}/program")
+        return answer.content, answer.headers.get("Content-Disposition", "")
+
+    def picture(self, drawing: str) -> bytes:
+        """Return the picture of a drawing as SVG."""
+        return self._send("GET", f"/drawings/{quote(drawing, safe='')}/picture").content
+
+    def close(self) -> None:
+        """Close the connections."""
+        self._client.close()
+
+    def _send(self, method: str, path: str, key: str = "", **body: Any) -> httpx.Response:
+        """Send a request and return the answer, which is a success.
+
+        Raises
+        ------
+        NotNow
+            The server cannot be reached, or cannot process requests now.
+        Refused
+            The server refuses the request.
+        """
+        headers = {"Idempotency-Key": key} if key else {}
+        try:
+            answer = self._client.request(
+                method, f"{self._server}/api/v1{path}", headers=headers, **body
+            )
+        except httpx.HTTPError as reason:
+            raise NotNow(str(reason) or type(reason).__name__) from reason
+        if answer.is_success:
+            return answer
+        status = answer.status_code
+        try:
+            problem = answer.json()
+            message = from_json({"text": problem["detail"], **problem})
+        except (ValueError, TypeError, KeyError):
+            # Not an answer of knifetip: that of a proxy, or of another server.
+            raise NotNow(f"HTTP status {status}") from None
+        # A missing or expired key is replaced by a person; the files wait meanwhile.
+        if status >= 500 or status in (401, 403, *_AGAIN):
+            raise NotNow(f"HTTP status {status}: {problem['detail']}")
+        questions = tuple(str(from_json(one)) for one in problem.get("questions", ()))
+        raise Refused(message, questions)

@@ -1,0 +1,139 @@
+"""knifetip watch: order jobs for drawings that are put into a folder."""
+
+from __future__ import annotations
+
+import signal
+import threading
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from knifetip.cli.access_key import KeyOptions
+from knifetip.cli.job import SERVER, Server
+from knifetip.cli.options import expand
+from knifetip.cli.terminal import print_stderr
+from knifetip.errors import SettingsError
+
+_LONGEST_PAUSE = 30.0  # seconds between two attempts to reach the server
+
+
+@dataclass(frozen=True, slots=True)
+class OrderOptions:
+    """Options that all orders of a hot folder have; a sidecar replaces them."""
+
+    machine: Annotated[str, typer.Option(help="Name of the machine.")] = "demo-table"
+    board: Annotated[
+        str, typer.Option(help="Name of the board. Default: the sidecar must name it.")
+    ] = ""
+    profile: Annotated[
+        str, typer.Option(help="Classification profile. Default: the server's default.")
+    ] = ""
+    release: Annotated[
+        bool, typer.Option(help="Queue each job as soon as its program is accepted.")
+    ] = False
+
+    @property
+    def fields(self) -> dict[str, Any]:
+        """Fields of the orders that the options contain."""
+        found = {"machine": self.machine, "board": self.board, "profile": self.profile}
+        return {name: value for name, value in found.items() if value} | {"release": self.release}
+
+
+def watch(
+    folder: Annotated[
+        Path, typer.Argument(metavar="DIR", help="Folder into which drawings are put.")
+    ],
+    server: Server = SERVER,
+    interval: Annotated[
+        float, typer.Option(min=0.1, max=3600.0, help="Seconds between two looks at the folder.")
+    ] = 1.0,
+    settle: Annotated[
+        float,
+        typer.Option(
+            min=0.0, max=3600.0, help="Seconds for which a file must not change to be complete."
+        ),
+    ] = 2.0,
+    once: Annotated[
+        bool, typer.Option(help="End when the folder is empty and all jobs are compiled.")
+    ] = False,
+    *,
+    order: OrderOptions,
+    key: KeyOptions,
+) -> None:
+    """Order a job for each drawing that is put into a folder.
+
+    The command runs until Ctrl-C.  A file NAME.json beside the drawing NAME contains further fields
+    of the order.  The drawing is moved to the folder done or failed, beside the program, a picture
+    and NAME.job.json.
+    """
+    # Imported here: httpx is slow, and other commands do not need it.
+    from knifetip.cli.hot_folder.arrivals import Arrivals
+    from knifetip.cli.hot_folder.client import OrderClient
+    from knifetip.cli.hot_folder.orders import HotFolder
+
+    client = OrderClient(server, key.headers)
+    try:
+        orders = HotFolder(folder, order.fields, client)
+    except OSError as reason:
+        raise SettingsError("watch.folder", folder=str(folder), reason=reason) from reason
+    stop = threading.Event()
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda _number, _frame: stop.set())
+    arrivals = Arrivals(folder, settle, time.monotonic)
+    print_stderr(f"watching {visible(str(folder))}, server {server}")
+    pause = interval
+    while not stop.is_set():
+        busy, pause = _look(arrivals, orders, pause, interval)
+        if once and not busy:
+            break
+        stop.wait(pause)
+    client.close()
+
+
+def _look(arrivals: Any, orders: Any, pause: float, interval: float) -> tuple[bool, float]:
+    """Take what is complete and advance all orders once.
+
+    Returns
+    -------
+    tuple
+        Whether any drawing is in the folder or on its way, and the time until the next look (s).
+    """
+    from knifetip.cli.hot_folder.client import NotNow
+
+    failed = False
+    names: list[str] = []
+    try:
+        for name in arrivals.complete():
+            orders.take(name)
+        names = orders.on_the_way()
+    except OSError as reason:
+        print_stderr(f"the folder cannot be read: {visible(str(reason))}", "yellow")
+        failed = True
+    for name in names:
+        try:
+            news = orders.advance(name)
+        except NotNow as reason:
+            print_stderr(f"the server does not answer: {visible(str(reason))}", "yellow")
+            failed = True
+            break  # it would not answer for the others either
+        except OSError as reason:
+            print_stderr(f"{visible(name)}: {visible(str(reason))}", "yellow")
+            failed = True
+            continue
+        if news:
+            print_stderr(f"{visible(name)}: {visible(news)}")
+    busy = failed or bool(names) or arrivals.is_waiting
+    return busy, min(2.0 * pause, _LONGEST_PAUSE) if failed else interval
+
+
+def visible(text: str) -> str:
+    """Return a text in one line without control characters, which a terminal would obey."""
+    return "".join(letter if letter.isprintable() else "\ufffd" for letter in text)
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command ``watch`` to a Typer application."""
+    app.command()(expand(watch))

@@ -1,0 +1,30 @@
+"""watch: messages about hot folders."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from knifetip.messages.entry import Entries, entry
+
+MESSAGES: Final[Entries] = {
+    "watch.bad-sidecar": entry(
+        "The file with the fields of the order cannot be read: {reason}.",
+        "Write a JSON object with the fields of an order, such as board and copies.",
+        reason="text",
+    ),
+    "watch.folder": entry(
+        "The folder {folder} cannot be used: {reason}.",
+        "Choose a folder that exists and that you may change.",
+        folder="text",
+        reason="text",
+    ),
+    "watch.large-sidecar": entry(
+        "The file with the fields of the order is larger than {limit} MB.",
+        "Write only the fields of the order into it.",
+        limit="count",
+    ),
+    "watch.no-object": entry(
+        "The file with the fields of the order is not a JSON object.",
+        "Write a JSON object with the fields of an order, such as board and copies.",
+    ),
+}
