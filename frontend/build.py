@@ -104,7 +104,7 @@ def install() -> None:
     if mark.is_file() and mark.read_text() == lock:
         return
     print("Fetching what the page is built with …", flush=True)
-    npm("ci", "--no-audit", "--no-fund", "--loglevel=error")
+    npm("ci", "--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error")
     mark.write_text(lock)
 
 

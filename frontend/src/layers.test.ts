@@ -15,6 +15,7 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   panels: ["panels", "state", "messages", "api", "geometry"],
   scene: ["scene", "geometry"],
   viewer: ["viewer", "scene", "geometry"],
+  docs: [],
   app: ["app", "panels", "state", "messages", "api", "viewer", "scene", "geometry"],
 };
 

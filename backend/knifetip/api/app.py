@@ -14,6 +14,7 @@ from typing import Literal
 import sqlalchemy.exc
 from fastapi import Depends, FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
+from fastapi.responses import RedirectResponse
 from fastapi.routing import APIRoute
 from starlette.exceptions import HTTPException
 
@@ -174,7 +175,10 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_route("/api/openapi.json", description.answer, include_in_schema=False)
     app.state.known_fields = KnownFields(description.alias())
     app.state.accounts = access
-    app.router.default = Site(chosen.page)
+    site = Site(chosen.page)
+    app.add_route("/api/docs", site.description_page, include_in_schema=False)
+    app.add_route("/docs", _to_description, include_in_schema=False)
+    app.router.default = site
     # The middleware added last is the outermost.
     app.add_middleware(Limits, upload=chosen.upload, body=chosen.body)
     app.add_middleware(KeepSpace, storage=storage)
@@ -301,6 +305,10 @@ async def _http_problem(request: Request, error: Exception) -> Response:
         case status:
             message = Message("request.refused", status=status)
     return problem(error.status_code, message, headers=error.headers)
+
+
+async def _to_description(_request: Request) -> Response:
+    return RedirectResponse("/api/docs")
 
 
 async def _stopping_problem(_request: Request, _error: Exception) -> Response:

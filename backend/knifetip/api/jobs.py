@@ -12,7 +12,7 @@ from fastapi.responses import PlainTextResponse
 
 from knifetip.api.exceptions import accept_in_block, find_same_exceptions
 from knifetip.api.overrides import merge_overrides
-from knifetip.api.parameters import DataFormat, IdempotencyKey, JobId
+from knifetip.api.parameters import CommandKey, DataFormat, IdempotencyKey, JobId
 from knifetip.api.principal import Principal, PrincipalDep, demand
 from knifetip.api.queue import queued
 from knifetip.api.revisions import check_revision
@@ -314,7 +314,9 @@ def get_earlier_exceptions(service: ServiceDep, id: JobId) -> EarlierExceptions 
 
 @router.post("/{id}/exceptions")
 @requires(AccessScope.DESIGNER)
-def accept_shortfalls(service: ServiceDep, id: JobId, exceptions: ExceptionsIn) -> JobOut:
+def accept_shortfalls(
+    service: ServiceDep, id: JobId, exceptions: ExceptionsIn, key: CommandKey
+) -> JobOut:
     """Accept shortfalls of a refused job, each by its edge and the code of its finding.
 
     A shortfall is something that the tool cannot make as it is drawn, although the program is safe.
@@ -337,20 +339,27 @@ def accept_shortfalls(service: ServiceDep, id: JobId, exceptions: ExceptionsIn) 
             count=len(chosen),
             reason=exceptions.reason,
         ),
+        key,
     )
     return job_out(service.store, row)
 
 
 @router.post("/{id}/release")
 @requires(AccessScope.OPERATOR)
-def release_job(service: ServiceDep, id: JobId) -> JobOut:
-    """Queue a job that has the state ``ready``, so that its machine can claim it."""
-    return job_out(service.store, service.store.operators.release(id))
+def release_job(service: ServiceDep, id: JobId, key: CommandKey) -> JobOut:
+    """Queue a job that has the state ``ready``, so that its machine can claim it.
+
+    A job that was released before and is queued, on its machine or done stays as it is; the status
+    is 200.
+    """
+    return job_out(service.store, service.store.operators.release(id, key))
 
 
 @router.post("/{id}/recompile")
 @requires(AccessScope.DESIGNER)
-def recompile_job(service: ServiceDep, principal: PrincipalDep, id: JobId) -> JobOut:
+def recompile_job(
+    service: ServiceDep, principal: PrincipalDep, id: JobId, key: CommandKey
+) -> JobOut:
     """Compile a job again for the newest versions of its machine and its board.
 
     This is necessary if one of them has changed since the compile.  A job that was queued is queued
@@ -358,12 +367,14 @@ def recompile_job(service: ServiceDep, principal: PrincipalDep, id: JobId) -> Jo
     ``queued``, or if its machine or board was deleted.
     """
     _check_own(service, principal, id)
-    return job_out(service.store, service.store.operators.recompile(id))
+    return job_out(service.store, service.store.operators.recompile(id, key))
 
 
 @router.post("/{id}/confirm")
 @requires(AccessScope.OPERATOR)
-def confirm_job(service: ServiceDep, id: JobId, confirmation: ConfirmIn | None = None) -> JobOut:
+def confirm_job(
+    service: ServiceDep, id: JobId, key: CommandKey, confirmation: ConfirmIn | None = None
+) -> JobOut:
     """Confirm that table, board and tools are ready; then the machine starts.
 
     A job can make several copies, each on a new sheet.  Between two copies, the request confirms
@@ -380,20 +391,23 @@ def confirm_job(service: ServiceDep, id: JobId, confirmation: ConfirmIn | None =
             confirmed.board or "",
             confirmed.by,
             ToolCheck(confirmed.stations, confirmed.changed, confirmed.worn_reason.strip()),
+            key,
         ),
     )
 
 
 @router.post("/{id}/hold")
 @requires(AccessScope.OPERATOR)
-def hold_job(service: ServiceDep, id: JobId) -> JobOut:
+def hold_job(service: ServiceDep, id: JobId, key: CommandKey) -> JobOut:
     """Request to hold a job; its state is ``held`` as soon as the machine has stopped."""
-    return job_out(service.store, service.store.operators.hold(id))
+    return job_out(service.store, service.store.operators.hold(id, key))
 
 
 @router.post("/{id}/resume")
 @requires(AccessScope.OPERATOR)
-def resume_job(service: ServiceDep, id: JobId, resume: ResumeIn | None = None) -> JobOut:
+def resume_job(
+    service: ServiceDep, id: JobId, key: CommandKey, resume: ResumeIn | None = None
+) -> JobOut:
     """Request to resume a held job.
 
     A job can make several copies, each on a new sheet.  If the job is held between two copies,
@@ -402,39 +416,40 @@ def resume_job(service: ServiceDep, id: JobId, resume: ResumeIn | None = None) -
     since the phase that the request names.
     """
     phase = None if resume is None else resume.phase
-    return job_out(service.store, service.store.operators.resume(id, phase))
+    return job_out(service.store, service.store.operators.resume(id, phase, key))
 
 
 @router.post("/{id}/cancel")
 @requires(AccessScope.DESIGNER)
-def cancel_job(service: ServiceDep, principal: PrincipalDep, id: JobId) -> JobOut:
+def cancel_job(service: ServiceDep, principal: PrincipalDep, id: JobId, key: CommandKey) -> JobOut:
     """Cancel a job: a running job when the machine has stopped, any other job immediately.
 
-    Designers can cancel the jobs that they have ordered, until these are queued.
+    A cancelled job stays as it is; the status is 200.  Designers can cancel the jobs that they have
+    ordered, until these are queued.
     """
     _check_own(service, principal, id)
-    return job_out(service.store, service.store.operators.cancel(id))
+    return job_out(service.store, service.store.operators.cancel(id, key))
 
 
 @router.post("/{id}/finish")
 @requires(AccessScope.OPERATOR)
-def finish_job(service: ServiceDep, id: JobId) -> JobOut:
+def finish_job(service: ServiceDep, id: JobId, key: CommandKey) -> JobOut:
     """Declare that all sheets of an interrupted job are complete."""
-    return job_out(service.store, service.store.operators.declare_finished(id))
+    return job_out(service.store, service.store.operators.declare_finished(id, key))
 
 
 @router.post("/{id}/requeue")
 @requires(AccessScope.OPERATOR)
-def requeue_job(service: ServiceDep, id: JobId) -> JobOut:
+def requeue_job(service: ServiceDep, id: JobId, key: CommandKey) -> JobOut:
     """Queue an interrupted job again, from its first program line; the table must be clear."""
-    return job_out(service.store, service.store.operators.requeue(id))
+    return job_out(service.store, service.store.operators.requeue(id, key))
 
 
 @router.post("/{id}/scrap")
 @requires(AccessScope.OPERATOR)
-def scrap_job(service: ServiceDep, id: JobId) -> JobOut:
+def scrap_job(service: ServiceDep, id: JobId, key: CommandKey) -> JobOut:
     """Give up an interrupted job and free the table of its machine."""
-    return job_out(service.store, service.store.operators.scrap(id))
+    return job_out(service.store, service.store.operators.scrap(id, key))
 
 
 def _check_own(service: Service, principal: Principal, id: str) -> None:
@@ -446,7 +461,7 @@ def _check_own(service: Service, principal: Principal, id: str) -> None:
     if AccessScope.OPERATOR in principal.scopes:
         return
     row = service.store.jobs.get(id)
-    if row.state not in _BEFORE_QUEUE or row.ordered_by != acting_owner():
+    if row.state not in (*_BEFORE_QUEUE, State.CANCELLED) or row.ordered_by != acting_owner():
         demand(principal, AccessScope.OPERATOR)
 
 

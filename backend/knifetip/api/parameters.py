@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from fastapi import Header, Path, Query
+from fastapi import Depends, Header, Path, Query, Request
 
+from knifetip.api.service import fingerprint
 from knifetip.fields import LISTED
+from knifetip.jobs.request_key import RequestKey
 
 IdempotencyKey = Annotated[
     str | None,
@@ -14,10 +16,21 @@ IdempotencyKey = Annotated[
         alias="Idempotency-Key",
         min_length=1,
         max_length=200,
-        description="Text chosen by the client; repeating a request with the same key returns the "
-        "first result instead of creating a second drawing or job",
+        description="Text chosen by the client, such as a UUID. A request that is repeated with "
+        "the same key has no further effect and gets the drawing or the job of the first; with "
+        "the same key and another content it is refused with 422",
     ),
 ]
+
+
+async def _command_key(request: Request, key: IdempotencyKey = None) -> RequestKey | None:
+    """Return the key of a command, with a hash of its path and its body."""
+    if key is None:
+        return None
+    return RequestKey(key, fingerprint(request.method, request.url.path, await request.body()))
+
+
+CommandKey = Annotated[RequestKey | None, Depends(_command_key)]
 DrawingId = Annotated[str, Path(description="Id of the drawing")]
 JobId = Annotated[str, Path(description="Id of the job")]
 MachineName = Annotated[str, Path(description="Name of the machine in the library")]

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from starlette.datastructures import Headers
 from starlette.exceptions import HTTPException
+from starlette.requests import Request
 from starlette.responses import HTMLResponse, Response
 from starlette.staticfiles import NotModifiedResponse, StaticFiles
 from starlette.types import Scope
@@ -29,7 +30,7 @@ _UNBUILT = """<!doctype html>
 <h1>knifetip</h1>
 <p>The service is running, but its page has not been built.</p>
 <p>In a clone of the repository, <code>make run</code> builds it. The REST interface works without
-it: see <a href="/api/openapi.json">/api/openapi.json</a>.</p>
+it: see <a href="/api/v1/openapi.json">/api/v1/openapi.json</a>.</p>
 """
 _PAGE_HEADERS = {"Content-Security-Policy": PAGE_POLICY, "X-Frame-Options": "SAMEORIGIN"}
 # Names of built files contain a hash of their content, so the files never change.
@@ -53,6 +54,10 @@ class Site(StaticFiles):
         self._folder = folder
         self._index = folder / "index.html"
         self._compressed: dict[str, bytes] = {}  # contents of files of the folder assets
+
+    async def description_page(self, request: Request) -> Response:
+        """Return the page that describes the REST API; it is built with the web page."""
+        return await self.get_response("docs.html", {**request.scope, "path": "/docs.html"})
 
     async def get_response(self, path: str, scope: Scope) -> Response:
         """Return a file of the built page, or ``index.html`` for a route of the page.

@@ -10,6 +10,7 @@ import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
 from knifetip.errors import WrongState
+from knifetip.jobs.command_keys import CommandKeys
 from knifetip.jobs.compile_result import VerdictColumns
 from knifetip.jobs.database import Database, short
 from knifetip.jobs.job import (
@@ -31,6 +32,7 @@ from knifetip.jobs.operator_actions import (
     has_only_shortfalls,
     is_fully_executed,
 )
+from knifetip.jobs.request_key import RequestKey
 from knifetip.jobs.station_store import dry_run_on
 from knifetip.jobs.tables import Job
 from knifetip.jobs.tool_check import NOTHING_STATED, ToolCheck, ToolGate
@@ -48,15 +50,24 @@ _WITHOUT_PROGRAM: Mapping[str, Any] = {
     "seconds": 0.0,
     "tools": [],
 }
+#: States of a job that was released, and that its machine makes or has made.
+_RELEASED = (State.QUEUED, State.RUNNING, State.HELD, State.DONE)
 
 
 class OperatorStore:
-    """Actions of operators on stored jobs; each method stores one action with its event."""
+    """Actions of operators on stored jobs; each method stores one action with its event.
 
-    def __init__(self, database: Database, transitions: Transitions, tools: ToolGate) -> None:
+    Each method returns the job unchanged if it was called with the same ``RequestKey`` before; it
+    raises ``KeyReused`` if the key was used for another command.
+    """
+
+    def __init__(
+        self, database: Database, transitions: Transitions, tools: ToolGate, keys: CommandKeys
+    ) -> None:
         self._db = database
         self._transitions = transitions
         self._tools = tools
+        self._keys = keys
 
     def accept(
         self,
@@ -64,6 +75,7 @@ class OperatorStore:
         accepted: Callable[[bytes, Mapping[str, Any]], VerdictColumns],
         actor: Actor,
         event: Message,
+        key: RequestKey | None = None,
     ) -> Job:
         """Accept shortfalls of a refused job, and return the job.
 
@@ -87,6 +99,8 @@ class OperatorStore:
             The job is not ``refused``, or not only because of shortfalls.
         """
         with self._db.writing() as session:
+            if (repeated := self._keys.repeated(session, id, key)) is not None:
+                return repeated
             row = self._transitions.lock(session, id)
             if row.state not in sources(Action.ACCEPT, ActorKind.OPERATOR):
                 raise self._transitions.refusal(session, id, State.READY)
@@ -105,20 +119,28 @@ class OperatorStore:
                 self._transitions.write_event(session, "job", id, State.REFUSED, actor, event)
             return self._transitions.lock(session, id)
 
-    def release(self, id: str) -> Job:
+    def release(self, id: str, key: RequestKey | None = None) -> Job:
         """Move a ready job to the queue of its machine, and return it.
+
+        A job that is queued, on its machine or done was released before, and stays as it is.
 
         Raises
         ------
         WrongState
-            The job is not ``ready``, or its machine or board has changed since its compile.
+            The job was not released and is not ``ready``, or its machine or board has changed
+            since its compile.
         """
         with self._db.writing() as session:
-            _check_current(session, self._transitions.lock(session, id))
+            if (repeated := self._keys.repeated(session, id, key)) is not None:
+                return repeated
+            row = self._transitions.lock(session, id)
+            if row.state in _RELEASED:
+                return row
+            _check_current(session, row)
             self._transitions.release(session, id, OPERATOR, Message("job.released"))
             return self._transitions.lock(session, id)
 
-    def recompile(self, id: str) -> Job:
+    def recompile(self, id: str, key: RequestKey | None = None) -> Job:
         """Have a job compiled again for the newest versions of its machine and board; return it.
 
         A job that was queued is queued again when its new program is accepted.
@@ -130,6 +152,8 @@ class OperatorStore:
             continues a sheet, which must lie on the machine with which the sheet was begun.
         """
         with self._db.writing() as session:
+            if (repeated := self._keys.repeated(session, id, key)) is not None:
+                return repeated
             row = self._transitions.lock(session, id)
             if row.rest is not None:
                 raise WrongState("rest.bound-to-sheet", job=id, machine=row.machine)
@@ -155,7 +179,7 @@ class OperatorStore:
             )
             return self._transitions.lock(session, id)
 
-    def requeue(self, id: str) -> Job:
+    def requeue(self, id: str, key: RequestKey | None = None) -> Job:
         """Queue an interrupted job again, at its former position in the queue, and return it.
 
         The operator calls this after clearing the table.
@@ -167,6 +191,8 @@ class OperatorStore:
             it makes the rest of a sheet.
         """
         with self._db.writing() as session:
+            if (repeated := self._keys.repeated(session, id, key)) is not None:
+                return repeated
             row = self._transitions.lock(session, id)
             if row.rest is not None:
                 raise WrongState("rest.not-again", job=id)
@@ -188,7 +214,7 @@ class OperatorStore:
             )
             return self._transitions.lock(session, id)
 
-    def scrap(self, id: str) -> Job:
+    def scrap(self, id: str, key: RequestKey | None = None) -> Job:
         """Move an interrupted job to ``scrapped`` and return it.
 
         The job is not made again, and the table of its machine is free for another job.
@@ -199,12 +225,17 @@ class OperatorStore:
             The job is not ``interrupted``.
         """
         with self._db.writing() as session:
+            if (repeated := self._keys.repeated(session, id, key)) is not None:
+                return repeated
+            row = self._transitions.lock(session, id)
+            if row.state == State.SCRAPPED:
+                return row
             self._transitions.move(
                 session, id, Action.SCRAP, OPERATOR, Message("job.scrapped"), requested_action=""
             )
             return self._transitions.lock(session, id)
 
-    def declare_finished(self, id: str) -> Job:
+    def declare_finished(self, id: str, key: RequestKey | None = None) -> Job:
         """Move an interrupted job to ``done`` and return it.
 
         An operator calls this after finding that all sheets of the job are complete.
@@ -215,7 +246,11 @@ class OperatorStore:
             The job is not ``interrupted``.
         """
         with self._db.writing() as session:
+            if (repeated := self._keys.repeated(session, id, key)) is not None:
+                return repeated
             row = self._transitions.lock(session, id)
+            if row.state == State.DONE:
+                return row
             self._transitions.move(
                 session,
                 id,
@@ -232,7 +267,12 @@ class OperatorStore:
             return self._transitions.lock(session, id)
 
     def confirm(
-        self, id: str, board: str = "", by: str = "", tools: ToolCheck = NOTHING_STATED
+        self,
+        id: str,
+        board: str = "",
+        by: str = "",
+        tools: ToolCheck = NOTHING_STATED,
+        key: RequestKey | None = None,
     ) -> Job:
         """Store the operator's confirmation that the machine may begin, and return the job.
 
@@ -262,6 +302,8 @@ class OperatorStore:
             compile, or its machine runs above the board.
         """
         with self._db.writing() as session:
+            if (repeated := self._keys.repeated(session, id, key)) is not None:
+                return repeated
             row = self._transitions.lock(session, id)
             if board and board != row.board:
                 raise WrongState("job.other-board", job=id, board=row.board, given=short(board))
@@ -310,7 +352,7 @@ class OperatorStore:
                     advice=advice(row.state, row.message),
                 )
 
-    def hold(self, id: str) -> Job:
+    def hold(self, id: str, key: RequestKey | None = None) -> Job:
         """Store an operator's request to hold a job, and return the job.
 
         The gateway of the job carries out the request.  The job becomes ``held`` when the machine
@@ -321,9 +363,9 @@ class OperatorStore:
         WrongState
             The job cannot be held now.
         """
-        return self._request(id, OperatorAction.HOLD)
+        return self._request(id, OperatorAction.HOLD, key=key)
 
-    def resume(self, id: str, phase: int | None = None) -> Job:
+    def resume(self, id: str, phase: int | None = None, key: RequestKey | None = None) -> Job:
         """Store an operator's request to resume a job, and return the job.
 
         The gateway of the job carries out the request.  Between two copies, the request also
@@ -341,10 +383,10 @@ class OperatorStore:
         WrongState
             The job cannot be resumed now, or is in another phase.
         """
-        return self._request(id, OperatorAction.RESUME, phase)
+        return self._request(id, OperatorAction.RESUME, phase, key)
 
-    def cancel(self, id: str) -> Job:
-        """Cancel a job and return it.
+    def cancel(self, id: str, key: RequestKey | None = None) -> Job:
+        """Cancel a job and return it; a cancelled job stays as it is.
 
         If the job is running or held, only a request is stored: the job becomes ``cancelled`` when
         its gateway has stopped the machine.
@@ -357,6 +399,10 @@ class OperatorStore:
         with self._db.writing() as session:
             state = session.scalar(sa.select(Job.state).where(Job.id == id).with_for_update())
             if state not in LEASED:
+                if (repeated := self._keys.repeated(session, id, key)) is not None:
+                    return repeated
+                if state == State.CANCELLED:
+                    return self._transitions.lock(session, id)
                 self._transitions.move(
                     session,
                     id,
@@ -368,9 +414,15 @@ class OperatorStore:
                     confirmation=Confirmation.NONE.value,
                 )
                 return self._transitions.lock(session, id)
-        return self._request(id, OperatorAction.CANCEL)
+        return self._request(id, OperatorAction.CANCEL, key=key)
 
-    def _request(self, id: str, action: OperatorAction, phase: int | None = None) -> Job:
+    def _request(
+        self,
+        id: str,
+        action: OperatorAction,
+        phase: int | None = None,
+        key: RequestKey | None = None,
+    ) -> Job:
         """Store an operator's request for the gateway of a job; return the job.
 
         A repeated request has no effect.
@@ -390,7 +442,11 @@ class OperatorStore:
             The job does not allow the action in its present state, or is in another phase.
         """
         with self._db.writing() as session:
+            if (repeated := self._keys.repeated(session, id, key)) is not None:
+                return repeated
             row = self._transitions.lock(session, id)
+            if action is OperatorAction.HOLD and _is_held(row):
+                return row
             if action not in allowed_actions(row, self._db.clock()):
                 raise _refused_request_error(row, action)
             if phase not in (None, row.phase):
@@ -438,6 +494,11 @@ def _check_current(session: Session, row: Job) -> None:
     changes = changes_since_compile(session, [row])
     if changes:
         raise WrongState("job.outdated", job=row.id, changes=changes[row.id])
+
+
+def _is_held(row: Job) -> bool:
+    """Return whether a job is held and stays so."""
+    return row.state == State.HELD and not row.requested_action
 
 
 def _refused_request_error(row: Job, action: OperatorAction) -> WrongState:

@@ -7,9 +7,9 @@ from typing import TypeVar
 
 from knifetip.errors import KeyReused
 from knifetip.jobs.database import short
-from knifetip.jobs.tables import Drawing, Job
+from knifetip.jobs.tables import CommandKey, Drawing, Job
 
-Row = TypeVar("Row", Drawing, Job)
+Row = TypeVar("Row", Drawing, Job, CommandKey)
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,12 +20,12 @@ class RequestKey:
     fingerprint: str  #: hash of the content of the request
 
     def check(self, row: Row) -> Row:
-        """Return the drawing or job that was stored with this key.
+        """Return the drawing, job or command that was stored with this key.
 
         Raises
         ------
         KeyReused
-            The drawing or job was stored by a request with another content.
+            It was stored by a request with another content.
         """
         if row.fingerprint != self.fingerprint:
             raise KeyReused("request.key-reused", key=short(self.text))

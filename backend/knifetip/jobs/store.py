@@ -16,6 +16,7 @@ from knifetip.jobs.accounts.session_store import SessionStore
 from knifetip.jobs.accounts.user_store import UserStore
 from knifetip.jobs.changes import Changes
 from knifetip.jobs.claimed_jobs import ClaimedJobs
+from knifetip.jobs.command_keys import CommandKeys
 from knifetip.jobs.compile_store import CompileStore
 from knifetip.jobs.database import Database
 from knifetip.jobs.drawing_store import DrawingStore
@@ -60,7 +61,9 @@ class Store:
         self.tools = ToolStore(self.database)
         self.library = LibraryStore(self.database)
         gate = ToolGate(self.tools, self.library)
-        self.operators = OperatorStore(self.database, transitions, gate)
+        self.operators = OperatorStore(
+            self.database, transitions, gate, CommandKeys(self.database, transitions)
+        )
         self.machines = MachineQueues(self.database)
         claimed = ClaimedJobs(self.database, transitions)
         self.gateways = GatewayStore(self.database, transitions, self.machines, claimed)

@@ -257,6 +257,18 @@ class JobMetadata(Base):
     )
 
 
+class CommandKey(Base):
+    """The Idempotency-Key of a command that was carried out."""
+
+    __tablename__ = "command_key"
+    __table_args__ = (sa.Index("command_key_by_job", "job"),)
+
+    key: Mapped[str] = mapped_column(sa.String(200), primary_key=True)
+    fingerprint: Mapped[str] = mapped_column(sa.String(64))  #: hash of the command with that key
+    job: Mapped[str] = mapped_column(sa.String(32), sa.ForeignKey("job.id", ondelete="CASCADE"))
+    created: Mapped[float] = mapped_column(sa.Double)
+
+
 class Event(Base):
     """A change of a job or a drawing; rows are only appended."""
 

@@ -427,6 +427,9 @@ export interface paths {
          * Release Job
          * @description Queue a job that has the state ``ready``, so that its machine can claim it.
          *
+         *     A job that was released before and is queued, on its machine or done stays as it is; the status
+         *     is 200.
+         *
          *     Needs the scope `operator`.
          */
         post: operations["release_job"];
@@ -552,7 +555,8 @@ export interface paths {
          * Cancel Job
          * @description Cancel a job: a running job when the machine has stopped, any other job immediately.
          *
-         *     Designers can cancel the jobs that they have ordered, until these are queued.
+         *     A cancelled job stays as it is; the status is 200.  Designers can cancel the jobs that they have
+         *     ordered, until these are queued.
          *
          *     Needs the scope `designer`.
          */
@@ -15039,7 +15043,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description Text chosen by the client; repeating a request with the same key returns the first result instead of creating a second drawing or job */
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
                 "Idempotency-Key"?: string | null;
             };
             path?: never;
@@ -15458,7 +15462,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description Text chosen by the client; repeating a request with the same key returns the first result instead of creating a second drawing or job */
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
                 "Idempotency-Key"?: string | null;
             };
             path?: never;
@@ -15725,7 +15729,10 @@ export interface operations {
     accept_shortfalls: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                "Idempotency-Key"?: string | null;
+            };
             path: {
                 /** @description Id of the job */
                 id: string;
@@ -15761,7 +15768,10 @@ export interface operations {
     release_job: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                "Idempotency-Key"?: string | null;
+            };
             path: {
                 /** @description Id of the job */
                 id: string;
@@ -15793,7 +15803,10 @@ export interface operations {
     recompile_job: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                "Idempotency-Key"?: string | null;
+            };
             path: {
                 /** @description Id of the job */
                 id: string;
@@ -15825,7 +15838,10 @@ export interface operations {
     confirm_job: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                "Idempotency-Key"?: string | null;
+            };
             path: {
                 /** @description Id of the job */
                 id: string;
@@ -15861,7 +15877,10 @@ export interface operations {
     hold_job: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                "Idempotency-Key"?: string | null;
+            };
             path: {
                 /** @description Id of the job */
                 id: string;
@@ -15893,7 +15912,10 @@ export interface operations {
     resume_job: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                "Idempotency-Key"?: string | null;
+            };
             path: {
                 /** @description Id of the job */
                 id: string;
@@ -15929,7 +15951,10 @@ export interface operations {
     cancel_job: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                "Idempotency-Key"?: string | null;
+            };
             path: {
                 /** @description Id of the job */
                 id: string;
@@ -15961,7 +15986,10 @@ export interface operations {
     finish_job: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                "Idempotency-Key"?: string | null;
+            };
             path: {
                 /** @description Id of the job */
                 id: string;
@@ -15993,7 +16021,10 @@ export interface operations {
     requeue_job: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                "Idempotency-Key"?: string | null;
+            };
             path: {
                 /** @description Id of the job */
                 id: string;
@@ -16025,7 +16056,10 @@ export interface operations {
     scrap_job: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                "Idempotency-Key"?: string | null;
+            };
             path: {
                 /** @description Id of the job */
                 id: string;
@@ -16229,7 +16263,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description Text chosen by the client; repeating a request with the same key returns the first result instead of creating a second drawing or job */
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
                 "Idempotency-Key"?: string | null;
             };
             path: {

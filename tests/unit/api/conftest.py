@@ -17,6 +17,7 @@ def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
     page = folder / "page"
     (page / "assets").mkdir(parents=True)
     (page / "index.html").write_text("<!doctype html><title>the built page</title>")
+    (page / "docs.html").write_text("<!doctype html><title>the description</title>")
     (page / "assets" / "main-4f2a.js").write_text("export const knife = 1\n")
     (folder / "secret.txt").write_text("not for you")
     settings = Settings(database=f"sqlite:///{folder}/shop.sqlite", name="test", page=page)

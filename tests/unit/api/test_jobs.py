@@ -105,7 +105,8 @@ def test_a_job_is_released_and_cancelled(client: httpx.Client) -> None:
     wait_for_state(client, job, "ready")
     assert client.post(f"/api/jobs/{job}/release").json()["state"] == "queued"
     assert client.post(f"/api/jobs/{job}/cancel").json()["state"] == "cancelled"
-    again = client.post(f"/api/jobs/{job}/cancel")
+    assert client.post(f"/api/jobs/{job}/cancel").json()["state"] == "cancelled"
+    again = client.post(f"/api/jobs/{job}/release")
     assert again.status_code == 409
     assert again.json()["type"] == "urn:knifetip:problem:wrong-state"
 

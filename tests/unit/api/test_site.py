@@ -79,3 +79,13 @@ def test_without_a_built_page_the_response_explains_how_to_build_it(tmp_path: Pa
     answer = asyncio.run(Site(tmp_path / "page").get_response(".", scope))
     assert answer.status_code == 200
     assert b"make run" in answer.body
+
+
+@pytest.mark.parametrize("path", ["/docs", "/api/docs", "/api/v1/docs"])
+def test_the_description_of_the_api_is_a_page_of_this_server(
+    client: httpx.Client, path: str
+) -> None:
+    answer = client.get(path, follow_redirects=True)
+    assert answer.status_code == 200
+    assert "the description" in answer.text
+    assert answer.headers["content-security-policy"].startswith("default-src 'self';")

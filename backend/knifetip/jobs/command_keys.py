@@ -1,0 +1,54 @@
+"""Keys of commands: a client that repeats a command with its key changes nothing a second time.
+
+The key is stored in the transaction of the command.  If the server or the connection fails, either
+both are stored or neither is, so a client may repeat the command until it gets an answer.
+"""
+
+from __future__ import annotations
+
+from sqlalchemy.orm import Session
+
+from knifetip.jobs.database import Database
+from knifetip.jobs.request_key import RequestKey
+from knifetip.jobs.tables import CommandKey, Job
+from knifetip.jobs.transitions import Transitions
+
+
+class CommandKeys:
+    """Repository of the keys of commands about jobs."""
+
+    def __init__(self, database: Database, transitions: Transitions) -> None:
+        self._db = database
+        self._transitions = transitions
+
+    def repeated(self, session: Session, id: str, key: RequestKey | None) -> Job | None:
+        """Return the job of a command that was carried out before, or None after storing its key.
+
+        Parameters
+        ----------
+        session
+            Session with the transaction of the command.
+        id
+            Id of the job.
+        key
+            Key of the command; None if it has none.
+
+        Raises
+        ------
+        NoSuchJob
+            There is no job with this id.
+        KeyReused
+            The key was used for another command, or for another job.
+        """
+        if key is None:
+            return None
+        row = self._transitions.lock(session, id)
+        earlier = session.get(CommandKey, key.text)
+        if earlier is not None:
+            key.check(earlier)
+            return row
+        session.add(
+            CommandKey(key=key.text, fingerprint=key.fingerprint, job=id, created=self._db.clock())
+        )
+        session.flush()
+        return None
