@@ -44,6 +44,8 @@ from knifetip.api.description import Description
 from knifetip.api.headers import SecurityHeaders
 from knifetip.api.known_fields import KnownFields, names_near, refuse_unknown
 from knifetip.api.limits import Limits
+from knifetip.api.metrics import CountRequests, Metrics, add_numbers, route_templates
+from knifetip.api.metrics import router as metrics_router
 from knifetip.api.problems import problem
 from knifetip.api.queue import WorkQueue
 from knifetip.api.readiness import Readiness
@@ -106,6 +108,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     """
     chosen = settings or Settings()
     storage = Storage(chosen.database, chosen.least_free)
+    clients = Clients(chosen.clients)
+    metrics = Metrics()
     access = Accounts()
 
     @asynccontextmanager
@@ -122,6 +126,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             max(1, chosen.processes - 1),
             chosen.limit,
             warm_up=warm_up,
+            observe=metrics.observe_stage,
         )
         # One thread more than processes, so that none is idle while a request is parsed.
         work = WorkQueue(
@@ -131,6 +136,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         app.state.service = service
         app.state.readiness = Readiness(store, storage, compiling, service.threads)
         app.state.stream = events.Stream(service)
+        app.state.metrics = metrics
+        add_numbers(metrics, service, clients)
         await asyncio.to_thread(store.prepare)
         access.store = store
         await asyncio.to_thread(compiling.start)
@@ -170,6 +177,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     for module in _ROUTES:
         app.include_router(module.router, prefix="/api")
     app.include_router(_health_router)
+    app.include_router(metrics_router)
     # Raises if a route declares no scope.
     description = Description(app, tuple(scoped_operations(app.routes)))
     app.add_route("/api/openapi.json", description.answer, include_in_schema=False)
@@ -182,9 +190,10 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     # The middleware added last is the outermost.
     app.add_middleware(Limits, upload=chosen.upload, body=chosen.body)
     app.add_middleware(KeepSpace, storage=storage)
-    app.add_middleware(LimitClients, clients=Clients(chosen.clients))
+    app.add_middleware(LimitClients, clients=clients)
     app.add_middleware(Access, rules=chosen.access, accounts=access)
     app.add_middleware(SecurityHeaders)
+    app.add_middleware(CountRequests, metrics=metrics, templates=route_templates(app.routes))
     app.add_middleware(ApiVersion)
     app.add_middleware(RequestLog)
     app.add_exception_handler(errors.KnifetipError, _knifetip_problem)

@@ -103,6 +103,11 @@ class WorkQueue:
         self._running: Counter[str] = Counter()
         self._seconds = 1.0  # average duration of a call
 
+    @property
+    def waiting(self) -> int:
+        """Number of calls that wait for a thread."""
+        return len(self._waiting)
+
     async def run(self, call: Callable[[], T], client: Client | None = None) -> T:
         """Execute ``call`` on one of the threads and return its result.
 

@@ -131,6 +131,8 @@ class CompileService:
     limit: float = LIMIT
     gateways: bool = True  #: False in a process that gateways do not report to
     warm_up: WarmUp = field(default_factory=WarmUp)  #: started with the service
+    #: called with each stage of a compile that has ended, and its duration (s)
+    observe: Callable[[Stage, float], None] = lambda _stage, _seconds: None
 
     _stopping: threading.Event = field(default_factory=threading.Event)
     _swept: float | None = None  # time.monotonic() of the last sweep
@@ -240,12 +242,16 @@ class CompileService:
             A job in the state ``compiling``, which this worker has taken from the queue.
         """
         id, epoch = job.id, job.epoch
-        renewed = time.monotonic()
+        renewed = begun = time.monotonic()
         last: Stage | None = None
 
         def watch(stage: Stage, fraction: float) -> bool:
-            nonlocal renewed, last
+            nonlocal renewed, begun, last
             now = time.monotonic()
+            if stage != last:
+                if last is not None:
+                    self.observe(last, now - begun)
+                begun = now
             if stage == last and now - renewed < _RENEW:
                 return True
             renewed, last = now, stage

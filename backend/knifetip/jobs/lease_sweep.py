@@ -33,6 +33,7 @@ class LeaseSweep:
         self._transitions = transitions
         self._compiles = compiles
         self._claimed = claimed
+        self.taken_back = 0  #: jobs that this process has taken back
 
     def run(self, *, gateways: bool = True) -> bool:
         """Take back each job whose lease has expired; return whether any job has a lease.
@@ -68,6 +69,7 @@ class LeaseSweep:
             row = session.scalar(sa.select(Job).where(Job.id == id).with_for_update())
             if row is None or row.lease >= now:
                 return
+            self.taken_back += 1
             if row.state in LEASED:
                 stop = interruption(row, Message("job.gateway-lost", gateway=row.owner))
                 self._transitions.move(

@@ -82,6 +82,7 @@ class ProcessPool:
         memory: int = MEMORY,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
+        self.size = size
         self._memory = memory
         self._clock = clock
         self._spawn = multiprocessing.get_context("spawn")
@@ -90,6 +91,11 @@ class ProcessPool:
         self._free = threading.BoundedSemaphore(size)
         self._lock = threading.Lock()
         self._closed = False
+
+    @property
+    def busy(self) -> int:
+        """Number of worker processes that execute a task."""
+        return len(self._busy)
 
     def run(
         self,
