@@ -11,7 +11,7 @@ SPEED  ?= 4
 DATA   ?= .data/knifetip.sqlite
 
 .PHONY: help install dev page wheel image shop run test lint check bench system lock licences sbom audit \
-	clean
+	client clean
 
 help:
 	@echo "make run      build what is missing and serve http://$(HOST):$(PORT)"
@@ -21,6 +21,7 @@ help:
 	@echo "make bench    side by side with the peers, to build/bench.json"
 	@echo "make lock     resolve the dependencies anew"
 	@echo "make wheel    build/wheel/knifetip-*.whl, with the page inside"
+	@echo "make client   build/client/knifetip_client-*.whl, the typed Python client of the REST API"
 	@echo "make image    the container image knifetip"
 	@echo "make shop     start the shop of docker-compose.yml, run a job in it, and remove it"
 	@echo "make sbom     list all components to build/sbom (CycloneDX)"
@@ -98,6 +99,8 @@ lock: dev
 		--no-header -c requirements-dev.lock - -o requirements-page.lock
 	cd backend && echo uv | ../$(BIN)/uv pip compile -q --universal --generate-hashes \
 		--no-header -c requirements-dev.lock - -o requirements-uv.lock
+	cd backend && printf 'openapi-python-client>=0.29,<0.30\nsetuptools\n' | ../$(BIN)/uv pip compile -q \
+		--universal --generate-hashes --no-header - -o requirements-client.lock
 
 	$(BIN)/python backend/licences.py
 
@@ -112,6 +115,9 @@ audit: dev
 
 wheel: page
 	$(BIN)/python -m pip wheel --quiet --no-deps --wheel-dir build/wheel ./backend
+
+client: dev
+	$(BIN)/python backend/client.py
 
 # Behind a package mirror: IMAGE_OPTIONS="--secret id=pip.conf,src=…", see backend/Dockerfile.
 image:
