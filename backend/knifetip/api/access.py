@@ -11,12 +11,14 @@ import asyncio
 import hashlib
 import hmac
 import ipaddress
+import logging
 import re
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Protocol, TypeAlias
 
+import sqlalchemy.exc
 from fastapi import Response
 from starlette.requests import Request
 from starlette.types import ASGIApp, Receive, Scope, Send
@@ -32,6 +34,8 @@ from knifetip.api.principal import (
 from knifetip.api.problems import problem
 from knifetip.errors import SignInRefused, SignInSlowDown
 from knifetip.messages import Message
+
+_log = logging.getLogger("knifetip.api")
 
 Authority: TypeAlias = tuple[str, int | None]
 
@@ -234,7 +238,7 @@ def _without_key(
     proof
         What the database knows about the session, and whether an administrator exists.
     """
-    if facts.path in OPEN_PATHS and facts.method in _SAFE:
+    if _is_probe(facts):
         return ANONYMOUS
     if proof.principal is not None:
         return proof.principal
@@ -248,6 +252,11 @@ def _without_key(
     if (facts.method, facts.path) in SESSION_REQUESTS:
         return ANONYMOUS
     return Refusal(401, Message("request.key-needed"))
+
+
+def _is_probe(facts: RequestFacts) -> bool:
+    """Return whether a request asks whether the server is running, or ready."""
+    return facts.path in OPEN_PATHS and facts.method in _SAFE
 
 
 def _is_listed(rules: AccessRules, facts: RequestFacts, host: Authority) -> bool:
@@ -410,7 +419,12 @@ class Access:
             await send({"type": "websocket.close", "code": 1008})
             return
         facts = request_facts(scope, self._cookie)
-        proof = await self._accounts.proof(facts)
+        try:
+            proof = _NO_ACCOUNTS if _is_probe(facts) else await self._accounts.proof(facts)
+        except sqlalchemy.exc.SQLAlchemyError as error:
+            _log.error("%s %s", facts.method, facts.path, exc_info=error)
+            await problem(503, Message("server.database-silent"))(scope, receive, send)
+            return
         found = find_access(self.rules, facts, time.time(), proof)
         refused = found if isinstance(found, Refusal) else None
         if isinstance(found, Principal):

@@ -8,12 +8,14 @@ from typing import Any
 
 import httpx
 import pytest
+import sqlalchemy.exc
 from starlette.responses import PlainTextResponse
 
 from knifetip.api import access, signin
 from knifetip.api.access import (
     Access,
     AccessRules,
+    NoAccounts,
     Proof,
     Refusal,
     RequestFacts,
@@ -448,3 +450,20 @@ async def test_two_hosts_in_one_request_are_refused() -> None:
     async with client_at(OPEN, peer="127.0.0.1") as client:
         hosts = [("Host", "localhost:8080"), ("Host", "evil.example")]
         assert (await client.get("/api/jobs", headers=hosts)).status_code == 400
+
+
+class SilentDatabase(NoAccounts):
+    """Accounts in a database that cannot be reached."""
+
+    async def proof(self, facts: RequestFacts) -> Proof:
+        raise sqlalchemy.exc.OperationalError("SELECT", {}, Exception(facts.path))
+
+
+async def test_without_the_database_only_health_probes_are_answered() -> None:
+    app = Access(PlainTextResponse("inside"), HOME, SilentDatabase())
+    transport = httpx.ASGITransport(app, client=("127.0.0.1", 40000))
+    async with httpx.AsyncClient(transport=transport, base_url="http://localhost:8080") as client:
+        assert (await client.get("/healthz")).text == "inside"
+        refused = await client.get("/api/jobs")
+    assert refused.status_code == 503
+    assert refused.json()["code"] == "server.database-silent"
