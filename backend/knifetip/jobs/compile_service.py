@@ -20,6 +20,7 @@ from importlib.metadata import version
 from knifetip import logs
 from knifetip.errors import JobError, KnifetipError, LibraryError, OpenQuestions
 from knifetip.jobs import tasks
+from knifetip.jobs.compile_key import compile_key
 from knifetip.jobs.compile_queue import CompileQueue, queue_of
 from knifetip.jobs.grace import Grace
 from knifetip.jobs.interpretations import interpretation_of
@@ -261,14 +262,13 @@ class CompileService:
             machine = self.store.library.definition(
                 Shelf.MACHINES, job.machine, job.machine_version
             )
+            arguments = compile_arguments(self.store, job, machine)
+            key = compile_key(arguments)
+            if self.store.compiles.answer(id, epoch, key):
+                return
             self.warm_up.wait(*kernels_for(machine_of(machine)), watch=watch)
-            result = self.pool.run(
-                tasks.compile,
-                *compile_arguments(self.store, job, machine),
-                limit=self.limit,
-                watch=watch,
-            )
-            self.store.compiles.save_result(id, epoch, result)
+            result = self.pool.run(tasks.compile, *arguments, limit=self.limit, watch=watch)
+            self.store.compiles.save_result(id, epoch, result, key)
         except TaskCancelled:
             if self._stopping.is_set():
                 with contextlib.suppress(JobError):

@@ -6,11 +6,13 @@ increases with each new owner) than the worker expects, because the worker then 
 
 from __future__ import annotations
 
+import hashlib
+import logging
 from collections.abc import Collection, Sequence
-from typing import Any
+from typing import Any, Final
 
 import sqlalchemy as sa
-from sqlalchemy.orm import Session
+from sqlalchemy.orm import Session, undefer
 
 from knifetip.jobs.compile_result import CompileResult
 from knifetip.jobs.database import Database, rows
@@ -23,6 +25,21 @@ from knifetip.model.stage import Stage
 
 ATTEMPTS = 5  #: failed attempts after which a job is refused
 _WORKER = Actor(ActorKind.WORKER)
+#: Columns of a job whose compile has ended with a program.
+_ENDED_COMPILE: Final = {"stage": "", "progress": 1.0, "owner": "", "lease": 0.0}
+_LARGE: Final = (Job.program, Job.toolpath, Job.verdict, Job.lengths)
+_RESULT_COLUMNS: Final = (
+    "program",
+    "program_sha256",
+    "lines",
+    "toolpath",
+    "verdict",
+    "verdict_summary",
+    "tools",
+    "seconds",
+    "lengths",
+)
+_log = logging.getLogger("knifetip.jobs")
 _NEXT = sa.select(Job.id).where(Job.state == State.RECEIVED).order_by(Job.serial).limit(1)
 
 
@@ -204,7 +221,56 @@ class CompileStore:
                 )
             )
 
-    def save_result(self, id: str, epoch: int, result: CompileResult) -> None:
+    def answer(self, id: str, epoch: int, key: str) -> bool:
+        """Give a job the stored program of an earlier job with the same input, if there is one.
+
+        The job moves to the next state, as with ``save_result``.
+
+        Parameters
+        ----------
+        id
+            Id of the job.
+        epoch
+            Epoch of the job when the worker took the job.
+        key
+            Key of the compile (see ``compile_key``).
+
+        Returns
+        -------
+        bool
+            Whether there is such a program, and its bytes agree with its hash.
+
+        Raises
+        ------
+        WrongState
+            The job has another state.
+        StaleEpoch
+            The job has another epoch, because the worker has lost the job.
+        """
+        newest = sa.select(Job).where(Job.compile_key == key).order_by(Job.serial.desc()).limit(1)
+        with self._db.writing() as session:
+            earlier = session.scalar(newest.options(*map(undefer, _LARGE)))
+            if earlier is None or earlier.program is None:
+                return False
+            if hashlib.sha256(earlier.program).hexdigest() != earlier.program_sha256:
+                _log.error("the stored program of job %s is damaged", earlier.id)
+                return False
+            copied = {name: getattr(earlier, name) for name in _RESULT_COLUMNS}
+            columns = {
+                **copied,
+                "compile_key": key,
+                "program_of": earlier.program_of or earlier.id,
+                **_ENDED_COMPILE,
+            }
+            event = Message("job.answered", job=columns["program_of"])
+            self._transitions.move(
+                session, id, Action.ACCEPT, _WORKER, event, epoch=epoch, **columns
+            )
+            if session.scalar(sa.select(Job.release).where(Job.id == id)):
+                self._transitions.release_by_order(session, id)
+            return True
+
+    def save_result(self, id: str, epoch: int, result: CompileResult, key: str = "") -> None:
         """Store the result of a compile, and move its job to the next state.
 
         The state is ``refused`` if the verifier rejected the program.  If the program was accepted,
@@ -219,6 +285,9 @@ class CompileStore:
             owner.
         result
             Program, tool path, verdict and tools.
+        key
+            Key of the compile (see ``compile_key``), under which later jobs find an accepted
+            program; "" if they may not.
 
         Raises
         ------
@@ -229,10 +298,8 @@ class CompileStore:
         """
         columns = {
             **result_columns(result),
-            "stage": "",
-            "progress": 1.0,
-            "owner": "",
-            "lease": 0.0,
+            "compile_key": key if result.message is None else "",
+            **_ENDED_COMPILE,
         }
         with self._db.writing() as session:
             self._record_exceptions(session, id, result.verdict_summary.get("exceptions", 0))
@@ -363,4 +430,7 @@ def result_columns(result: CompileResult) -> dict[str, Any]:
         "tools": result.tools,
         "seconds": result.verdict_summary["seconds"],
         "lengths": result.lengths,
+        # Programs that are made in another way are not found by later jobs.
+        "compile_key": "",
+        "program_of": "",
     }

@@ -426,6 +426,8 @@ def _initial_columns(now: float, key: RequestKey | None) -> dict[str, Any]:
         "seconds_left": None,
         "program_sha256": "",
         "verdict_summary": None,
+        "compile_key": "",
+        "program_of": "",
         "key": None if key is None else key.text,
         "fingerprint": "" if key is None else key.fingerprint,
         "program": None,

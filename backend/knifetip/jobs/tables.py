@@ -138,6 +138,7 @@ class Job(Base):
         ),
         sa.Index("job_by_state", "state", "machine"),
         sa.Index("job_by_state_serial", "state", "serial"),
+        sa.Index("job_by_compile_key", "compile_key", "serial"),
         sa.Index("job_by_end", "ended", "serial"),
         sa.Index("job_by_machine_end", "machine", "ended", "serial"),
         sa.Index("job_by_external_id", "external_id", "serial"),
@@ -200,6 +201,10 @@ class Job(Base):
     seconds_left: Mapped[float | None] = mapped_column(sa.Double)
     program_sha256: Mapped[str] = mapped_column(sa.String(64))
     verdict_summary: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
+    #: hash of the input of an accepted program (see ``compile_key``); empty if it was changed
+    compile_key: Mapped[str] = mapped_column(sa.String(64), default="")
+    #: id of an earlier job with the same input whose program this job has; empty if compiled
+    program_of: Mapped[str] = mapped_column(sa.String(32), default="")
     key: Mapped[str | None] = mapped_column(sa.String(200), unique=True)
     fingerprint: Mapped[str] = mapped_column(sa.String(64))
     #: path of a cutter round outer corners; None: chosen by duration

@@ -2359,6 +2359,10 @@ export const TEXTS = {
     "text": "The operator requested the action {action}.",
     "hint": ""
   },
+  "job.answered": {
+    "text": "The verified program of job {job} is used, because its input was the same.",
+    "hint": ""
+  },
   "job.at-line": {
     "text": "The machine is at program line {line}.",
     "hint": ""

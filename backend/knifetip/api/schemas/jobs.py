@@ -171,6 +171,11 @@ class JobOut(OrderDetailsOut):
     )
     copies: int = Field(description="Number of sheets to make")
     copies_done: int = Field(description="Number of completed sheets")
+    program_of: str = Field(
+        default="",
+        description="Id of an earlier job with the same input whose program this job has, so that "
+        "it was not compiled again; empty if it was compiled",
+    )
     remaining_copies: int = Field(
         default=0,
         description="Number of copies of a stopped batch that no job has made or is going to "

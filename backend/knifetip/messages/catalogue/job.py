@@ -294,6 +294,10 @@ MESSAGES: Final[Entries] = {
         "Choose one of the jobs that GET /api/jobs lists.",
         job="text",
     ),
+    "job.answered": entry(
+        "The verified program of job {job} is used, because its input was the same.",
+        job="text",
+    ),
     "job.verified": entry(
         "The job was compiled, and its program was verified.",
     ),
