@@ -1,0 +1,114 @@
+"""The shop of docker-compose.yml: its settings, and a job in it through kills and restarts."""
+
+from __future__ import annotations
+
+import hashlib
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+
+from tests.container.shop import (
+    ROOT,
+    Shop,
+    compose_command,
+    engine_runs,
+    has_image,
+    run_job_through_restarts,
+    start,
+)
+
+POSTGRES = "docker.io/library/postgres:15-bookworm"
+SERVICES: dict[str, Any] = yaml.safe_load((ROOT / "docker-compose.yml").read_text())["services"]
+SHOP = {name: one for name, one in SERVICES.items() if one["profiles"] == ["shop"]}
+#: Prints a hash of the modules of the package that is installed in an image.
+HASH = (
+    "import hashlib, pathlib, knifetip; root = pathlib.Path(knifetip.__file__).parent\n"
+    "print(hashlib.sha256(b''.join(f.relative_to(root).as_posix().encode() + f.read_bytes() "
+    "for f in sorted(root.rglob('*.py')))).hexdigest())"
+)
+
+
+def hash_of_sources() -> str:
+    root = ROOT / "backend" / "knifetip"
+    parts = (
+        file.relative_to(root).as_posix().encode() + file.read_bytes()
+        for file in sorted(root.rglob("*.py"))
+    )
+    return hashlib.sha256(b"".join(parts)).hexdigest()
+
+
+@pytest.fixture
+def shop(tmp_path: Path) -> Iterator[Shop]:
+    """Start the shop; skip the test where no engine, no images or other sources are."""
+    compose = compose_command()
+    if compose is None or not engine_runs():
+        pytest.skip("no container engine with Compose runs here")
+    for image in ("knifetip", POSTGRES):
+        if not has_image(image):
+            pytest.skip(f"the engine has no image {image} (make image; docker pull {POSTGRES})")
+    words = ["docker", "run", "--rm", "--entrypoint", "python", "knifetip", "-c", HASH]
+    found = subprocess.run(words, capture_output=True, text=True, check=True).stdout.strip()
+    if found != hash_of_sources():
+        pytest.skip("the image knifetip was built from other sources (make image)")
+    one = Shop(compose, tmp_path, speed=0.5)
+    try:
+        yield one
+    finally:
+        one.remove()
+
+
+@pytest.mark.timeout(900)
+def test_a_job_is_cut_once_while_workers_are_killed_and_the_api_restarts(shop: Shop) -> None:
+    start(shop, print)
+    ended = run_job_through_restarts(shop, print)
+    assert (ended["state"], ended["copies_done"]) == ("done", 1)
+    events = shop.service.call(f"/api/jobs/{ended['id']}/events")
+    assert [event["state"] for event in events].count("done") == 1
+
+
+def test_one_profile_starts_no_service_of_the_other() -> None:
+    assert {tuple(one["profiles"]) for one in SERVICES.values()} == {("small",), ("shop",)}
+    settings = (ROOT / ".env").read_text().splitlines()
+    assert "COMPOSE_PROFILES=small" in settings
+    assert {"api", "worker-1", "worker-2", "gateway", "table", "postgres"} < set(SHOP)
+
+
+@pytest.mark.parametrize("name", SHOP)
+def test_a_part_of_the_shop_is_confined(name: str) -> None:
+    part = SHOP[name]
+    assert part["read_only"] is True
+    assert part["cap_drop"] == ["ALL"]
+    assert part["security_opt"] == ["no-new-privileges:true"]
+    assert part["mem_limit"]
+    assert part["pids_limit"]
+    assert "privileged" not in part
+    assert all(port.startswith("127.0.0.1:") for port in part.get("ports", []))
+    # A secret is a file: its text is in no variable, which every process inherits.
+    for variable, value in part.get("environment", {}).items():
+        assert "PASSWORD" not in variable or variable.endswith("_FILE"), value
+        assert "KEY" not in variable or variable.endswith("_FILE"), value
+
+
+def test_parts_start_when_what_they_need_is_ready() -> None:
+    for name in ("api", "worker-1", "worker-2"):
+        needs = SHOP[name]["depends_on"]
+        assert needs["migrate"]["condition"] == "service_completed_successfully"
+    assert SHOP["migrate"]["depends_on"]["postgres"]["condition"] == "service_healthy"
+    assert SHOP["gateway"]["depends_on"]["api"]["condition"] == "service_healthy"
+    assert "database" not in SHOP["gateway"]["networks"]
+
+
+def test_only_the_one_shot_service_has_no_health_check() -> None:
+    # The image has a check of the API, which the other parts replace.
+    without = {name for name, one in SHOP.items() if "healthcheck" not in one}
+    assert without == {"api"}
+    assert SHOP["migrate"]["healthcheck"] == {"disable": True}
+
+
+def test_workers_have_names_of_their_own_that_stay_the_same() -> None:
+    names = [SHOP[worker]["command"][-1] for worker in ("worker-1", "worker-2")]
+    assert names == ["worker-1", "worker-2"]
