@@ -35,6 +35,7 @@ from knifetip.api import (
     rest,
     tools,
     webhooks,
+    xjdf,
 )
 from knifetip.api.access import Access
 from knifetip.api.account_access import Accounts
@@ -92,7 +93,7 @@ STATUS: Mapping[type[errors.KnifetipError], int] = {
 
 _ROUTES = (
     drawings, jobs, confirmation, queues, rest, history, events, machines, tools, library,
-    definitions, profiles, webhooks, gateway, accounts,
+    definitions, profiles, webhooks, xjdf, gateway, accounts,
 )  # fmt: skip
 
 

@@ -81,6 +81,25 @@ def order_job(
     answer questions about the drawing, the status is 409 and the response contains the
     ``questions``.
     """
+    return create_job(service, principal, response, order, key)
+
+
+def create_job(
+    service: Service, principal: Principal, response: Response, order: JobIn, key: str | None
+) -> JobOut:
+    """Create the job of an order, or find the one that was created under the same key.
+
+    Parameters
+    ----------
+    service, principal
+        The server, and the sender of the request.
+    response
+        Gets the header ``Location``.
+    order
+        The order.
+    key
+        Idempotency-Key of the request, None if it has none.
+    """
     if order.release:
         demand(principal, AccessScope.OPERATOR)
     request = RequestKey(key, fingerprint(order.model_dump_json())) if key else None

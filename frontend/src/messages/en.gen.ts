@@ -5111,6 +5111,26 @@ export const TEXTS = {
     "text": "Processing the drawing took longer than {seconds:.0f} s in the stage {stage}.",
     "hint": "Send a smaller drawing, or split the drawing into several drawings."
   },
+  "xjdf.bad-value": {
+    "text": "{place} is {value!r}, which cannot be used.",
+    "hint": "Correct the value as the how-to about XJDF describes."
+  },
+  "xjdf.missing": {
+    "text": "The order has no {place}.",
+    "hint": "Add it, or give the value as a parameter of the request if there is one."
+  },
+  "xjdf.not-xjdf": {
+    "text": "The root element of the order is {element}.",
+    "hint": "Send an element XJDF of the namespace {namespace}."
+  },
+  "xjdf.twice": {
+    "text": "The order has several values of {place}.",
+    "hint": "Send one order for each of them."
+  },
+  "xjdf.unreadable": {
+    "text": "The order is not readable as XML: {reason}.",
+    "hint": "Send an XJDF document without a document type declaration."
+  },
   "zone.work": {
     "text": "{tool} (station {station}) would touch the keep-out zone {zone} at X {x:.1f}, Y {y:.1f} mm{place}: the tool with its holder needs {reach:.1f} mm around its axis.",
     "hint": "Move the clamp or stop away from the drawing and correct its zone in the machine file, or move the origin in the machine file so that the drawing lies beside the zone."

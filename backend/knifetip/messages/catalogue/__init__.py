@@ -41,6 +41,7 @@ from knifetip.messages.catalogue import (
     waiting,
     watch,
     webhook,
+    xjdf,
 )
 from knifetip.messages.entry import Entries, Entry
 
@@ -78,6 +79,7 @@ _AREAS: Final = (
     limit,
     watch,
     webhook,
+    xjdf,
 )
 
 MESSAGES: Final[Entries] = {code: found for area in _AREAS for code, found in area.MESSAGES.items()}

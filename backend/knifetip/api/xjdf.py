@@ -1,0 +1,91 @@
+"""Routes for systems of the printing industry: orders in XJDF, states in XJMF (ADR 87)."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Final
+
+from fastapi import Query, Request, Response
+from fastapi.exceptions import RequestValidationError
+from pydantic import ValidationError
+
+from knifetip.api.jobs import create_job
+from knifetip.api.parameters import IdempotencyKey, JobId
+from knifetip.api.principal import PrincipalDep
+from knifetip.api.queue import queued
+from knifetip.api.routing import ScopedRouter, requires
+from knifetip.api.schemas.common import Strict
+from knifetip.api.schemas.jobs import JobOut
+from knifetip.api.schemas.orders import JobIn
+from knifetip.api.service import ServiceDep
+from knifetip.api.versions import Body
+from knifetip.api.xjdf_order import read_order
+from knifetip.api.xjdf_status import status_message
+from knifetip.errors import RequestError
+from knifetip.jobs.accounts.scopes import AccessScope
+
+XJDF: Final = "application/vnd.cip4-xjdf+xml"
+XJMF: Final = "application/vnd.cip4-xjmf+xml"
+
+router = ScopedRouter(tags=["xjdf"])
+
+_BODY: Final[dict[str, Any]] = {
+    "requestBody": {"required": True, "content": {XJDF: {"schema": {"type": "string"}}}}
+}
+_ANSWER: Final[dict[int | str, dict[str, Any]]] = {
+    200: {"content": {XJMF: {"schema": {"type": "string"}}}}
+}
+
+
+class XjdfQuery(Strict):
+    """What an XJDF document may leave open; values of the document take precedence."""
+
+    machine: Annotated[str, Query(max_length=200)] = ""
+    board: Annotated[str, Query(max_length=200)] = ""
+    release: bool = False
+
+
+@router.post("/xjdf", status_code=201, openapi_extra=_BODY)
+@requires(AccessScope.DESIGNER)
+@queued
+def order_by_xjdf(
+    service: ServiceDep,
+    principal: PrincipalDep,
+    request: Request,  # noqa: ARG001  # the queue needs it
+    response: Response,
+    content: Body,
+    wanted: Annotated[XjdfQuery, Query()],
+    key: IdempotencyKey = None,
+) -> JobOut:
+    """Create a job from an XJDF document for cutting and creasing.
+
+    ``FileSpec/@URL`` names a drawing that was uploaded, as ``/api/v1/drawings/ID``.  ``machine``
+    and ``board`` are used if the document names none.
+    """
+    order = read_order(content)
+    board = order.board or wanted.board
+    if not board:
+        raise RequestError("xjdf.missing", place="ResourceSet[@Name='Media']/Resource/@ExternalID")
+    machine = order.machine or wanted.machine
+    fields = {
+        "drawing": order.drawing,
+        "external_id": order.external_id,
+        "customer": order.customer,
+        "due": order.due or None,
+        "copies": order.copies,
+        "board": board,
+        "release": wanted.release,
+        **({"machine": machine} if machine else {}),
+    }
+    try:
+        job = JobIn.model_validate(fields)
+    except ValidationError as reason:
+        raise RequestValidationError(reason.errors()) from reason
+    return create_job(service, principal, response, job, key)
+
+
+@router.get("/jobs/{id}/xjmf", response_class=Response, responses=_ANSWER)
+@requires(AccessScope.VIEWER)
+def get_job_status_as_xjmf(service: ServiceDep, id: JobId) -> Response:
+    """Get the state of a job as XJMF: a ``SignalStatus`` with one ``JobPhase``."""
+    row = service.store.jobs.get(id)
+    return Response(status_message(row, service.store.database.clock()), media_type=XJMF)

@@ -1,0 +1,159 @@
+"""Read an order from an XJDF document: the subset for cutting and creasing of ADR 87."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from typing import Final
+from xml.etree.ElementTree import Element, ParseError
+
+import defusedxml.ElementTree as ElementTree  # type: ignore[import-untyped]  # has no types
+from defusedxml.common import DefusedXmlException  # type: ignore[import-untyped]  # has no types
+
+from knifetip.errors import RequestError
+
+NAMESPACE: Final = "http://www.CIP4.org/JDFSchema_2_0"
+#: Processes that a machine carries out; an order with others is refused.
+PROCESSES: Final = ("Cutting", "ShapeCutting", "Creasing")
+
+_DRAWING: Final = re.compile(r"(?:https?://[^/?#]+)?/?api/(?:v\d+/)?drawings/([a-z0-9]{1,32})")
+#: Resources that name the file of a die layout.
+_WITH_FILE: Final = ("DieLayout", "ShapeDef", "CuttingParams")
+
+
+@dataclass(frozen=True, slots=True)
+class XjdfOrder:
+    """What an XJDF document orders; empty texts for what it does not state."""
+
+    drawing: str  #: id of the uploaded drawing
+    external_id: str  #: XJDF/@JobID
+    customer: str  #: CustomerInfo/@CustomerID
+    due: str  #: NodeInfo/@LastEnd, otherwise NodeInfo/@End
+    copies: int  #: AmountPool/PartAmount/@Amount of the output component; 1 if it is missing
+    machine: str  #: Device/@DeviceID
+    board: str  #: Resource/@ExternalID of the input medium
+
+
+def read_order(content: bytes) -> XjdfOrder:
+    """Return the order in an XJDF document.
+
+    Elements and attributes outside the subset are disregarded, except processes: an order for
+    folding, for example, is refused.
+
+    Raises
+    ------
+    RequestError
+        The document is not well-formed, declares a document type, is no XJDF, or lacks an element;
+        the message names the element.
+    """
+    try:
+        root: Element = ElementTree.fromstring(content, forbid_dtd=True)
+    except (ParseError, DefusedXmlException, ValueError, LookupError) as reason:
+        raise RequestError("xjdf.unreadable", reason=str(reason)[:200]) from reason
+    if root.tag != f"{{{NAMESPACE}}}XJDF":
+        raise RequestError("xjdf.not-xjdf", element=root.tag[:100], namespace=NAMESPACE)
+    _check_processes(root)
+    nodes = _resources(root, "NodeInfo", "Input")
+    return XjdfOrder(
+        drawing=_drawing(root),
+        external_id=_required(root.get("JobID", ""), "XJDF/@JobID"),
+        customer=_one(_attributes(root, "CustomerInfo", "CustomerID"), "CustomerInfo/@CustomerID"),
+        due=_one(
+            [
+                node.get("LastEnd", node.get("End", ""))
+                for resource in nodes
+                for node in _children(resource, "NodeInfo")
+            ],
+            "NodeInfo/@LastEnd",
+        ),
+        copies=_copies(root),
+        machine=_one(_attributes(root, "Device", "DeviceID"), "Device/@DeviceID"),
+        board=_one(
+            [resource.get("ExternalID", "") for resource in _resources(root, "Media", "Input")],
+            "ResourceSet[@Name='Media']/Resource/@ExternalID",
+        ),
+    )
+
+
+def _check_processes(root: Element) -> None:
+    processes = root.get("Types", "").split()
+    if not processes:
+        raise RequestError("xjdf.missing", place="XJDF/@Types")
+    for process in processes:
+        if process not in PROCESSES:
+            raise RequestError("xjdf.bad-value", place="XJDF/@Types", value=process[:100])
+
+
+def _drawing(root: Element) -> str:
+    urls = [
+        file.get("URL", "")
+        for name in _WITH_FILE
+        for resource in _resources(root, name, "Input")
+        for holder in _children(resource, name)
+        for file in _children(holder, "FileSpec")
+    ]
+    url = _required(_one(urls, "FileSpec/@URL"), "FileSpec/@URL of an input DieLayout")
+    match = _DRAWING.fullmatch(url)
+    if match is None:
+        raise RequestError("xjdf.bad-value", place="FileSpec/@URL", value=url[:200])
+    return match[1]
+
+
+def _copies(root: Element) -> int:
+    place = "PartAmount/@Amount"
+    text = _one(
+        [
+            part.get("Amount", "")
+            for resource in _resources(root, "Component", "Output")
+            for pool in _children(resource, "AmountPool")
+            for part in _children(pool, "PartAmount")
+        ],
+        place,
+    )
+    if not text:
+        return 1
+    try:
+        amount = float(text)
+    except ValueError:
+        amount = math.nan
+    # JobIn has the upper limit.
+    if not (math.isfinite(amount) and amount >= 1.0 and amount == int(amount)):
+        raise RequestError("xjdf.bad-value", place=place, value=text[:100])
+    return int(amount)
+
+
+def _resources(root: Element, name: str, usage: str) -> list[Element]:
+    """Return the resources in all sets with a name; a set without usage counts."""
+    return [
+        resource
+        for found in _children(root, "ResourceSet")
+        if found.get("Name") == name and found.get("Usage", usage) == usage
+        for resource in _children(found, "Resource")
+    ]
+
+
+def _attributes(root: Element, name: str, attribute: str) -> list[str]:
+    return [
+        element.get(attribute, "")
+        for resource in _resources(root, name, "Input")
+        for element in _children(resource, name)
+    ]
+
+
+def _children(element: Element, name: str) -> list[Element]:
+    return element.findall(f"{{{NAMESPACE}}}{name}")
+
+
+def _one(values: list[str], place: str) -> str:
+    """Return the only value that is not empty, "" if there is none."""
+    found = {value.strip() for value in values} - {""}
+    if len(found) > 1:
+        raise RequestError("xjdf.twice", place=place)
+    return found.pop() if found else ""
+
+
+def _required(value: str, place: str) -> str:
+    if not value.strip():
+        raise RequestError("xjdf.missing", place=place)
+    return value.strip()
