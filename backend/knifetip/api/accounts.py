@@ -24,7 +24,7 @@ from knifetip.api.schemas.accounts import (
     UserOut,
 )
 from knifetip.api.service import Service, ServiceDep, set_next_page
-from knifetip.errors import WrongState
+from knifetip.errors import RequestError, SignInRefused, WrongState
 from knifetip.jobs.accounts.acting import credited
 from knifetip.jobs.accounts.audit_store import AuditFilter
 from knifetip.jobs.accounts.scopes import AccessScope
@@ -99,7 +99,12 @@ async def change_own_password(
     if principal.kind != PrincipalKind.USER:
         raise WrongState("user.not-signed-in")
     accounts = _accounts(request)
-    await accounts.sign_out(await accounts.sign_in(principal.name, sent.current, _address(request)))
+    try:
+        present = await accounts.sign_in(principal.name, sent.current, _address(request))
+    except SignInRefused as reason:
+        # Not 401: the session of the request is valid.
+        raise RequestError("user.wrong-password", source=["current"]) from reason
+    await accounts.sign_out(present)
     change = service.store.users.change
     await service.threads.claims(change, principal.name, password=sent.new)
     accounts.forget()

@@ -10,6 +10,7 @@ import {
   IconLayoutSidebarRight,
 } from "@tabler/icons-react";
 import type { ReactNode } from "react";
+import { AccountButton } from "../panels/AccountDialog";
 import { MachineChip } from "../panels/MachineChip";
 import { OperatorButton } from "../panels/OperatorForm";
 import { redo, undo } from "../state/actions";
@@ -71,6 +72,7 @@ export function TopBar() {
       )}
       <span className={css.gap} />
       <OperatorButton className={css.operator ?? ""} />
+      <AccountButton />
       <MachineChip />
       <Icon
         label="Ended jobs, statistics and tools"

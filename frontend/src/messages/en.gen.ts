@@ -4539,6 +4539,10 @@ export const TEXTS = {
     "text": "There is no user with the name {name}.",
     "hint": "List the users with `knifetip user list`."
   },
+  "user.wrong-password": {
+    "text": "The present password is wrong.",
+    "hint": "Enter the password with which you sign in."
+  },
   "verify.bad-tolerance": {
     "text": "The tolerance of the verification is {tolerance} mm, which is not a valid length.",
     "hint": "Give a number greater than 0, usually 0.01 mm."

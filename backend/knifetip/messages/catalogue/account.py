@@ -66,4 +66,8 @@ MESSAGES: Final[Entries] = {
         "List the users with `knifetip user list`.",
         name="text",
     ),
+    "user.wrong-password": entry(
+        "The present password is wrong.",
+        "Enter the password with which you sign in.",
+    ),
 }
