@@ -30,6 +30,7 @@ from knifetip.api import (
     jobs,
     library,
     machines,
+    orders,
     profiles,
     queues,
     rest,
@@ -92,7 +93,7 @@ STATUS: Mapping[type[errors.KnifetipError], int] = {
 
 
 _ROUTES = (
-    drawings, jobs, confirmation, queues, rest, history, events, machines, tools, library,
+    drawings, jobs, orders, confirmation, queues, rest, history, events, machines, tools, library,
     definitions, profiles, webhooks, xjdf, gateway, accounts,
 )  # fmt: skip
 

@@ -15,6 +15,7 @@ from knifetip.api.overrides import merge_overrides
 from knifetip.api.parameters import CommandKey, DataFormat, IdempotencyKey, JobId
 from knifetip.api.principal import Principal, PrincipalDep, demand
 from knifetip.api.queue import queued
+from knifetip.api.queue_estimate import Estimate, estimates
 from knifetip.api.revisions import check_revision
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.jobs import ConfirmIn, JobEvent, JobOut, JobsQuery, ResumeIn
@@ -105,12 +106,21 @@ def create_job(
     request = RequestKey(key, fingerprint(order.model_dump_json())) if key else None
     row = service.store.jobs.find(request) if request else None
     if row is None:
-        row = _ordered(service, order, request)
+        row = place_order(service, order, request)
     response.headers["Location"] = f"/api/jobs/{row.id}"
     return job_out(service.store, row)
 
 
-def _ordered(service: Service, order: JobIn, key: RequestKey | None) -> Job:
+def place_order(service: Service, order: JobIn, key: RequestKey | None) -> Job:
+    """Store a job for an order and return it.
+
+    Raises
+    ------
+    OpenQuestions
+        The user must first answer questions about the drawing.
+    KnifetipError
+        The drawing, the machine or the board is unknown, or the order is not permitted.
+    """
     machine = service.store.library.definition(Shelf.MACHINES, order.machine)
     board = service.store.library.definition(Shelf.BOARDS, order.board)
     # Questions, the stored job and the compile all use this one revision.
@@ -493,17 +503,19 @@ def jobs_out(store: Store, rows: Sequence[Job]) -> list[JobOut]:
     """Return the API models of jobs from their rows in the store, in the same order."""
     now = store.database.clock()
     remaining = store.jobs.remaining_copies(rows)
+    estimated = estimates(store, rows)
     return [
-        _job_out(row, waiting, remaining.get(row.id, 0), now)
+        _job_out(row, waiting, remaining.get(row.id, 0), now, estimated.get(row.id, Estimate()))
         for row, waiting in zip(rows, waiting_of(store, rows), strict=True)
     ]
 
 
-def _job_out(row: Job, waiting: Waiting, remaining: int, now: float) -> JobOut:
+def _job_out(row: Job, waiting: Waiting, remaining: int, now: float, estimate: Estimate) -> JobOut:
     message = waiting.message or row.message
     computed = {
         "verdict", "progress", "waiting_for", "actions", "reason", "hint", "message", "is_rest",
-        "remaining_copies", *OrderDetailsOut.model_fields,
+        "remaining_copies", "queue_position", "estimated_start", "no_estimate",
+        *OrderDetailsOut.model_fields,
     }  # fmt: skip
     fields: dict[str, Any] = {
         name: getattr(row, name) for name in set(JobOut.model_fields) - computed
@@ -521,6 +533,9 @@ def _job_out(row: Job, waiting: Waiting, remaining: int, now: float) -> JobOut:
             "progress": progress(row),
             "is_rest": row.rest is not None,
             "remaining_copies": remaining,
+            "queue_position": estimate.place,
+            "estimated_start": None if estimate.starts_in is None else now + estimate.starts_in,
+            "no_estimate": estimate.missing,
         }
     )
 

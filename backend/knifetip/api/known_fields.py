@@ -121,6 +121,7 @@ async def refuse_unknown(request: Request) -> None:
     elif not operation.has_body:
         unknown += [("body", name) for name in await _json_fields(request)]
     if unknown:
+        await request.close()  # the files of the form
         raise RequestValidationError(
             [{"type": "extra_forbidden", "loc": place, "input": None} for place in unknown]
         )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Annotated
 
 from fastapi import Header, Response
@@ -10,6 +9,7 @@ from fastapi import Header, Response
 from knifetip.api.jobs import job_out, jobs_out
 from knifetip.api.parameters import JobId, MachineName
 from knifetip.api.queue import queued
+from knifetip.api.queue_estimate import remaining_seconds, start_times
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.schemas.order_details import changed_columns
@@ -19,7 +19,7 @@ from knifetip.errors import KnifetipError, PlanError
 from knifetip.jobs import tasks
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.compile_service import compile_arguments, kernels_for
-from knifetip.jobs.job import Actor, ActorKind, State
+from knifetip.jobs.job import Actor, ActorKind
 from knifetip.jobs.machine_queues import is_waiting
 from knifetip.jobs.process_pool import TaskFailed
 from knifetip.jobs.queue_store import Place, WaitingChange, check_transferable, order_version
@@ -67,34 +67,6 @@ def get_queue(service: ServiceDep, response: Response, name: MachineName) -> Que
             ],
         }
     )
-
-
-def remaining_seconds(row: Job) -> float:
-    """Return the estimated machine time of the copies of a job that remain (s)."""
-    remaining = max(row.copies - row.copies_done, 0)
-    if row.seconds_left is None or row.state not in (State.RUNNING, State.HELD):
-        return remaining * row.seconds
-    return row.seconds_left + max(remaining - 1, 0) * row.seconds
-
-
-def start_times(rows: Sequence[Job]) -> list[float | None]:
-    """Return the times after which jobs start (s), None if a time cannot be estimated.
-
-    Parameters
-    ----------
-    rows
-        The jobs of a machine in the order in which they run.
-    """
-    blocked = any(row.state == State.INTERRUPTED for row in rows)
-    starts: list[float | None] = []
-    total = 0.0
-    for row in rows:
-        if row.on_hold or blocked:
-            starts.append(None)
-            continue
-        starts.append(total)
-        total += remaining_seconds(row)
-    return starts
 
 
 @router.post("/jobs/{id}/move")

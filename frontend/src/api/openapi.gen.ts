@@ -633,6 +633,60 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/orders": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Place Order With File
+         * @description Store a drawing and create a job for it.
+         *
+         *     The request is a form with the file and the order as JSON, or JSON with the file in base64 or
+         *     with the id of a stored drawing.  The drawing and the job get the details of the order.  If a
+         *     user must first answer questions about the drawing, the status is 409 and the drawing is kept:
+         *     it is listed by the ``external_id`` of the order.  A repetition with the same
+         *     ``Idempotency-Key`` creates the job as soon as the questions are answered.
+         *
+         *     Needs the scope `designer`.
+         */
+        post: operations["place_order_with_file"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/orders/batch": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Place Orders
+         * @description Carry out up to 100 orders, one after the other, and return a result for each.
+         *
+         *     An order that is refused does not prevent the others; the status is 200 as soon as the request
+         *     can be read.  With an ``Idempotency-Key``, a repetition of the request creates nothing twice,
+         *     and tries the refused orders again.
+         *
+         *     Needs the scope `designer`.
+         */
+        post: operations["place_orders"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jobs/{id}/confirmation": {
         parameters: {
             query?: never;
@@ -3846,6 +3900,22 @@ export interface components {
             by: string;
         };
         /**
+         * FileIn
+         * @description A drawing file within JSON.
+         */
+        FileIn: {
+            /**
+             * Name
+             * @description File name, such as tray.dxf
+             */
+            name: string;
+            /**
+             * Content
+             * @description Content of the file in base64
+             */
+            content: string;
+        };
+        /**
          * FindingOut
          * @description One fault, shortfall or note of the verifier, with its edge and program line.
          */
@@ -4287,16 +4357,6 @@ export interface components {
                 [key: string]: boolean | number | string;
             };
             /**
-             * Drawing
-             * @description Id of the drawing
-             */
-            drawing: string;
-            /**
-             * Revision
-             * @description Expected revision of the drawing; the status is 412 if the drawing has another one. Null for the newest revision
-             */
-            revision?: number | null;
-            /**
              * Machine
              * @description Name of the machine in the library, as in `GET /api/machines`
              * @default demo-table
@@ -4349,6 +4409,16 @@ export interface components {
             release: boolean;
             /** @description Shortfalls that the user accepts in advance, as those of an earlier job for the same drawing. Shortfalls that the program does not have are disregarded; all others refuse it. Null for none */
             exceptions?: components["schemas"]["ExceptionsIn"] | null;
+            /**
+             * Drawing
+             * @description Id of the drawing
+             */
+            drawing: string;
+            /**
+             * Revision
+             * @description Expected revision of the drawing; the status is 412 if the drawing has another one. Null for the newest revision
+             */
+            revision?: number | null;
         };
         /**
          * JobOut
@@ -4518,6 +4588,23 @@ export interface components {
              * @enum {string}
              */
             waiting_for: "" | "confirmation" | "sheet" | "machine" | "turn" | "hold" | "compile";
+            /**
+             * Queue Position
+             * @description Place of the job in the queue of its machine, from 1; null if it does not wait there
+             */
+            queue_position?: number | null;
+            /**
+             * Estimated Start
+             * @description Estimated start: now, and the machine time of the jobs before it. Null if the job does not wait in a queue, or if `no_estimate` states why there is none
+             */
+            estimated_start?: string | null;
+            /**
+             * No Estimate
+             * @description Why a waiting job has no estimated start. hold: it is on hold. interrupted: an interrupted job occupies the machine. gateway: the machine is not connected. Empty otherwise
+             * @default
+             * @enum {string}
+             */
+            no_estimate: "" | "hold" | "interrupted" | "gateway";
             /**
              * On Hold
              * @description Whether an operator put the job on hold in the queue; its machine then takes other jobs first
@@ -5213,6 +5300,155 @@ export interface components {
          * @enum {string}
          */
         OperatorAction: "accept" | "release" | "confirm" | "hold" | "resume" | "rest" | "requeue" | "finish" | "scrap" | "recompile" | "cancel";
+        /**
+         * OrderIn
+         * @description An order: a drawing file or the id of a stored drawing, and the choices for its job.
+         */
+        OrderIn: {
+            /**
+             * External Id
+             * @description Number of the order or the article in another system
+             * @default
+             */
+            external_id: string;
+            /**
+             * Customer
+             * @description Name or number of the customer
+             * @default
+             */
+            customer: string;
+            /**
+             * Due
+             * @description Time at which the order is due, with offset; null for none
+             */
+            due?: string | null;
+            /**
+             * Notes
+             * @description Notes for the operator
+             * @default
+             */
+            notes: string;
+            /**
+             * Metadata
+             * @description Up to 32 values of other systems by key: texts, numbers, true and false; 8 kB together
+             * @default {}
+             */
+            metadata: {
+                [key: string]: boolean | number | string;
+            };
+            /**
+             * Machine
+             * @description Name of the machine in the library, as in `GET /api/machines`
+             * @default demo-table
+             */
+            machine: string;
+            /**
+             * Board
+             * @description Name of the board in the library, as in `GET /api/boards`
+             */
+            board: string;
+            /**
+             * Profile
+             * @description Name of the classification profile; null for the profile of the drawing
+             */
+            profile?: string | null;
+            /**
+             * Copies
+             * @description Number of sheets to make
+             * @default 1
+             */
+            copies: number;
+            /**
+             * Priority
+             * @description Priority in the queue of the machine; jobs with a higher number come first
+             * @default 0
+             */
+            priority: number;
+            /**
+             * Overrides
+             * @description Line types of edges for this job only, in addition to those of the drawing
+             * @default []
+             */
+            overrides: components["schemas"]["Override"][];
+            /** @description Corner types, for routers and lasers only; null for the fastest types */
+            corners?: components["schemas"]["Corners"] | null;
+            /** @description Sheet that was cut to size before the job; null if the sheet may be larger than the drawing */
+            sheet?: components["schemas"]["Sheet"] | null;
+            /**
+             * Lift
+             * @description Height of the tool above the board in turns. clearance: the clearance of the machine. least: the `turn_clearance` of the machine where that is faster; only for board that lies flat
+             * @default clearance
+             * @enum {string}
+             */
+            lift: "clearance" | "least";
+            /**
+             * Release
+             * @description Whether to queue the job as soon as its program is accepted; if false, the job stays `ready` until it is released
+             * @default false
+             */
+            release: boolean;
+            /** @description Shortfalls that the user accepts in advance, as those of an earlier job for the same drawing. Shortfalls that the program does not have are disregarded; all others refuse it. Null for none */
+            exceptions?: components["schemas"]["ExceptionsIn"] | null;
+            /** @description The drawing in DXF, CF2, SVG or PDF; null if `drawing` is given, or if the file is a part of the form */
+            file?: components["schemas"]["FileIn"] | null;
+            /**
+             * Drawing
+             * @description Id of a stored drawing; null if a file is given
+             */
+            drawing?: string | null;
+            /**
+             * Unit
+             * @description Unit of the file; null for the unit that the file states
+             */
+            unit?: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | null;
+        };
+        /**
+         * OrderOut
+         * @description The drawing and the job of an order.
+         */
+        OrderOut: {
+            /** @description The drawing */
+            drawing: components["schemas"]["DrawingSummary"];
+            /** @description The job */
+            job: components["schemas"]["JobOut"];
+        };
+        /**
+         * OrderResult
+         * @description Result of one of several orders.
+         */
+        OrderResult: {
+            /**
+             * Index
+             * @description Number of the order in the request, from 0
+             */
+            index: number;
+            /**
+             * Drawing
+             * @description Id of the drawing; null if it was not stored. It is kept if the job was refused
+             */
+            drawing: string | null;
+            /** @description The job; null if the order was refused */
+            job: components["schemas"]["JobOut"] | null;
+            /** @description Why the order was refused; null if it was not */
+            problem: components["schemas"]["MessageOut"] | null;
+            /**
+             * Questions
+             * @description Questions for which it was refused; empty if there are none
+             * @default []
+             */
+            questions: components["schemas"]["QuestionOut"][];
+        };
+        /**
+         * OrdersIn
+         * @description Several orders, each of which is carried out or refused by itself.
+         */
+        OrdersIn: {
+            /**
+             * Orders
+             * @description The orders
+             */
+            orders: components["schemas"]["OrderIn"][];
+        };
         /**
          * Override
          * @description Sets the line type of edges, which are selected by row, by handle, or by layer and colour.
@@ -7318,7 +7554,7 @@ export interface components {
             revision: number | null;
         };
         /** @enum {string} */
-        MessageCode: "advice.compiling" | "advice.ended" | "advice.interrupted" | "advice.of-reason" | "advice.queued" | "advice.ready" | "advice.running" | "backup.exists" | "backup.foreign" | "backup.missing-row" | "backup.not-a-backup" | "backup.postgresql" | "backup.unwritable" | "bridges.no-room" | "calibration.bad-points" | "calibration.choose-cutter" | "calibration.missing-column" | "calibration.not-a-number" | "calibration.not-csv" | "calibration.undetermined" | "calibration.wrong-sign" | "cf2.cut-short" | "cf2.decimal-commas" | "cf2.empty" | "cf2.main" | "cf2.section" | "cf2.subroutine" | "classification.around" | "classification.arrow" | "classification.as-its-style" | "classification.bleed" | "classification.board-ends" | "classification.closes-nothing" | "classification.contradicted" | "classification.convention" | "classification.cuts-panel-off" | "classification.dashed" | "classification.divider" | "classification.divides-panels" | "classification.frame" | "classification.free" | "classification.hole" | "classification.inner" | "classification.layer-denies" | "classification.layer-name" | "classification.legend" | "classification.letter" | "classification.like-outline" | "classification.like-outline-not-folds" | "classification.linetype-name" | "classification.mark" | "classification.mirror-cut" | "classification.mirror-folded" | "classification.mixed" | "classification.must-be-processed" | "classification.named" | "classification.no-rule" | "classification.no-rule-but-shape" | "classification.none-closes" | "classification.not-made" | "classification.on-cut" | "classification.open" | "classification.other-style-closes" | "classification.outline" | "classification.override" | "classification.paired" | "classification.panel-hangs" | "classification.panels-hang" | "classification.role-against" | "classification.rule" | "classification.shape" | "classification.slit" | "classification.slot" | "classification.speck" | "classification.stray" | "classification.swapped" | "classification.swapped-both" | "classification.swapped-like" | "classification.table" | "classification.unknown" | "classification.votes" | "classification.with-text" | "classification.without-tabs" | "cleaning.as-drawn" | "cleaning.dropped-off-panel" | "cleaning.dropped-speck" | "cleaning.end-moved" | "cleaning.fitted" | "cleaning.fitted-edge" | "cleaning.folds-trimmed" | "cleaning.ignored" | "cleaning.joined" | "cleaning.joined-edge" | "cleaning.kept" | "cleaning.kept-changed" | "cleaning.length-on-others" | "cleaning.longer" | "cleaning.moved" | "cleaning.no-work" | "cleaning.off-panel" | "cleaning.on-edge" | "cleaning.part-dropped" | "cleaning.part-off-panel" | "cleaning.shortened" | "cleaning.speck" | "cleaning.twice" | "cleaning.unclassified" | "command.bad-corner" | "command.bad-edge" | "command.bad-layer" | "command.bad-line-type" | "command.file-too-large" | "command.no-such-layer" | "command.unreadable-file" | "command.unwritable-file" | "controller.alarm" | "controller.alarm-code" | "controller.alarm-of-unknown-cause" | "controller.alarm-state" | "controller.alarm-unknown" | "controller.answer-lost" | "controller.answer-missing" | "controller.bad-address" | "controller.bad-host" | "controller.bad-serial-address" | "controller.busy" | "controller.check-end-not-confirmed" | "controller.closed" | "controller.connection-failed" | "controller.due" | "controller.in-alarm" | "controller.lift-not-finished" | "controller.line-changed" | "controller.locked" | "controller.locked-by-alarm" | "controller.lost" | "controller.lost-in-buffer" | "controller.no-host-and-port" | "controller.not-in-laser-mode" | "controller.not-ready" | "controller.not-recovered" | "controller.not-secured" | "controller.not-stopped" | "controller.off-heading" | "controller.off-path" | "controller.one-carriage" | "controller.port-busy" | "controller.port-missing" | "controller.port-not-permitted" | "controller.port-unusable" | "controller.ports-found" | "controller.refused-safe-state" | "controller.rejected-command" | "controller.rejected-in-check" | "controller.rejected-line" | "controller.reports-alarm" | "controller.reset" | "controller.reset-not-confirmed" | "controller.silent" | "controller.stopped" | "controller.too-few-outputs" | "controller.unable" | "controller.unexpected-answer" | "controller.unreachable" | "controller.was-reset" | "controller.web-server" | "corner.at" | "corner.bad-interference" | "corner.bad-k" | "corner.bad-k-at" | "corner.bad-place" | "corner.bad-share" | "corner.inside" | "corner.no-contour" | "corner.no-cutter" | "corner.not-found" | "corner.replaced" | "corner.unknown-number" | "corner.unknown-type" | "corner.unknown-type-at" | "crease.tight-bend" | "curve.bad-ellipse" | "curve.bad-spline" | "curve.bad-tolerance" | "curve.not-finite" | "curve.not-fitted" | "curve.parameters" | "curve.too-many-pieces" | "curve.too-many-spans" | "cut.too-many-crossings" | "cut.too-short" | "cutter.interference" | "cutter.misses-bridge" | "cutter.short-lead" | "database.bad-url" | "database.in-memory" | "database.in-use" | "database.missing" | "database.newer" | "database.newer-unrecorded" | "database.no-password" | "database.older" | "database.password-file" | "database.unreachable" | "deflection.exceeds-radius" | "drawing.all-ignored" | "drawing.changing" | "drawing.deleted" | "drawing.details-changed" | "drawing.empty" | "drawing.fits-turned" | "drawing.in-use" | "drawing.larger-than-table" | "drawing.no-lines" | "drawing.no-lines-reason" | "drawing.open-questions" | "drawing.read" | "drawing.reinterpreted" | "drawing.stale" | "drawing.types-set" | "drawing.unit-for-cleaning" | "drawing.unit-unknown" | "drawing.unknown" | "drawing.upload-too-large" | "dry-run.in-progress" | "dry-run.no-job" | "dry-run.no-lift" | "dry-run.no-work" | "dry-run.not-running" | "dry-run.other-path" | "dry-run.switches" | "dry-run.too-low" | "dry-run.unknown-line" | "dry-run.uses-machine" | "dxf.at-line" | "dxf.blocks-expand-too-far" | "dxf.blocks-too-deep" | "dxf.cut-short" | "dxf.no-section" | "dxf.not-a-group-code" | "dxf.other-kind" | "dxf.too-large-unusual" | "dxf.without-end-mark" | "edge.no-length" | "edge.not-finite" | "edge.place" | "edge.too-crowded" | "edge.too-far" | "edge.too-many-overlaps" | "error.at-edge" | "error.at-edges" | "error.in-file" | "field.above" | "field.above-clearance" | "field.bad-arguments" | "field.below" | "field.blank" | "field.inconsistent" | "field.metadata-too-large" | "field.missing" | "field.misspelt" | "field.no-kind" | "field.no-neighbour" | "field.no-spindle" | "field.no-such-carriage" | "field.not-a-colour" | "field.not-a-line-type" | "field.not-a-list" | "field.not-a-number" | "field.not-a-profile" | "field.not-a-table" | "field.not-a-time" | "field.not-above" | "field.not-above-low" | "field.not-below" | "field.not-boolean" | "field.not-json" | "field.not-less-than-caliper" | "field.not-one-of" | "field.not-text" | "field.not-whole" | "field.other" | "field.outside" | "field.park-outside" | "field.parks-too-near" | "field.repeated-letters" | "field.repeated-numbers" | "field.rest-choice" | "field.sheet-size" | "field.spacing" | "field.spindle-of-beam" | "field.too-few" | "field.too-long" | "field.too-many" | "field.too-many-passes" | "field.too-short" | "field.unknown" | "field.unknown-kind" | "field.zone-above-travel" | "file.7z" | "file.bmp" | "file.compound-file" | "file.dwg" | "file.eps" | "file.gif" | "file.gzip" | "file.html" | "file.jpeg" | "file.json" | "file.old-dwg" | "file.png" | "file.postscript" | "file.rar" | "file.riff" | "file.step" | "file.stl" | "file.tiff" | "file.xml" | "file.zip" | "finding.at-edge" | "finding.at-edge-and-line" | "finding.at-line" | "finding.more" | "folder.bad-address" | "folder.deleted" | "folder.not-deleted" | "folder.not-written" | "folder.taken" | "folder.unusable" | "gateway.cancelled" | "gateway.controller-not-idle" | "gateway.job-withdrawn" | "gateway.job-withdrawn-before-start" | "gateway.machine-changed" | "gateway.no-reason" | "gateway.outdated-machine" | "gateway.started-in-dry-run" | "gateway.switched-off" | "gateway.switched-off-before-report" | "gateway.switched-off-in-run" | "gateway.system-error" | "grbl.alarm-1" | "grbl.alarm-10" | "grbl.alarm-11" | "grbl.alarm-12" | "grbl.alarm-14" | "grbl.alarm-17" | "grbl.alarm-2" | "grbl.alarm-3" | "grbl.alarm-4" | "grbl.alarm-5" | "grbl.alarm-6" | "grbl.alarm-7" | "grbl.alarm-8" | "grbl.alarm-9" | "grbl.axis-letter-used" | "grbl.error-1" | "grbl.error-10" | "grbl.error-11" | "grbl.error-12" | "grbl.error-13" | "grbl.error-14" | "grbl.error-15" | "grbl.error-16" | "grbl.error-17" | "grbl.error-18" | "grbl.error-2" | "grbl.error-20" | "grbl.error-21" | "grbl.error-22" | "grbl.error-23" | "grbl.error-24" | "grbl.error-25" | "grbl.error-26" | "grbl.error-27" | "grbl.error-28" | "grbl.error-29" | "grbl.error-3" | "grbl.error-30" | "grbl.error-31" | "grbl.error-32" | "grbl.error-33" | "grbl.error-34" | "grbl.error-35" | "grbl.error-36" | "grbl.error-37" | "grbl.error-38" | "grbl.error-39" | "grbl.error-4" | "grbl.error-5" | "grbl.error-6" | "grbl.error-60" | "grbl.error-7" | "grbl.error-79" | "grbl.error-8" | "grbl.error-9" | "grbl.no-output" | "grbl.no-reverse" | "grbl.no-rotary-axis" | "grbl.unknown-alarm" | "grbl.unknown-error" | "groove.along-edge" | "groove.curved" | "groove.overcut" | "groove.runs-out" | "groove.through-cut" | "groove.through-cut-at-it" | "groove.tight-bend" | "groove.too-deep" | "groove.too-short" | "hpgl.bad-address" | "hpgl.bad-area" | "hpgl.bad-byte" | "hpgl.bad-feed" | "hpgl.bad-number" | "hpgl.bad-range" | "hpgl.datum" | "hpgl.depth-change" | "hpgl.ends-down" | "hpgl.ends-with-pen" | "hpgl.feed-not-supported" | "hpgl.force-out-of-range" | "hpgl.initialised-again" | "hpgl.lone-letter" | "hpgl.loose-number" | "hpgl.moves-before-pa" | "hpgl.needs-no-number" | "hpgl.needs-one-number" | "hpgl.never-down" | "hpgl.no-approach" | "hpgl.no-device" | "hpgl.no-force" | "hpgl.no-force-setting" | "hpgl.no-instruction" | "hpgl.no-pen" | "hpgl.no-pen-selected" | "hpgl.no-speed" | "hpgl.no-speed-setting" | "hpgl.no-terminator" | "hpgl.not-initialised" | "hpgl.not-raised" | "hpgl.not-reached" | "hpgl.outside-area" | "hpgl.pen-cannot" | "hpgl.plunge-without-move" | "hpgl.press" | "hpgl.repeated-pen" | "hpgl.runs-on" | "hpgl.selects-while-down" | "hpgl.send-by-hand" | "hpgl.sets-while-down" | "hpgl.slanted-plunge" | "hpgl.speed-out-of-range" | "hpgl.station-without-pen" | "hpgl.swivel" | "hpgl.tool-not-supported" | "hpgl.trail" | "hpgl.travel" | "hpgl.turn-in-board" | "hpgl.unknown-instruction" | "hpgl.unknown-pen" | "hpgl.wrong-force" | "hpgl.x-without-y" | "import.angles-not-numbers" | "import.annotations" | "import.area-outline" | "import.area-outline-on-page" | "import.array" | "import.bad-operands" | "import.bad-path-data" | "import.bad-place" | "import.bad-points" | "import.bad-radius" | "import.bad-size" | "import.bad-transform" | "import.bad-value" | "import.bad-window" | "import.block-external" | "import.block-in-itself" | "import.block-missing" | "import.bridge" | "import.bridges" | "import.clip-path" | "import.contains-itself" | "import.coordinate-not-a-number" | "import.curves-fitted" | "import.curves-fitted-relative" | "import.damaged" | "import.damaged-or-frame" | "import.dimension" | "import.drawn-twice" | "import.drawn-twice-often" | "import.empty-path" | "import.end-mark" | "import.endless-line" | "import.extrusion-not-a-number" | "import.few-vertices" | "import.filled-area" | "import.filled-area-beside-strokes" | "import.filled-area-on-page" | "import.fit-points" | "import.font-shape" | "import.height-not-a-number" | "import.height-too-far" | "import.hidden" | "import.hidden-layer" | "import.image" | "import.incomplete" | "import.interrupted-path" | "import.invisible" | "import.kept" | "import.kept-changed" | "import.laid-flat" | "import.layer-frozen" | "import.layer-not-plotted" | "import.layer-off" | "import.light" | "import.line-not-numbers" | "import.lone-vertex" | "import.mesh" | "import.missing-id" | "import.missing-subroutine" | "import.multiple-line" | "import.no-length" | "import.no-major-axis" | "import.no-paint" | "import.no-parameter-range" | "import.no-points" | "import.no-scale" | "import.no-size" | "import.no-sweep" | "import.not-a-line" | "import.not-clipped" | "import.not-flat" | "import.not-numbers" | "import.not-svg" | "import.not-visible" | "import.nothing-named" | "import.on-layer" | "import.other-file" | "import.other-pages" | "import.outside-page" | "import.page-ends-early" | "import.paper-space" | "import.parameters-not-numbers" | "import.partly-outside-page" | "import.picture" | "import.picture-block" | "import.pieces-drawn-twice" | "import.pieces-drawn-twice-often" | "import.pieces-no-length" | "import.place-not-a-number" | "import.placement-not-a-number" | "import.places-block" | "import.places-subroutine" | "import.point" | "import.proxy" | "import.region" | "import.repeated" | "import.rules-not-read" | "import.script" | "import.shading" | "import.short-path-data" | "import.solid" | "import.spot-colour" | "import.subroutine-in-itself" | "import.text" | "import.text-unknown-letters" | "import.tilted" | "import.tilted-axis" | "import.too-far" | "import.too-many-fit-points" | "import.uncentred-arc" | "import.underlay" | "import.uneven-height" | "import.unknown-operator" | "import.unknown-record" | "import.unsupported-element" | "import.unused-block" | "import.unused-subroutine" | "import.value-angle" | "import.value-not-numbers" | "import.value-not-transform" | "import.value-transform-numbers" | "import.value-unit" | "import.viewport" | "import.wrong-field-count" | "input.not-finite" | "job.action-requested" | "job.answered" | "job.at-line" | "job.awaits-kernels" | "job.being-cancelled" | "job.cancelled" | "job.cancelled-before-request" | "job.claim-returned" | "job.claimed" | "job.claimed-to-confirm" | "job.compile-cancelled" | "job.compile-crashed" | "job.compile-started" | "job.compiles-died" | "job.confirmed-sheet" | "job.confirmed-table" | "job.copy-done" | "job.copy-done-next-sheet" | "job.declared-finished" | "job.details-changed" | "job.exceptions-accepted" | "job.executed" | "job.fully-executed" | "job.gateway-fell-silent" | "job.gateway-lost" | "job.gateway-silent" | "job.held-before-start" | "job.interrupted" | "job.interrupted-at-end" | "job.interrupted-between-copies" | "job.late-report" | "job.no-confirmation-awaited" | "job.no-sheet-awaited" | "job.no-shortfalls" | "job.no-work" | "job.not-confirmed" | "job.not-running" | "job.not-taken" | "job.nothing-sent" | "job.nothing-to-confirm" | "job.of-copy" | "job.ordered" | "job.other-board" | "job.other-phase" | "job.outdated" | "job.program-has-shortfalls" | "job.program-refused" | "job.recompiled" | "job.released" | "job.released-by-order" | "job.requeued" | "job.scrapped" | "job.stale-epoch" | "job.started" | "job.started-unconfirmed" | "job.tool-changed" | "job.tools-not-checked" | "job.unknown" | "job.verified" | "job.worker-silent" | "job.worn-tools" | "job.worn-tools-used" | "job.wrong-state" | "job.wrong-state-for-request" | "key.expired-at-once" | "key.incomplete" | "key.unknown" | "language.bad-entry-point" | "language.default-outputs" | "language.few-outputs" | "language.no-driver" | "language.no-linear-axis" | "language.no-rotary-axis" | "language.no-settings" | "language.unknown" | "language.unusable" | "layer.not-finite" | "lead.no-corner" | "lead.no-room" | "library.bad-if-match" | "library.bad-name" | "library.changed-since" | "library.deleted" | "library.deleted-since" | "library.exists" | "library.in-use" | "library.invalid" | "library.large-integer" | "library.nested-too-deep" | "library.not-an-object" | "library.not-json" | "library.not-stored" | "library.not-toml" | "library.not-utf8" | "library.null-in-list" | "library.shipped" | "library.stale" | "library.too-long" | "library.too-many" | "library.unknown" | "library.unknown-file" | "library.unknown-version" | "library.unreadable" | "lift.not-stated" | "limit.disk-full" | "limit.disk-low" | "limit.too-many-connections" | "limit.too-many-listeners" | "limit.too-many-requests" | "limit.too-slow" | "linuxcnc.bad-address" | "linuxcnc.cause" | "linuxcnc.estop" | "linuxcnc.folder-not-writable" | "linuxcnc.lost" | "linuxcnc.machine-off" | "linuxcnc.not-at-rest" | "linuxcnc.not-begun" | "linuxcnc.not-homed" | "linuxcnc.not-secured" | "linuxcnc.program-not-opened" | "linuxcnc.refused" | "linuxcnc.rejected-in-check" | "linuxcnc.silent" | "linuxcnc.stopped" | "linuxcnc.unreadable" | "linuxcnc.wrong-password" | "machine.busy" | "machine.busy-with-another" | "machine.no-cutter" | "machine.no-such-cutter" | "mcx314.after-end" | "mcx314.alarm-chip" | "mcx314.alarm-drive" | "mcx314.alarm-emergency" | "mcx314.alarm-limit" | "mcx314.alarm-other" | "mcx314.alarm-unhomed" | "mcx314.axis-too-fast" | "mcx314.axis-too-long" | "mcx314.bad-arc" | "mcx314.bad-axes" | "mcx314.bad-header" | "mcx314.bad-line" | "mcx314.bad-rate" | "mcx314.bad-speed" | "mcx314.ends-lowered" | "mcx314.ends-oscillating" | "mcx314.feed-too-slow" | "mcx314.four-axes" | "mcx314.gave-up" | "mcx314.joins-nothing" | "mcx314.joins-short" | "mcx314.lost" | "mcx314.no-circle" | "mcx314.no-end" | "mcx314.no-newline" | "mcx314.no-pulses" | "mcx314.no-wiring" | "mcx314.not-at-rest" | "mcx314.not-lifted" | "mcx314.not-settled" | "mcx314.other-pulses" | "mcx314.out-of-range" | "mcx314.pulses-of-board" | "mcx314.refused" | "mcx314.reset" | "mcx314.silent" | "mcx314.speed" | "mcx314.spindle-not-supported" | "mcx314.stopped" | "mcx314.too-far" | "mcx314.too-short" | "mcx314.tool-not-supported" | "mcx314.unknown-line" | "mcx314.unknown-output" | "mcx314.unknown-position" | "mcx314.unreadable" | "mcx314.wrong-dwell" | "milling.contours-cross" | "milling.shared-edge" | "motion.feed" | "motion.lead-in" | "motion.lead-out" | "motion.lift" | "motion.plunge" | "motion.rapid" | "motion.swivel" | "motion.unknown" | "offset.bad-distance" | "offset.bad-interference" | "offset.bad-side" | "offset.cusp" | "offset.dead-end" | "offset.interference" | "offset.mixed-group" | "offset.self-contact" | "operation.bad-feed" | "operation.beyond-travel" | "operation.expired" | "operation.gateway-absent" | "operation.job-on-machine" | "operation.job-running" | "operation.missing-argument" | "operation.no-controller" | "operation.no-result" | "operation.no-spindle" | "operation.no-station" | "operation.not-at-rest" | "operation.not-lifted" | "operation.not-locked" | "operation.stopped" | "operation.unknown" | "operation.unknown-axis" | "operation.unknown-output" | "operation.unreported" | "operation.unsupported" | "override.ambiguous" | "override.no-edges-there" | "override.no-such-edge" | "override.no-such-handle" | "override.of-colour" | "override.on-layer" | "pdf.blank" | "pdf.content-damaged" | "pdf.cut-short" | "pdf.encrypted" | "pdf.expands-too-far" | "pdf.form" | "pdf.form-named" | "pdf.illustrator-only" | "pdf.layers-too-deep" | "pdf.nested-arrays" | "pdf.no-header" | "pdf.no-page" | "pdf.open-array" | "pdf.open-image" | "pdf.open-text" | "pdf.page" | "pdf.page-too-large" | "pdf.part-missing" | "pdf.stream-cut-short" | "pdf.stream-damaged" | "pdf.stream-too-large" | "pdf.too-many-states" | "process.name-taken" | "profile.bad-name" | "profile.exists" | "profile.invalid-field" | "profile.nested-too-deep" | "profile.not-an-extension" | "profile.not-kept" | "profile.not-toml" | "profile.not-utf8" | "profile.not-utf8-byte" | "profile.shipped" | "profile.shipped-command" | "profile.stale" | "profile.too-long" | "profile.too-many" | "program.bad-tolerance" | "program.control-byte" | "program.line-too-long" | "program.line-too-long-to-send" | "program.no-placement" | "program.not-bytes" | "program.not-fetched" | "program.too-large" | "program.too-many-lines" | "program.too-many-moves" | "program.wrong-checksum" | "question.guess" | "question.line-type" | "question.shape" | "question.tool" | "question.unit" | "question.unit-contradicted" | "question.unit-doubtful" | "question.unit-evidence" | "question.unit-not-stated" | "question.unit-size" | "question.unit-unreadable" | "queue.after" | "queue.before" | "queue.changed" | "queue.claimed" | "queue.copies-changed" | "queue.copies-done" | "queue.does-not-fit" | "queue.let-go" | "queue.moved" | "queue.no-neighbour" | "queue.not-waiting" | "queue.priority-changed" | "queue.put-on-hold" | "queue.transferred" | "reading.crashed" | "reading.damaged" | "reading.empty" | "reading.expands-too-far" | "reading.nested-too-deep" | "reading.too-large" | "reading.too-many-elements" | "reading.too-many-entities" | "reading.too-many-segments" | "reading.too-slow" | "reading.truncated" | "reading.unexpected" | "reading.unknown-kind" | "request.body-too-large" | "request.body-unreadable" | "request.foreign-origin" | "request.foreign-page" | "request.html-form" | "request.invalid" | "request.key-needed" | "request.key-reused" | "request.local-only" | "request.no-host" | "request.not-marked" | "request.not-storable" | "request.nothing-there" | "request.refused" | "request.scope-missing" | "request.unknown-zone" | "request.upload-too-large" | "request.wrong-host" | "request.wrong-key" | "request.wrong-method" | "rest.bound-to-sheet" | "rest.continued-already" | "rest.continued-by" | "rest.continues" | "rest.copy-of" | "rest.line-changed" | "rest.no-copies" | "rest.no-such-station" | "rest.no-such-track" | "rest.no-tracks" | "rest.not-again" | "rest.not-executed" | "rest.old-program" | "rest.ordered" | "rest.sheet-first" | "rest.whole-ordered" | "rest.wrong-state" | "rs274.active-comment" | "rs274.after-end" | "rs274.arc-of-other-carriage" | "rs274.axis-without-motion" | "rs274.bad-arc" | "rs274.bad-character" | "rs274.bad-feed" | "rs274.bad-line-number" | "rs274.centre-without-arc" | "rs274.change-without-station" | "rs274.control-byte" | "rs274.ends-lowered" | "rs274.ends-oscillating" | "rs274.ends-output-on" | "rs274.ends-with-offset" | "rs274.g64-unsupported" | "rs274.incomplete-arc" | "rs274.letter-without-number" | "rs274.line-too-long" | "rs274.missing-p" | "rs274.mode-g17" | "rs274.mode-g21" | "rs274.mode-g40" | "rs274.mode-g49" | "rs274.mode-g54" | "rs274.mode-g90" | "rs274.mode-g91-1" | "rs274.mode-g92-1" | "rs274.mode-g94" | "rs274.motion-without-axis" | "rs274.moves-and-switches" | "rs274.moves-other-carriage" | "rs274.moves-unstated" | "rs274.nested-comment" | "rs274.no-end" | "rs274.no-feed" | "rs274.not-settled" | "rs274.number-too-large" | "rs274.offset-without-station" | "rs274.open-comment" | "rs274.repeated-word" | "rs274.speed-without-m3" | "rs274.spindle-of-other-station" | "rs274.stray-p" | "rs274.stray-q" | "rs274.switches-while-moving" | "rs274.timed-without-f" | "rs274.too-many-digits" | "rs274.unbounded-rounding" | "rs274.unknown-letter" | "rs274.unknown-output" | "rs274.unknown-station" | "rs274.unknown-word" | "rs274.wrong-direction" | "rs274.wrong-dwell" | "rs274.wrong-speed" | "rule.block" | "rule.colour" | "rule.conditions" | "rule.entity" | "rule.everything" | "rule.layer" | "rule.linetype" | "run.executed" | "run.in-buffer" | "run.nothing-sent" | "segment.not-finite" | "server.address-in-use" | "server.answered" | "server.busy" | "server.database-silent" | "server.internal-error" | "server.not-started" | "server.stopping" | "server.unreachable" | "settings.bad-host" | "settings.bad-key" | "settings.key-file" | "settings.two-keys" | "sheet.bad-size" | "sheet.off-table" | "sheet.smaller-than-drawing" | "sheet.without-outline" | "sign-in.slow-down" | "sign-in.wrong" | "store.no-column" | "store.unknown" | "stored.text" | "svg.cut-short" | "svg.damaged-at" | "svg.empty" | "svg.external-entity" | "svg.long-entity" | "svg.markup-entity" | "svg.nested-too-deep" | "svg.other-xml" | "svg.packed-cut-short" | "svg.packed-damaged" | "svg.too-many-rules" | "svg.unpacks-too-far" | "tool-check.in-zone" | "tool-check.large-shift" | "tool-check.not-lowered" | "tool-check.not-lowered-beam" | "tool-check.not-reached" | "tool-life.near" | "tool-life.no-station" | "tool-life.over" | "tool.bad-radius" | "tool.cannot-work" | "tool.missing" | "tool.shallow-lead" | "tool.short-lead" | "tool.tilted" | "tool.without-power" | "tool.without-speed" | "toolpath.arc-too-long" | "toolpath.empty" | "toolpath.feed-too-fast" | "toolpath.move" | "toolpath.no-approach" | "toolpath.no-feed" | "toolpath.not-finite" | "toolpath.rapid-arc" | "toolpath.row" | "toolpath.row-of-edge" | "toolpath.swivel-without-turn" | "toolpath.too-far" | "toolpath.unknown-motion" | "toolpath.unknown-station" | "track.too-flat" | "travel.above" | "travel.below" | "travel.heads-too-near" | "unit.cf2-inches" | "unit.cf2-millimetres" | "unit.cf2-none" | "unit.cf2-scale-applied" | "unit.cf2-scale-invalid" | "unit.cf2-scale-not-applied" | "unit.cf2-scale-undecided" | "unit.cf2-scaled" | "unit.dimensions-larger" | "unit.dimensions-smaller" | "unit.drawn-in-imperial" | "unit.drawn-in-inches" | "unit.drawn-in-metric" | "unit.drawn-in-millimetres" | "unit.given" | "unit.header" | "unit.header-decimal-inches" | "unit.header-factor" | "unit.header-fractions" | "unit.header-imperial" | "unit.header-metric" | "unit.header-missing" | "unit.header-not-a-number" | "unit.header-undefined" | "unit.header-unitless" | "unit.header-unsupported" | "unit.imprecise" | "unit.inconclusive" | "unit.multiples" | "unit.no-number-matches" | "unit.not-given" | "unit.number" | "unit.number-in" | "unit.numbers-match" | "unit.numbers-match-often" | "unit.overruled" | "unit.page-in-pixels" | "unit.page-in-points" | "unit.paper-size" | "unit.part-drawn-twice" | "unit.parts-differ" | "unit.pdf" | "unit.pdf-scaled" | "unit.read-against-evidence" | "unit.read-against-header" | "unit.scale-mentioned" | "unit.share-stated" | "unit.share-unstated" | "unit.shortest-edges" | "unit.size-unusual" | "unit.size-usual" | "unit.svg-no-size" | "unit.svg-no-unit" | "unit.svg-pixel" | "unit.svg-pixel-illustrator" | "unit.svg-size" | "unit.svg-size-in-pixels" | "unit.text-states" | "unit.unsupported" | "user.bad-name" | "user.bad-password" | "user.bad-role" | "user.exists" | "user.last-admin" | "user.not-signed-in" | "user.unknown" | "user.wrong-password" | "verify.bad-tolerance" | "verify.beam-on-rapid" | "verify.beam-refocused" | "verify.beside-line" | "verify.beyond-rotation" | "verify.beyond-travel" | "verify.bridge-near-corner" | "verify.bridge-spacing" | "verify.bridge-spare" | "verify.bridge-width" | "verify.centre-off-path" | "verify.cleaning-beyond" | "verify.cleaning-dropped" | "verify.cleaning-incomplete" | "verify.cleaning-invented" | "verify.cleaning-moved" | "verify.cleaning-type" | "verify.comes-out-anywhere" | "verify.comes-out-past" | "verify.comes-out-short" | "verify.contour-unreached" | "verify.crease-meets-cuts" | "verify.crease-stops-at-cut" | "verify.crease-too-short" | "verify.cut-both-ways" | "verify.cut-too-short" | "verify.cuts-part" | "verify.cutter-at-rest" | "verify.feed-of-other-axis" | "verify.flank-inside" | "verify.flank-outside" | "verify.flank-through-cut" | "verify.fold-angle" | "verify.goes-in-anywhere" | "verify.groove-arc" | "verify.groove-past-ends" | "verify.groove-shallower" | "verify.groove-shifted" | "verify.groove-too-short" | "verify.hanging-piece" | "verify.head-not-located" | "verify.heads-too-near" | "verify.idle-head-low" | "verify.in-zone" | "verify.inside-part" | "verify.knife-at-rest" | "verify.laser-off" | "verify.loose-piece" | "verify.lowers-second" | "verify.made-before" | "verify.moves-before-stated" | "verify.moves-overlap" | "verify.moves-with-beam" | "verify.never-stated" | "verify.no-station" | "verify.no-such-shortfall" | "verify.not-acceptable" | "verify.not-worked" | "verify.off-curve" | "verify.off-line" | "verify.oscillation-on" | "verify.other-placement" | "verify.outline-begun" | "verify.output" | "verify.output-off" | "verify.pass-alone" | "verify.pass-too-deep" | "verify.past-end" | "verify.past-open-cut" | "verify.past-stop" | "verify.perforation-bridge" | "verify.perforation-cut" | "verify.perforation-gap" | "verify.perforation-uneven" | "verify.plunge-without-move" | "verify.rapid-in-board" | "verify.rapid-near-sheet" | "verify.rapid-too-low" | "verify.released-before" | "verify.slanted" | "verify.spindle" | "verify.stray" | "verify.stray-along" | "verify.stray-plunge" | "verify.stray-plunge-along" | "verify.switches-at-unknown-height" | "verify.switches-low" | "verify.too-few-bridges" | "verify.turn-at-feed" | "verify.turn-in-board" | "verify.turn-off-path" | "verify.turn-overlaps" | "verify.two-lowered" | "verify.unclassified" | "verify.unknown-beside-zone" | "verify.unknown-position" | "verify.unreached" | "verify.where-from-start" | "verify.where-past-end" | "verify.where-past-start" | "verify.wide-slit" | "verify.work-creased" | "verify.work-cut" | "verify.work-grooved" | "verify.work-grooved-from-end" | "verify.work-grooved-from-start" | "verify.wrong-depth" | "verify.wrong-feed" | "verify.wrong-heading" | "verify.wrong-time" | "waiting.confirmed" | "waiting.for-end" | "waiting.for-gateway" | "waiting.for-machine" | "waiting.for-person" | "waiting.for-rest" | "waiting.for-sheet" | "waiting.for-start" | "waiting.for-turn" | "waiting.on-hold" | "waiting.outdated" | "waiting.sheet-outline" | "waiting.sheet-size" | "waiting.taken" | "waiting.taken-interrupted" | "waiting.taken-unconfirmed" | "waiting.tool" | "waiting.tools" | "waiting.unconfirmed-run" | "waiting.unfinished-sheet" | "watch.bad-sidecar" | "watch.folder" | "watch.large-sidecar" | "watch.no-object" | "webhook.bad-url" | "webhook.forbidden-address" | "webhook.inactive" | "webhook.too-many" | "webhook.unknown" | "webhook.unknown-delivery" | "worker.died" | "worker.memory" | "worker.timeout" | "xjdf.bad-value" | "xjdf.missing" | "xjdf.not-xjdf" | "xjdf.twice" | "xjdf.unreadable" | "zone.work";
+        MessageCode: "advice.compiling" | "advice.ended" | "advice.interrupted" | "advice.of-reason" | "advice.queued" | "advice.ready" | "advice.running" | "backup.exists" | "backup.foreign" | "backup.missing-row" | "backup.not-a-backup" | "backup.postgresql" | "backup.unwritable" | "bridges.no-room" | "calibration.bad-points" | "calibration.choose-cutter" | "calibration.missing-column" | "calibration.not-a-number" | "calibration.not-csv" | "calibration.undetermined" | "calibration.wrong-sign" | "cf2.cut-short" | "cf2.decimal-commas" | "cf2.empty" | "cf2.main" | "cf2.section" | "cf2.subroutine" | "classification.around" | "classification.arrow" | "classification.as-its-style" | "classification.bleed" | "classification.board-ends" | "classification.closes-nothing" | "classification.contradicted" | "classification.convention" | "classification.cuts-panel-off" | "classification.dashed" | "classification.divider" | "classification.divides-panels" | "classification.frame" | "classification.free" | "classification.hole" | "classification.inner" | "classification.layer-denies" | "classification.layer-name" | "classification.legend" | "classification.letter" | "classification.like-outline" | "classification.like-outline-not-folds" | "classification.linetype-name" | "classification.mark" | "classification.mirror-cut" | "classification.mirror-folded" | "classification.mixed" | "classification.must-be-processed" | "classification.named" | "classification.no-rule" | "classification.no-rule-but-shape" | "classification.none-closes" | "classification.not-made" | "classification.on-cut" | "classification.open" | "classification.other-style-closes" | "classification.outline" | "classification.override" | "classification.paired" | "classification.panel-hangs" | "classification.panels-hang" | "classification.role-against" | "classification.rule" | "classification.shape" | "classification.slit" | "classification.slot" | "classification.speck" | "classification.stray" | "classification.swapped" | "classification.swapped-both" | "classification.swapped-like" | "classification.table" | "classification.unknown" | "classification.votes" | "classification.with-text" | "classification.without-tabs" | "cleaning.as-drawn" | "cleaning.dropped-off-panel" | "cleaning.dropped-speck" | "cleaning.end-moved" | "cleaning.fitted" | "cleaning.fitted-edge" | "cleaning.folds-trimmed" | "cleaning.ignored" | "cleaning.joined" | "cleaning.joined-edge" | "cleaning.kept" | "cleaning.kept-changed" | "cleaning.length-on-others" | "cleaning.longer" | "cleaning.moved" | "cleaning.no-work" | "cleaning.off-panel" | "cleaning.on-edge" | "cleaning.part-dropped" | "cleaning.part-off-panel" | "cleaning.shortened" | "cleaning.speck" | "cleaning.twice" | "cleaning.unclassified" | "command.bad-corner" | "command.bad-edge" | "command.bad-layer" | "command.bad-line-type" | "command.file-too-large" | "command.no-such-layer" | "command.unreadable-file" | "command.unwritable-file" | "controller.alarm" | "controller.alarm-code" | "controller.alarm-of-unknown-cause" | "controller.alarm-state" | "controller.alarm-unknown" | "controller.answer-lost" | "controller.answer-missing" | "controller.bad-address" | "controller.bad-host" | "controller.bad-serial-address" | "controller.busy" | "controller.check-end-not-confirmed" | "controller.closed" | "controller.connection-failed" | "controller.due" | "controller.in-alarm" | "controller.lift-not-finished" | "controller.line-changed" | "controller.locked" | "controller.locked-by-alarm" | "controller.lost" | "controller.lost-in-buffer" | "controller.no-host-and-port" | "controller.not-in-laser-mode" | "controller.not-ready" | "controller.not-recovered" | "controller.not-secured" | "controller.not-stopped" | "controller.off-heading" | "controller.off-path" | "controller.one-carriage" | "controller.port-busy" | "controller.port-missing" | "controller.port-not-permitted" | "controller.port-unusable" | "controller.ports-found" | "controller.refused-safe-state" | "controller.rejected-command" | "controller.rejected-in-check" | "controller.rejected-line" | "controller.reports-alarm" | "controller.reset" | "controller.reset-not-confirmed" | "controller.silent" | "controller.stopped" | "controller.too-few-outputs" | "controller.unable" | "controller.unexpected-answer" | "controller.unreachable" | "controller.was-reset" | "controller.web-server" | "corner.at" | "corner.bad-interference" | "corner.bad-k" | "corner.bad-k-at" | "corner.bad-place" | "corner.bad-share" | "corner.inside" | "corner.no-contour" | "corner.no-cutter" | "corner.not-found" | "corner.replaced" | "corner.unknown-number" | "corner.unknown-type" | "corner.unknown-type-at" | "crease.tight-bend" | "curve.bad-ellipse" | "curve.bad-spline" | "curve.bad-tolerance" | "curve.not-finite" | "curve.not-fitted" | "curve.parameters" | "curve.too-many-pieces" | "curve.too-many-spans" | "cut.too-many-crossings" | "cut.too-short" | "cutter.interference" | "cutter.misses-bridge" | "cutter.short-lead" | "database.bad-url" | "database.in-memory" | "database.in-use" | "database.missing" | "database.newer" | "database.newer-unrecorded" | "database.no-password" | "database.older" | "database.password-file" | "database.unreachable" | "deflection.exceeds-radius" | "drawing.all-ignored" | "drawing.changing" | "drawing.deleted" | "drawing.details-changed" | "drawing.empty" | "drawing.fits-turned" | "drawing.in-use" | "drawing.larger-than-table" | "drawing.no-lines" | "drawing.no-lines-reason" | "drawing.open-questions" | "drawing.read" | "drawing.reinterpreted" | "drawing.stale" | "drawing.types-set" | "drawing.unit-for-cleaning" | "drawing.unit-unknown" | "drawing.unknown" | "drawing.upload-too-large" | "dry-run.in-progress" | "dry-run.no-job" | "dry-run.no-lift" | "dry-run.no-work" | "dry-run.not-running" | "dry-run.other-path" | "dry-run.switches" | "dry-run.too-low" | "dry-run.unknown-line" | "dry-run.uses-machine" | "dxf.at-line" | "dxf.blocks-expand-too-far" | "dxf.blocks-too-deep" | "dxf.cut-short" | "dxf.no-section" | "dxf.not-a-group-code" | "dxf.other-kind" | "dxf.too-large-unusual" | "dxf.without-end-mark" | "edge.no-length" | "edge.not-finite" | "edge.place" | "edge.too-crowded" | "edge.too-far" | "edge.too-many-overlaps" | "error.at-edge" | "error.at-edges" | "error.in-file" | "field.above" | "field.above-clearance" | "field.bad-arguments" | "field.below" | "field.blank" | "field.inconsistent" | "field.metadata-too-large" | "field.missing" | "field.misspelt" | "field.no-kind" | "field.no-neighbour" | "field.no-spindle" | "field.no-such-carriage" | "field.not-a-colour" | "field.not-a-line-type" | "field.not-a-list" | "field.not-a-number" | "field.not-a-profile" | "field.not-a-table" | "field.not-a-time" | "field.not-above" | "field.not-above-low" | "field.not-below" | "field.not-boolean" | "field.not-json" | "field.not-less-than-caliper" | "field.not-one-of" | "field.not-text" | "field.not-whole" | "field.other" | "field.outside" | "field.park-outside" | "field.parks-too-near" | "field.repeated-letters" | "field.repeated-numbers" | "field.rest-choice" | "field.sheet-size" | "field.spacing" | "field.spindle-of-beam" | "field.too-few" | "field.too-long" | "field.too-many" | "field.too-many-passes" | "field.too-short" | "field.unknown" | "field.unknown-kind" | "field.zone-above-travel" | "file.7z" | "file.bmp" | "file.compound-file" | "file.dwg" | "file.eps" | "file.gif" | "file.gzip" | "file.html" | "file.jpeg" | "file.json" | "file.old-dwg" | "file.png" | "file.postscript" | "file.rar" | "file.riff" | "file.step" | "file.stl" | "file.tiff" | "file.xml" | "file.zip" | "finding.at-edge" | "finding.at-edge-and-line" | "finding.at-line" | "finding.more" | "folder.bad-address" | "folder.deleted" | "folder.not-deleted" | "folder.not-written" | "folder.taken" | "folder.unusable" | "gateway.cancelled" | "gateway.controller-not-idle" | "gateway.job-withdrawn" | "gateway.job-withdrawn-before-start" | "gateway.machine-changed" | "gateway.no-reason" | "gateway.outdated-machine" | "gateway.started-in-dry-run" | "gateway.switched-off" | "gateway.switched-off-before-report" | "gateway.switched-off-in-run" | "gateway.system-error" | "grbl.alarm-1" | "grbl.alarm-10" | "grbl.alarm-11" | "grbl.alarm-12" | "grbl.alarm-14" | "grbl.alarm-17" | "grbl.alarm-2" | "grbl.alarm-3" | "grbl.alarm-4" | "grbl.alarm-5" | "grbl.alarm-6" | "grbl.alarm-7" | "grbl.alarm-8" | "grbl.alarm-9" | "grbl.axis-letter-used" | "grbl.error-1" | "grbl.error-10" | "grbl.error-11" | "grbl.error-12" | "grbl.error-13" | "grbl.error-14" | "grbl.error-15" | "grbl.error-16" | "grbl.error-17" | "grbl.error-18" | "grbl.error-2" | "grbl.error-20" | "grbl.error-21" | "grbl.error-22" | "grbl.error-23" | "grbl.error-24" | "grbl.error-25" | "grbl.error-26" | "grbl.error-27" | "grbl.error-28" | "grbl.error-29" | "grbl.error-3" | "grbl.error-30" | "grbl.error-31" | "grbl.error-32" | "grbl.error-33" | "grbl.error-34" | "grbl.error-35" | "grbl.error-36" | "grbl.error-37" | "grbl.error-38" | "grbl.error-39" | "grbl.error-4" | "grbl.error-5" | "grbl.error-6" | "grbl.error-60" | "grbl.error-7" | "grbl.error-79" | "grbl.error-8" | "grbl.error-9" | "grbl.no-output" | "grbl.no-reverse" | "grbl.no-rotary-axis" | "grbl.unknown-alarm" | "grbl.unknown-error" | "groove.along-edge" | "groove.curved" | "groove.overcut" | "groove.runs-out" | "groove.through-cut" | "groove.through-cut-at-it" | "groove.tight-bend" | "groove.too-deep" | "groove.too-short" | "hpgl.bad-address" | "hpgl.bad-area" | "hpgl.bad-byte" | "hpgl.bad-feed" | "hpgl.bad-number" | "hpgl.bad-range" | "hpgl.datum" | "hpgl.depth-change" | "hpgl.ends-down" | "hpgl.ends-with-pen" | "hpgl.feed-not-supported" | "hpgl.force-out-of-range" | "hpgl.initialised-again" | "hpgl.lone-letter" | "hpgl.loose-number" | "hpgl.moves-before-pa" | "hpgl.needs-no-number" | "hpgl.needs-one-number" | "hpgl.never-down" | "hpgl.no-approach" | "hpgl.no-device" | "hpgl.no-force" | "hpgl.no-force-setting" | "hpgl.no-instruction" | "hpgl.no-pen" | "hpgl.no-pen-selected" | "hpgl.no-speed" | "hpgl.no-speed-setting" | "hpgl.no-terminator" | "hpgl.not-initialised" | "hpgl.not-raised" | "hpgl.not-reached" | "hpgl.outside-area" | "hpgl.pen-cannot" | "hpgl.plunge-without-move" | "hpgl.press" | "hpgl.repeated-pen" | "hpgl.runs-on" | "hpgl.selects-while-down" | "hpgl.send-by-hand" | "hpgl.sets-while-down" | "hpgl.slanted-plunge" | "hpgl.speed-out-of-range" | "hpgl.station-without-pen" | "hpgl.swivel" | "hpgl.tool-not-supported" | "hpgl.trail" | "hpgl.travel" | "hpgl.turn-in-board" | "hpgl.unknown-instruction" | "hpgl.unknown-pen" | "hpgl.wrong-force" | "hpgl.x-without-y" | "import.angles-not-numbers" | "import.annotations" | "import.area-outline" | "import.area-outline-on-page" | "import.array" | "import.bad-operands" | "import.bad-path-data" | "import.bad-place" | "import.bad-points" | "import.bad-radius" | "import.bad-size" | "import.bad-transform" | "import.bad-value" | "import.bad-window" | "import.block-external" | "import.block-in-itself" | "import.block-missing" | "import.bridge" | "import.bridges" | "import.clip-path" | "import.contains-itself" | "import.coordinate-not-a-number" | "import.curves-fitted" | "import.curves-fitted-relative" | "import.damaged" | "import.damaged-or-frame" | "import.dimension" | "import.drawn-twice" | "import.drawn-twice-often" | "import.empty-path" | "import.end-mark" | "import.endless-line" | "import.extrusion-not-a-number" | "import.few-vertices" | "import.filled-area" | "import.filled-area-beside-strokes" | "import.filled-area-on-page" | "import.fit-points" | "import.font-shape" | "import.height-not-a-number" | "import.height-too-far" | "import.hidden" | "import.hidden-layer" | "import.image" | "import.incomplete" | "import.interrupted-path" | "import.invisible" | "import.kept" | "import.kept-changed" | "import.laid-flat" | "import.layer-frozen" | "import.layer-not-plotted" | "import.layer-off" | "import.light" | "import.line-not-numbers" | "import.lone-vertex" | "import.mesh" | "import.missing-id" | "import.missing-subroutine" | "import.multiple-line" | "import.no-length" | "import.no-major-axis" | "import.no-paint" | "import.no-parameter-range" | "import.no-points" | "import.no-scale" | "import.no-size" | "import.no-sweep" | "import.not-a-line" | "import.not-clipped" | "import.not-flat" | "import.not-numbers" | "import.not-svg" | "import.not-visible" | "import.nothing-named" | "import.on-layer" | "import.other-file" | "import.other-pages" | "import.outside-page" | "import.page-ends-early" | "import.paper-space" | "import.parameters-not-numbers" | "import.partly-outside-page" | "import.picture" | "import.picture-block" | "import.pieces-drawn-twice" | "import.pieces-drawn-twice-often" | "import.pieces-no-length" | "import.place-not-a-number" | "import.placement-not-a-number" | "import.places-block" | "import.places-subroutine" | "import.point" | "import.proxy" | "import.region" | "import.repeated" | "import.rules-not-read" | "import.script" | "import.shading" | "import.short-path-data" | "import.solid" | "import.spot-colour" | "import.subroutine-in-itself" | "import.text" | "import.text-unknown-letters" | "import.tilted" | "import.tilted-axis" | "import.too-far" | "import.too-many-fit-points" | "import.uncentred-arc" | "import.underlay" | "import.uneven-height" | "import.unknown-operator" | "import.unknown-record" | "import.unsupported-element" | "import.unused-block" | "import.unused-subroutine" | "import.value-angle" | "import.value-not-numbers" | "import.value-not-transform" | "import.value-transform-numbers" | "import.value-unit" | "import.viewport" | "import.wrong-field-count" | "input.not-finite" | "job.action-requested" | "job.answered" | "job.at-line" | "job.awaits-kernels" | "job.being-cancelled" | "job.cancelled" | "job.cancelled-before-request" | "job.claim-returned" | "job.claimed" | "job.claimed-to-confirm" | "job.compile-cancelled" | "job.compile-crashed" | "job.compile-started" | "job.compiles-died" | "job.confirmed-sheet" | "job.confirmed-table" | "job.copy-done" | "job.copy-done-next-sheet" | "job.declared-finished" | "job.details-changed" | "job.exceptions-accepted" | "job.executed" | "job.fully-executed" | "job.gateway-fell-silent" | "job.gateway-lost" | "job.gateway-silent" | "job.held-before-start" | "job.interrupted" | "job.interrupted-at-end" | "job.interrupted-between-copies" | "job.late-report" | "job.no-confirmation-awaited" | "job.no-sheet-awaited" | "job.no-shortfalls" | "job.no-work" | "job.not-confirmed" | "job.not-running" | "job.not-taken" | "job.nothing-sent" | "job.nothing-to-confirm" | "job.of-copy" | "job.ordered" | "job.other-board" | "job.other-phase" | "job.outdated" | "job.program-has-shortfalls" | "job.program-refused" | "job.recompiled" | "job.released" | "job.released-by-order" | "job.requeued" | "job.scrapped" | "job.stale-epoch" | "job.started" | "job.started-unconfirmed" | "job.tool-changed" | "job.tools-not-checked" | "job.unknown" | "job.verified" | "job.worker-silent" | "job.worn-tools" | "job.worn-tools-used" | "job.wrong-state" | "job.wrong-state-for-request" | "key.expired-at-once" | "key.incomplete" | "key.unknown" | "language.bad-entry-point" | "language.default-outputs" | "language.few-outputs" | "language.no-driver" | "language.no-linear-axis" | "language.no-rotary-axis" | "language.no-settings" | "language.unknown" | "language.unusable" | "layer.not-finite" | "lead.no-corner" | "lead.no-room" | "library.bad-if-match" | "library.bad-name" | "library.changed-since" | "library.deleted" | "library.deleted-since" | "library.exists" | "library.in-use" | "library.invalid" | "library.large-integer" | "library.nested-too-deep" | "library.not-an-object" | "library.not-json" | "library.not-stored" | "library.not-toml" | "library.not-utf8" | "library.null-in-list" | "library.shipped" | "library.stale" | "library.too-long" | "library.too-many" | "library.unknown" | "library.unknown-file" | "library.unknown-version" | "library.unreadable" | "lift.not-stated" | "limit.disk-full" | "limit.disk-low" | "limit.too-many-connections" | "limit.too-many-listeners" | "limit.too-many-requests" | "limit.too-slow" | "linuxcnc.bad-address" | "linuxcnc.cause" | "linuxcnc.estop" | "linuxcnc.folder-not-writable" | "linuxcnc.lost" | "linuxcnc.machine-off" | "linuxcnc.not-at-rest" | "linuxcnc.not-begun" | "linuxcnc.not-homed" | "linuxcnc.not-secured" | "linuxcnc.program-not-opened" | "linuxcnc.refused" | "linuxcnc.rejected-in-check" | "linuxcnc.silent" | "linuxcnc.stopped" | "linuxcnc.unreadable" | "linuxcnc.wrong-password" | "machine.busy" | "machine.busy-with-another" | "machine.no-cutter" | "machine.no-such-cutter" | "mcx314.after-end" | "mcx314.alarm-chip" | "mcx314.alarm-drive" | "mcx314.alarm-emergency" | "mcx314.alarm-limit" | "mcx314.alarm-other" | "mcx314.alarm-unhomed" | "mcx314.axis-too-fast" | "mcx314.axis-too-long" | "mcx314.bad-arc" | "mcx314.bad-axes" | "mcx314.bad-header" | "mcx314.bad-line" | "mcx314.bad-rate" | "mcx314.bad-speed" | "mcx314.ends-lowered" | "mcx314.ends-oscillating" | "mcx314.feed-too-slow" | "mcx314.four-axes" | "mcx314.gave-up" | "mcx314.joins-nothing" | "mcx314.joins-short" | "mcx314.lost" | "mcx314.no-circle" | "mcx314.no-end" | "mcx314.no-newline" | "mcx314.no-pulses" | "mcx314.no-wiring" | "mcx314.not-at-rest" | "mcx314.not-lifted" | "mcx314.not-settled" | "mcx314.other-pulses" | "mcx314.out-of-range" | "mcx314.pulses-of-board" | "mcx314.refused" | "mcx314.reset" | "mcx314.silent" | "mcx314.speed" | "mcx314.spindle-not-supported" | "mcx314.stopped" | "mcx314.too-far" | "mcx314.too-short" | "mcx314.tool-not-supported" | "mcx314.unknown-line" | "mcx314.unknown-output" | "mcx314.unknown-position" | "mcx314.unreadable" | "mcx314.wrong-dwell" | "milling.contours-cross" | "milling.shared-edge" | "motion.feed" | "motion.lead-in" | "motion.lead-out" | "motion.lift" | "motion.plunge" | "motion.rapid" | "motion.swivel" | "motion.unknown" | "offset.bad-distance" | "offset.bad-interference" | "offset.bad-side" | "offset.cusp" | "offset.dead-end" | "offset.interference" | "offset.mixed-group" | "offset.self-contact" | "operation.bad-feed" | "operation.beyond-travel" | "operation.expired" | "operation.gateway-absent" | "operation.job-on-machine" | "operation.job-running" | "operation.missing-argument" | "operation.no-controller" | "operation.no-result" | "operation.no-spindle" | "operation.no-station" | "operation.not-at-rest" | "operation.not-lifted" | "operation.not-locked" | "operation.stopped" | "operation.unknown" | "operation.unknown-axis" | "operation.unknown-output" | "operation.unreported" | "operation.unsupported" | "override.ambiguous" | "override.no-edges-there" | "override.no-such-edge" | "override.no-such-handle" | "override.of-colour" | "override.on-layer" | "pdf.blank" | "pdf.content-damaged" | "pdf.cut-short" | "pdf.encrypted" | "pdf.expands-too-far" | "pdf.form" | "pdf.form-named" | "pdf.illustrator-only" | "pdf.layers-too-deep" | "pdf.nested-arrays" | "pdf.no-header" | "pdf.no-page" | "pdf.open-array" | "pdf.open-image" | "pdf.open-text" | "pdf.page" | "pdf.page-too-large" | "pdf.part-missing" | "pdf.stream-cut-short" | "pdf.stream-damaged" | "pdf.stream-too-large" | "pdf.too-many-states" | "process.name-taken" | "profile.bad-name" | "profile.exists" | "profile.invalid-field" | "profile.nested-too-deep" | "profile.not-an-extension" | "profile.not-kept" | "profile.not-toml" | "profile.not-utf8" | "profile.not-utf8-byte" | "profile.shipped" | "profile.shipped-command" | "profile.stale" | "profile.too-long" | "profile.too-many" | "program.bad-tolerance" | "program.control-byte" | "program.line-too-long" | "program.line-too-long-to-send" | "program.no-placement" | "program.not-bytes" | "program.not-fetched" | "program.too-large" | "program.too-many-lines" | "program.too-many-moves" | "program.wrong-checksum" | "question.guess" | "question.line-type" | "question.shape" | "question.tool" | "question.unit" | "question.unit-contradicted" | "question.unit-doubtful" | "question.unit-evidence" | "question.unit-not-stated" | "question.unit-size" | "question.unit-unreadable" | "queue.after" | "queue.before" | "queue.changed" | "queue.claimed" | "queue.copies-changed" | "queue.copies-done" | "queue.does-not-fit" | "queue.let-go" | "queue.moved" | "queue.no-neighbour" | "queue.not-waiting" | "queue.priority-changed" | "queue.put-on-hold" | "queue.transferred" | "reading.crashed" | "reading.damaged" | "reading.empty" | "reading.expands-too-far" | "reading.nested-too-deep" | "reading.too-large" | "reading.too-many-elements" | "reading.too-many-entities" | "reading.too-many-segments" | "reading.too-slow" | "reading.truncated" | "reading.unexpected" | "reading.unknown-kind" | "request.body-too-large" | "request.body-unreadable" | "request.foreign-origin" | "request.foreign-page" | "request.html-form" | "request.invalid" | "request.key-needed" | "request.key-reused" | "request.local-only" | "request.no-host" | "request.not-base64" | "request.not-marked" | "request.not-storable" | "request.nothing-there" | "request.one-drawing" | "request.refused" | "request.scope-missing" | "request.unknown-zone" | "request.upload-too-large" | "request.wrong-host" | "request.wrong-key" | "request.wrong-method" | "rest.bound-to-sheet" | "rest.continued-already" | "rest.continued-by" | "rest.continues" | "rest.copy-of" | "rest.line-changed" | "rest.no-copies" | "rest.no-such-station" | "rest.no-such-track" | "rest.no-tracks" | "rest.not-again" | "rest.not-executed" | "rest.old-program" | "rest.ordered" | "rest.sheet-first" | "rest.whole-ordered" | "rest.wrong-state" | "rs274.active-comment" | "rs274.after-end" | "rs274.arc-of-other-carriage" | "rs274.axis-without-motion" | "rs274.bad-arc" | "rs274.bad-character" | "rs274.bad-feed" | "rs274.bad-line-number" | "rs274.centre-without-arc" | "rs274.change-without-station" | "rs274.control-byte" | "rs274.ends-lowered" | "rs274.ends-oscillating" | "rs274.ends-output-on" | "rs274.ends-with-offset" | "rs274.g64-unsupported" | "rs274.incomplete-arc" | "rs274.letter-without-number" | "rs274.line-too-long" | "rs274.missing-p" | "rs274.mode-g17" | "rs274.mode-g21" | "rs274.mode-g40" | "rs274.mode-g49" | "rs274.mode-g54" | "rs274.mode-g90" | "rs274.mode-g91-1" | "rs274.mode-g92-1" | "rs274.mode-g94" | "rs274.motion-without-axis" | "rs274.moves-and-switches" | "rs274.moves-other-carriage" | "rs274.moves-unstated" | "rs274.nested-comment" | "rs274.no-end" | "rs274.no-feed" | "rs274.not-settled" | "rs274.number-too-large" | "rs274.offset-without-station" | "rs274.open-comment" | "rs274.repeated-word" | "rs274.speed-without-m3" | "rs274.spindle-of-other-station" | "rs274.stray-p" | "rs274.stray-q" | "rs274.switches-while-moving" | "rs274.timed-without-f" | "rs274.too-many-digits" | "rs274.unbounded-rounding" | "rs274.unknown-letter" | "rs274.unknown-output" | "rs274.unknown-station" | "rs274.unknown-word" | "rs274.wrong-direction" | "rs274.wrong-dwell" | "rs274.wrong-speed" | "rule.block" | "rule.colour" | "rule.conditions" | "rule.entity" | "rule.everything" | "rule.layer" | "rule.linetype" | "run.executed" | "run.in-buffer" | "run.nothing-sent" | "segment.not-finite" | "server.address-in-use" | "server.answered" | "server.busy" | "server.database-silent" | "server.internal-error" | "server.not-started" | "server.stopping" | "server.unreachable" | "settings.bad-host" | "settings.bad-key" | "settings.key-file" | "settings.two-keys" | "sheet.bad-size" | "sheet.off-table" | "sheet.smaller-than-drawing" | "sheet.without-outline" | "sign-in.slow-down" | "sign-in.wrong" | "store.no-column" | "store.unknown" | "stored.text" | "svg.cut-short" | "svg.damaged-at" | "svg.empty" | "svg.external-entity" | "svg.long-entity" | "svg.markup-entity" | "svg.nested-too-deep" | "svg.other-xml" | "svg.packed-cut-short" | "svg.packed-damaged" | "svg.too-many-rules" | "svg.unpacks-too-far" | "tool-check.in-zone" | "tool-check.large-shift" | "tool-check.not-lowered" | "tool-check.not-lowered-beam" | "tool-check.not-reached" | "tool-life.near" | "tool-life.no-station" | "tool-life.over" | "tool.bad-radius" | "tool.cannot-work" | "tool.missing" | "tool.shallow-lead" | "tool.short-lead" | "tool.tilted" | "tool.without-power" | "tool.without-speed" | "toolpath.arc-too-long" | "toolpath.empty" | "toolpath.feed-too-fast" | "toolpath.move" | "toolpath.no-approach" | "toolpath.no-feed" | "toolpath.not-finite" | "toolpath.rapid-arc" | "toolpath.row" | "toolpath.row-of-edge" | "toolpath.swivel-without-turn" | "toolpath.too-far" | "toolpath.unknown-motion" | "toolpath.unknown-station" | "track.too-flat" | "travel.above" | "travel.below" | "travel.heads-too-near" | "unit.cf2-inches" | "unit.cf2-millimetres" | "unit.cf2-none" | "unit.cf2-scale-applied" | "unit.cf2-scale-invalid" | "unit.cf2-scale-not-applied" | "unit.cf2-scale-undecided" | "unit.cf2-scaled" | "unit.dimensions-larger" | "unit.dimensions-smaller" | "unit.drawn-in-imperial" | "unit.drawn-in-inches" | "unit.drawn-in-metric" | "unit.drawn-in-millimetres" | "unit.given" | "unit.header" | "unit.header-decimal-inches" | "unit.header-factor" | "unit.header-fractions" | "unit.header-imperial" | "unit.header-metric" | "unit.header-missing" | "unit.header-not-a-number" | "unit.header-undefined" | "unit.header-unitless" | "unit.header-unsupported" | "unit.imprecise" | "unit.inconclusive" | "unit.multiples" | "unit.no-number-matches" | "unit.not-given" | "unit.number" | "unit.number-in" | "unit.numbers-match" | "unit.numbers-match-often" | "unit.overruled" | "unit.page-in-pixels" | "unit.page-in-points" | "unit.paper-size" | "unit.part-drawn-twice" | "unit.parts-differ" | "unit.pdf" | "unit.pdf-scaled" | "unit.read-against-evidence" | "unit.read-against-header" | "unit.scale-mentioned" | "unit.share-stated" | "unit.share-unstated" | "unit.shortest-edges" | "unit.size-unusual" | "unit.size-usual" | "unit.svg-no-size" | "unit.svg-no-unit" | "unit.svg-pixel" | "unit.svg-pixel-illustrator" | "unit.svg-size" | "unit.svg-size-in-pixels" | "unit.text-states" | "unit.unsupported" | "user.bad-name" | "user.bad-password" | "user.bad-role" | "user.exists" | "user.last-admin" | "user.not-signed-in" | "user.unknown" | "user.wrong-password" | "verify.bad-tolerance" | "verify.beam-on-rapid" | "verify.beam-refocused" | "verify.beside-line" | "verify.beyond-rotation" | "verify.beyond-travel" | "verify.bridge-near-corner" | "verify.bridge-spacing" | "verify.bridge-spare" | "verify.bridge-width" | "verify.centre-off-path" | "verify.cleaning-beyond" | "verify.cleaning-dropped" | "verify.cleaning-incomplete" | "verify.cleaning-invented" | "verify.cleaning-moved" | "verify.cleaning-type" | "verify.comes-out-anywhere" | "verify.comes-out-past" | "verify.comes-out-short" | "verify.contour-unreached" | "verify.crease-meets-cuts" | "verify.crease-stops-at-cut" | "verify.crease-too-short" | "verify.cut-both-ways" | "verify.cut-too-short" | "verify.cuts-part" | "verify.cutter-at-rest" | "verify.feed-of-other-axis" | "verify.flank-inside" | "verify.flank-outside" | "verify.flank-through-cut" | "verify.fold-angle" | "verify.goes-in-anywhere" | "verify.groove-arc" | "verify.groove-past-ends" | "verify.groove-shallower" | "verify.groove-shifted" | "verify.groove-too-short" | "verify.hanging-piece" | "verify.head-not-located" | "verify.heads-too-near" | "verify.idle-head-low" | "verify.in-zone" | "verify.inside-part" | "verify.knife-at-rest" | "verify.laser-off" | "verify.loose-piece" | "verify.lowers-second" | "verify.made-before" | "verify.moves-before-stated" | "verify.moves-overlap" | "verify.moves-with-beam" | "verify.never-stated" | "verify.no-station" | "verify.no-such-shortfall" | "verify.not-acceptable" | "verify.not-worked" | "verify.off-curve" | "verify.off-line" | "verify.oscillation-on" | "verify.other-placement" | "verify.outline-begun" | "verify.output" | "verify.output-off" | "verify.pass-alone" | "verify.pass-too-deep" | "verify.past-end" | "verify.past-open-cut" | "verify.past-stop" | "verify.perforation-bridge" | "verify.perforation-cut" | "verify.perforation-gap" | "verify.perforation-uneven" | "verify.plunge-without-move" | "verify.rapid-in-board" | "verify.rapid-near-sheet" | "verify.rapid-too-low" | "verify.released-before" | "verify.slanted" | "verify.spindle" | "verify.stray" | "verify.stray-along" | "verify.stray-plunge" | "verify.stray-plunge-along" | "verify.switches-at-unknown-height" | "verify.switches-low" | "verify.too-few-bridges" | "verify.turn-at-feed" | "verify.turn-in-board" | "verify.turn-off-path" | "verify.turn-overlaps" | "verify.two-lowered" | "verify.unclassified" | "verify.unknown-beside-zone" | "verify.unknown-position" | "verify.unreached" | "verify.where-from-start" | "verify.where-past-end" | "verify.where-past-start" | "verify.wide-slit" | "verify.work-creased" | "verify.work-cut" | "verify.work-grooved" | "verify.work-grooved-from-end" | "verify.work-grooved-from-start" | "verify.wrong-depth" | "verify.wrong-feed" | "verify.wrong-heading" | "verify.wrong-time" | "waiting.confirmed" | "waiting.for-end" | "waiting.for-gateway" | "waiting.for-machine" | "waiting.for-person" | "waiting.for-rest" | "waiting.for-sheet" | "waiting.for-start" | "waiting.for-turn" | "waiting.on-hold" | "waiting.outdated" | "waiting.sheet-outline" | "waiting.sheet-size" | "waiting.taken" | "waiting.taken-interrupted" | "waiting.taken-unconfirmed" | "waiting.tool" | "waiting.tools" | "waiting.unconfirmed-run" | "waiting.unfinished-sheet" | "watch.bad-sidecar" | "watch.folder" | "watch.large-sidecar" | "watch.no-object" | "webhook.bad-url" | "webhook.forbidden-address" | "webhook.inactive" | "webhook.too-many" | "webhook.unknown" | "webhook.unknown-delivery" | "worker.died" | "worker.memory" | "worker.timeout" | "xjdf.bad-value" | "xjdf.missing" | "xjdf.not-xjdf" | "xjdf.twice" | "xjdf.unreadable" | "zone.work";
         /** @description A code with its arguments. */
         Message: {
             /** @constant */
@@ -12734,6 +12970,12 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "request.not-base64";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
             code: "request.not-marked";
             arguments: Record<string, never>;
         } | {
@@ -12746,6 +12988,10 @@ export interface components {
             arguments: {
                 path: string;
             };
+        } | {
+            /** @constant */
+            code: "request.one-drawing";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "request.refused";
@@ -16170,6 +16416,87 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["JobOut"];
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    place_order_with_file: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                "Idempotency-Key"?: string | null;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "multipart/form-data": {
+                    /**
+                     * Format: binary
+                     * @description Drawing in DXF, CF2, SVG or PDF
+                     */
+                    file: string;
+                    /** @description The order without its file: JSON of an `OrderIn` */
+                    order: string;
+                };
+                "application/json": components["schemas"]["OrderIn"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["OrderOut"];
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    place_orders: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                "Idempotency-Key"?: string | null;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["OrdersIn"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["OrderResult"][];
                 };
             };
             /** @description Error with a hint */

@@ -7,7 +7,7 @@ SwaggerUI({
   dom_id: "#docs",
   url: "/api/v1/openapi.json",
   deepLinking: true,
-  docExpansion: "none",
+  docExpansion: "list",
   defaultModelsExpandDepth: 0,
   // The validator is a service on the internet.
   validatorUrl: null,

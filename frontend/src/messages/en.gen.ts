@@ -3631,6 +3631,10 @@ export const TEXTS = {
     "text": "The request does not have exactly one Host header.",
     "hint": "Send one Host header, as HTTP/1.1 requires."
   },
+  "request.not-base64": {
+    "text": "The content of the file {name} is not base64.",
+    "hint": "Encode the bytes of the file in base64, without line breaks."
+  },
   "request.not-marked": {
     "text": "The request lacks the header X-Knifetip, which protects the server against requests from other websites.",
     "hint": "Send the header X-Knifetip with any value."
@@ -3642,6 +3646,10 @@ export const TEXTS = {
   "request.nothing-there": {
     "text": "The URL {path} does not exist on this server.",
     "hint": "Choose a URL that /api/openapi.json describes."
+  },
+  "request.one-drawing": {
+    "text": "An order needs either a file or the id of a stored drawing.",
+    "hint": "Send the part file or the field file, or the field drawing, and not both."
   },
   "request.refused": {
     "text": "The request was rejected with the HTTP status {status}.",

@@ -195,6 +195,22 @@ class JobOut(OrderDetailsOut):
         "hold in the queue. compile: the machine or the board has changed, so the job must be "
         "compiled again. Empty: it does not wait. `message` describes the reason",
     )
+    queue_position: int | None = Field(
+        default=None,
+        description="Place of the job in the queue of its machine, from 1; null if it does not "
+        "wait there",
+    )
+    estimated_start: Moment | None = Field(
+        default=None,
+        description="Estimated start: now, and the machine time of the jobs before it. Null if the "
+        "job does not wait in a queue, or if `no_estimate` states why there is none",
+    )
+    no_estimate: Literal["", "hold", "interrupted", "gateway"] = Field(
+        default="",
+        description="Why a waiting job has no estimated start. hold: it is on hold. interrupted: "
+        "an interrupted job occupies the machine. gateway: the machine is not connected. Empty "
+        "otherwise",
+    )
     on_hold: bool = Field(
         default=False,
         description="Whether an operator put the job on hold in the queue; its machine then takes "

@@ -118,15 +118,9 @@ class ExceptionsIn(Strict):
     by: str = Field(min_length=1, max_length=100, description="Name of the user")
 
 
-class JobIn(OrderDetailsIn):
-    """A new job: a drawing, a machine and a board."""
+class JobChoices(OrderDetailsIn):
+    """Choices for a new job, except its drawing."""
 
-    drawing: Name = Field(description="Id of the drawing")
-    revision: Annotated[int, Field(ge=1, le=2**31 - 1)] | None = Field(
-        default=None,
-        description="Expected revision of the drawing; the status is 412 if the drawing has "
-        "another one. Null for the newest revision",
-    )
     machine: Name = Field(
         default="demo-table",
         description="Name of the machine in the library, as in `GET /api/machines`",
@@ -173,4 +167,15 @@ class JobIn(OrderDetailsIn):
         description="Shortfalls that the user accepts in advance, as those of an earlier job for "
         "the same drawing. Shortfalls that the program does not have are disregarded; all others "
         "refuse it. Null for none",
+    )
+
+
+class JobIn(JobChoices):
+    """A new job: a drawing, a machine and a board."""
+
+    drawing: Name = Field(description="Id of the drawing")
+    revision: Annotated[int, Field(ge=1, le=2**31 - 1)] | None = Field(
+        default=None,
+        description="Expected revision of the drawing; the status is 412 if the drawing has "
+        "another one. Null for the newest revision",
     )

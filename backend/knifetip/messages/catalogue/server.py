@@ -104,6 +104,15 @@ MESSAGES: Final[Entries] = {
         "The request does not have exactly one Host header.",
         "Send one Host header, as HTTP/1.1 requires.",
     ),
+    "request.not-base64": entry(
+        "The content of the file {name} is not base64.",
+        "Encode the bytes of the file in base64, without line breaks.",
+        name="text",
+    ),
+    "request.one-drawing": entry(
+        "An order needs either a file or the id of a stored drawing.",
+        "Send the part file or the field file, or the field drawing, and not both.",
+    ),
     "request.not-marked": entry(
         "The request lacks the header X-Knifetip, which protects the server against requests "
         "from other websites.",

@@ -1,0 +1,81 @@
+"""Models for orders that contain the file of their drawing, and for several orders at once."""
+
+from __future__ import annotations
+
+import base64
+
+from pydantic import BaseModel, Field
+
+from knifetip.api.schemas.common import Name, QuestionOut, Strict
+from knifetip.api.schemas.drawings import DrawingSummary, Unit
+from knifetip.api.schemas.jobs import JobOut
+from knifetip.api.schemas.messages import MessageOut
+from knifetip.api.schemas.orders import JobChoices
+from knifetip.errors import RequestError
+
+
+class FileIn(Strict):
+    """A drawing file within JSON."""
+
+    name: Name = Field(description="File name, such as tray.dxf")
+    content: str = Field(
+        description="Content of the file in base64",
+        json_schema_extra={"contentEncoding": "base64"},
+    )
+
+    def decoded(self) -> bytes:
+        """Return the content of the file.
+
+        Raises
+        ------
+        RequestError
+            The content is not base64.
+        """
+        try:
+            return base64.b64decode(self.content, validate=True)
+        except ValueError as reason:
+            raise RequestError("request.not-base64", name=self.name) from reason
+
+
+class OrderIn(JobChoices):
+    """An order: a drawing file or the id of a stored drawing, and the choices for its job."""
+
+    file: FileIn | None = Field(
+        default=None,
+        description="The drawing in DXF, CF2, SVG or PDF; null if `drawing` is given, or if the "
+        "file is a part of the form",
+    )
+    drawing: Name | None = Field(
+        default=None, description="Id of a stored drawing; null if a file is given"
+    )
+    unit: Unit | None = Field(
+        default=None, description="Unit of the file; null for the unit that the file states"
+    )
+
+
+class OrdersIn(Strict):
+    """Several orders, each of which is carried out or refused by itself."""
+
+    orders: list[OrderIn] = Field(min_length=1, max_length=100, description="The orders")
+
+
+class OrderOut(BaseModel):
+    """The drawing and the job of an order."""
+
+    drawing: DrawingSummary = Field(description="The drawing")
+    job: JobOut = Field(description="The job")
+
+
+class OrderResult(BaseModel):
+    """Result of one of several orders."""
+
+    index: int = Field(description="Number of the order in the request, from 0")
+    drawing: str | None = Field(
+        description="Id of the drawing; null if it was not stored. It is kept if the job was "
+        "refused"
+    )
+    job: JobOut | None = Field(description="The job; null if the order was refused")
+    problem: MessageOut | None = Field(description="Why the order was refused; null if it was not")
+    questions: list[QuestionOut] = Field(
+        default=[], description="Questions for which it was refused; empty if there are none"
+    )
