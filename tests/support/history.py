@@ -113,6 +113,8 @@ def fill(store: Store, count: int) -> None:
         parameters["run"] = first[MachineRun] - 1
         copy(RunLength, "m.run = :run", run=f"{first[MachineRun]} + k")
         if postgresql:
+            # PostgreSQL does so by itself after a while, SQLite never.
+            session.execute(sa.text("ANALYZE"))
             for table in (Drawing, Job, Event, MachineRun):
                 name, key = table.__tablename__, next(iter(table.__table__.primary_key)).name
                 session.execute(
@@ -121,4 +123,3 @@ def fill(store: Store, count: int) -> None:
                         f" (SELECT max({key}) FROM {name}))"
                     )
                 )
-        session.execute(sa.text("ANALYZE"))

@@ -46,7 +46,8 @@ def begins_batch(session: Session, row: Job) -> bool:
         return False
     last = session.execute(
         sa.select(MachineRun.board, MachineRun.outcome)
-        .where(MachineRun.machine == row.machine, MachineRun.ended > 0.0)
+        # Not ``ended > 0``, for which SQLite would read all runs of the machine.
+        .where(MachineRun.machine == row.machine, MachineRun.outcome != "")
         .order_by(MachineRun.id.desc())
         .limit(1)
     ).first()

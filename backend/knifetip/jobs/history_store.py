@@ -30,7 +30,9 @@ class HistoryFilter:
 
     def conditions(self) -> list[sa.ColumnElement[bool]]:
         """Return the conditions as SQL expressions."""
-        found: list[sa.ColumnElement[bool]] = [Job.state.in_(self.states or ENDED)]
+        # Jobs are read in the order of their ends: for ``IN``, SQLite would sort all of them.
+        others = [state for state in State if state not in (self.states or ENDED)]
+        found: list[sa.ColumnElement[bool]] = [Job.state.not_in(others)]
         if self.machine:
             found.append(Job.machine == self.machine)
         if self.board:

@@ -348,16 +348,16 @@ class JobStore:
         file = sa.select(Drawing.sha256).where(Drawing.id == row.drawing).scalar_subquery()
         query = (
             sa.select(Job)
-            .join(Drawing, Drawing.id == Job.drawing)
             .where(
-                Job.serial < row.serial,
-                Drawing.sha256 == file,
+                Job.drawing.in_(sa.select(Drawing.id).where(Drawing.sha256 == file)),
+                # A sum, so that SQLite finds the jobs by their drawings.
+                Job.serial + 0 < row.serial,
                 Job.unit_given == row.unit_given,
                 Job.machine == row.machine,
                 Job.board == row.board,
                 Job.verdict_summary["exceptions"].as_integer() > 0,
             )
-            .order_by(Job.serial.desc())
+            .order_by((Job.serial + 0).desc())
             .limit(1)
         )
         with self._db.reading() as session:

@@ -29,7 +29,8 @@ def unfinished_sheet(session: Session, row: Job) -> str:
     last = session.execute(
         sa.select(MachineRun.job, MachineRun.outcome, Job.state)
         .join(Job, Job.id == MachineRun.job, isouter=True)
-        .where(MachineRun.machine == row.machine, MachineRun.ended > 0.0)
+        # Not ``ended > 0``, for which SQLite would read all runs of the machine.
+        .where(MachineRun.machine == row.machine, MachineRun.outcome != "")
         .order_by(MachineRun.id.desc())
         .limit(1)
     ).first()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass, field
 from datetime import datetime, timedelta
 from typing import Final, Literal, NamedTuple, TypeAlias
@@ -80,7 +81,9 @@ class StatisticsStore:
         machine
             Name of the only machine; empty for all.
         """
-        ended = sa.and_(MachineRun.ended > 0.0, MachineRun.ended >= since, MachineRun.ended < until)
+        # The end of a run is 0 while the job is on the machine.
+        first = max(since, sys.float_info.min)
+        ended = sa.and_(MachineRun.ended >= first, MachineRun.ended < until)
         if machine:
             ended = sa.and_(ended, MachineRun.machine == machine)
         # The database adds up each quarter of an hour: midnight of every zone begins one.

@@ -140,7 +140,6 @@ class Job(Base):
         sa.Index("job_by_state_serial", "state", "serial"),
         sa.Index("job_by_compile_key", "compile_key", "serial"),
         sa.Index("job_by_end", "ended", "serial"),
-        sa.Index("job_by_machine_end", "machine", "ended", "serial"),
         sa.Index("job_by_external_id", "external_id", "serial"),
         sa.Index("job_by_customer", "customer", "serial"),
         sa.Index("job_by_due", "due"),

@@ -9,7 +9,6 @@ depends_on = None
 
 ADDED = (
     ("job_by_state_serial", "job", ["state", "serial"]),
-    ("job_by_machine_end", "job", ["machine", "ended", "serial"]),
     ("drawing_by_sha256", "drawing", ["sha256"]),
     ("run_by_end_of_all", "machine_run", ["ended"]),
     ("run_by_machine", "machine_run", ["machine", "id"]),
