@@ -110,9 +110,20 @@ def contents(url: str) -> dict[str, tuple[str, ...]]:
     return found
 
 
-def check(restored: dict[str, tuple[str, ...]], live: dict[str, tuple[str, ...]]) -> None:
-    """Check that what was restored is a moment of the live database."""
-    assert BEFORE <= len(restored) <= len(live)
+def count_jobs(url: str) -> int:
+    """Return the number of committed jobs."""
+    with closing(Store(url)) as store, store.database.reading() as session:
+        return int(session.scalar(sa.text("SELECT count(*) FROM job")) or 0)
+
+
+def check(
+    restored: dict[str, tuple[str, ...]], live: dict[str, tuple[str, ...]], committed: int
+) -> None:
+    """Check that what was restored is a moment of the live database.
+
+    ``committed`` is the number of jobs when the backup began, all of which it must contain.
+    """
+    assert BEFORE <= committed <= len(restored) <= len(live)
     assert list(restored) == list(live)[: len(restored)]
     for id, (drawing, program, *events) in restored.items():
         assert drawing == live[id][0]
@@ -129,11 +140,12 @@ def test_a_backup_of_sqlite_during_writes_is_restored_elsewhere(
         store.migrate()
     with writing(url):
         for number in range(3):
+            committed = count_jobs(url)
             code, _, err = knifetip("backup", tmp_path / f"copy{number}", "--database", url)
             assert code == 0, err
     code, _, err = knifetip("restore", tmp_path / "copy2", "--database", fresh)
     assert code == 0, err
-    check(contents(fresh), contents(url))
+    check(contents(fresh), contents(url), committed)
     with closing(Store(fresh)) as store:
         add_compiled_job(store, -1)
 
@@ -156,12 +168,13 @@ def test_a_dump_of_postgresql_during_writes_is_restored_elsewhere(
 
     with writing(postgresql_url):
         address = postgresql_url.replace("+psycopg", "")
+        committed = count_jobs(postgresql_url)
         run("pg_dump", "--format=custom", f"--file={dump}", address)
     fresh = create_database(postgresql_server, f"r{postgresql_url.split('/t')[1].split('?')[0]}")
     # The options of the how-to page.
     words = ("--exit-on-error", "--no-owner", f"--dbname={fresh.replace('+psycopg', '')}")
     run("pg_restore", *words, str(dump))
-    check(contents(fresh), contents(postgresql_url))
+    check(contents(fresh), contents(postgresql_url), committed)
     with closing(Store(fresh)) as store:
         assert store.prepare() is None
         add_compiled_job(store, -1)
