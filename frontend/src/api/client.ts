@@ -57,6 +57,9 @@ export type Activity = Schemas["ActivityOut"];
 export type OperationRequest = Schemas["OperationIn"];
 export type Override = Schemas["Override"];
 export type Profile = Schemas["ProfileOut"];
+/** An endpoint of another system to which events are sent. */
+export type Webhook = Schemas["WebhookOut"];
+export type NewWebhook = Schemas["NewWebhookOut"];
 export type ProfileDraft = Schemas["ProfileIn"];
 export type Preview = Schemas["PreviewOut"];
 export type Proposal = Schemas["ProposalOut"];
@@ -436,6 +439,21 @@ export const service = {
   /** Compute the deflection of a cutter from a measured test cut; nothing is stored. */
   calibrate: (board: string, order: CalibrationOrder): Promise<Calibration> =>
     dataOf(api.POST("/api/v1/boards/{name}/deflection", { params: byName(board), body: order })),
+  webhooks: (signal?: AbortSignal): Promise<Webhook[]> =>
+    dataOf(api.GET("/api/v1/webhooks", uncached(signal))),
+  addWebhook: (url: string, description: string): Promise<NewWebhook> =>
+    dataOf(api.POST("/api/v1/webhooks", { body: { url, description, event_types: [] } })),
+  switchWebhook: (id: string, active: boolean): Promise<Webhook> =>
+    dataOf(api.PATCH("/api/v1/webhooks/{id}", { params: byId(id), body: { active } })),
+  testWebhook: async (id: string): Promise<void> => {
+    await dataOf(api.POST("/api/v1/webhooks/{id}/test", { params: byId(id) }));
+  },
+  replayWebhook: async (id: string): Promise<void> => {
+    await dataOf(api.POST("/api/v1/webhooks/{id}/replay", { params: byId(id) }));
+  },
+  deleteWebhook: async (id: string): Promise<void> => {
+    await api.DELETE("/api/v1/webhooks/{id}", { params: byId(id) });
+  },
   library: (signal?: AbortSignal): Promise<LibraryEntry[]> =>
     dataOf(api.GET("/api/v1/library", uncached(signal))),
   librarySchema: (kind: Shelf, signal?: AbortSignal): Promise<Record<string, unknown>> =>

@@ -33,11 +33,13 @@ import { syncWithAddress } from "./routes";
 import { StationPage } from "./StationPage";
 import { listenToKeys, type PictureCommands } from "./shortcuts";
 import { TopBar } from "./TopBar";
+import { WebhooksPage } from "./WebhooksPage";
 import { Welcome } from "./Welcome";
 
 export function App() {
   const station = useUiStore((ui) => ui.station);
   const library = useUiStore((ui) => ui.library);
+  const webhooks = useUiStore((ui) => ui.webhooks);
   useEffect(() => {
     const ends = [syncWithAddress(), subscribeToEvents(syncDrawing)];
     return () => {
@@ -45,6 +47,7 @@ export function App() {
     };
   }, []);
   if (library) return <LibraryPage />;
+  if (webhooks) return <WebhooksPage />;
   return station === null ? <DrawingPage /> : <StationPage key={station} machine={station} />;
 }
 

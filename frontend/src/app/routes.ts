@@ -7,11 +7,13 @@
  *     #/station/MACHINE               the page of the person at a machine
  *     #/library                       machines, boards and tools
  *     #/history                       ended jobs, statistics and tools
+ *     #/webhooks                      endpoints of other systems
  */
 
 import { useUiStore } from "../state/store";
 
 const HISTORY = "#/history";
+const WEBHOOKS = "#/webhooks";
 
 export interface Route {
   readonly drawing: string | null;
@@ -56,10 +58,13 @@ export function syncWithAddress(): () => void {
   const read = () => {
     const page = useUiStore.getState();
     const history = window.location.hash === HISTORY;
+    const webhooks = window.location.hash === WEBHOOKS;
     const { drawing, job, station, library } = routeOf(window.location.hash);
-    if (page.history !== history || page.library !== library) page.set({ history, library });
+    if (page.history !== history || page.library !== library || page.webhooks !== webhooks) {
+      page.set({ history, library, webhooks });
+    }
     // The drawing stays open behind these pages.
-    if (history || library) {
+    if (history || library || webhooks) {
       if (page.station !== null) page.openStation(null);
       return;
     }
@@ -73,9 +78,11 @@ export function syncWithAddress(): () => void {
       page.drawing === before.drawing &&
       page.station === before.station &&
       page.library === before.library &&
+      page.webhooks === before.webhooks &&
       page.history === before.history;
     if (same && page.job === before.job) return;
-    const hash = page.history ? HISTORY : hashOf(page);
+    const other = page.webhooks ? WEBHOOKS : null;
+    const hash = page.history ? HISTORY : (other ?? hashOf(page));
     if (window.location.hash === hash) return;
     // Opening a drawing adds an entry to the browser history; opening a job replaces it.
     if (same) window.history.replaceState(null, "", hash);

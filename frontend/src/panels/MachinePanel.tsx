@@ -37,6 +37,10 @@ export function MachinePanel() {
         ·{" "}
         <a className={css.link} href="#/library" data-testid="open-library">
           Machines and boards
+        </a>{" "}
+        ·{" "}
+        <a className={css.link} href="#/webhooks" data-testid="open-webhooks">
+          Webhooks
         </a>
       </div>
       {machine.carriages.map((carriage) => (

@@ -164,6 +164,13 @@ export const queries = {
     }),
   formats: () =>
     queryOptions({ queryKey: ["formats"], queryFn: ({ signal }) => service.formats(signal) }),
+  webhooks: () =>
+    queryOptions({
+      queryKey: ["webhooks"],
+      queryFn: ({ signal }) => service.webhooks(signal),
+      // Deliveries send no event to the page.
+      refetchInterval: 3000,
+    }),
   library: () =>
     queryOptions({ queryKey: ["library"], queryFn: ({ signal }) => service.library(signal) }),
   librarySchema: (shelf: Shelf) =>

@@ -52,6 +52,8 @@ export interface UiState {
   readonly station: string | null;
   /** Whether the page of machines, boards and tools is open. */
   readonly library: boolean;
+  /** Whether the page of webhooks is open. */
+  readonly webhooks: boolean;
   readonly drawing: string | null;
   readonly job: string | null;
   readonly selection: ReadonlySet<number>;
@@ -123,6 +125,7 @@ type UiValues = Pick<
   UiState,
   | "busy"
   | "library"
+  | "webhooks"
   | "upload"
   | "connection"
   | "leftOpen"
@@ -158,6 +161,7 @@ const equalRows = (a: readonly number[], b: readonly number[]): boolean =>
 export const useUiStore = create<UiState>()((set) => ({
   station: null,
   library: false,
+  webhooks: false,
   drawing: null,
   job: null,
   selection: NO_ROWS,
