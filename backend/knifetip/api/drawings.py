@@ -53,7 +53,7 @@ from knifetip.api.service import (
     require_customer_profile,
     set_next_page,
 )
-from knifetip.formats import format_of
+from knifetip.formats import FORMATS, format_of
 from knifetip.jobs import tasks
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.interpretations import interpretation_of
@@ -68,6 +68,10 @@ from knifetip.presentation.picture import svg_picture
 router = ScopedRouter(prefix="/drawings", tags=["drawings"])
 
 _SVG: dict[str, Any] = {"content": {"image/svg+xml": {"schema": {"type": "string"}}}}
+_BYTES: dict[str, Any] = {"schema": {"type": "string", "format": "binary"}}
+_FILE: dict[str, Any] = {
+    "content": dict.fromkeys(sorted({one.media_type for one in FORMATS}), _BYTES)
+}
 _NOT_MODIFIED: dict[int | str, dict[str, Any]] = {304: {"description": "Not modified"}}
 
 
@@ -272,7 +276,7 @@ def get_cleaning(service: ServiceDep, id: DrawingId) -> CleaningOut:
     return CleaningOut.model_validate(service.run(tasks.cleaning_report, edges))
 
 
-@router.get("/{id}/file", response_class=Response, responses={200: BINARY})
+@router.get("/{id}/file", response_class=Response, responses={200: _FILE, **_NOT_MODIFIED})
 @requires(AccessScope.VIEWER)
 def get_file(service: ServiceDep, request: Request, id: DrawingId) -> Response:
     """Download the uploaded file of a drawing."""

@@ -15734,7 +15734,16 @@ export interface operations {
                 };
                 content: {
                     "application/octet-stream": string;
+                    "image/vnd.dxf": string;
+                    "text/plain": string;
                 };
+            };
+            /** @description Not modified */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Error with a hint */
             default: {

@@ -265,3 +265,11 @@ def test_a_very_long_name_keeps_its_suffix() -> None:
     name = drawing_name("x" * 5000 + ".dxf")
     assert len(name) <= 120
     assert name.endswith(".dxf")
+
+
+def test_the_media_type_of_a_downloaded_file_is_described(client: httpx.Client) -> None:
+    described = client.get("/api/v1/openapi.json").json()
+    answers = described["paths"]["/api/v1/drawings/{id}/file"]["get"]["responses"]
+    id = upload_drawing(client, square())["id"]
+    sent = client.get(f"/api/v1/drawings/{id}/file").headers["content-type"]
+    assert sent.partition(";")[0] in answers["200"]["content"]
