@@ -27,6 +27,7 @@ from knifetip.api import (
     events,
     gateway,
     history,
+    job_export,
     jobs,
     library,
     machines,
@@ -52,6 +53,7 @@ from knifetip.api.problems import problem
 from knifetip.api.queue import WorkQueue
 from knifetip.api.readiness import Readiness
 from knifetip.api.request_log import RequestLog
+from knifetip.api.retention import run_retention
 from knifetip.api.routing import (
     ScopedRouter,
     public,
@@ -145,7 +147,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         await asyncio.to_thread(compiling.start)
         tasks = [
             asyncio.create_task(app.state.stream.run()),
-            asyncio.create_task(history.delete_old_jobs(service)),
+            asyncio.create_task(run_retention(service)),
             asyncio.create_task(WebhookSender(service).run()),
         ]
         service.ready = True
@@ -178,6 +180,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     )
     for module in _ROUTES:
         app.include_router(module.router, prefix="/api")
+    app.include_router(job_export.router, prefix="/api")
     app.include_router(_health_router)
     app.include_router(metrics_router)
     # Raises if a route declares no scope.

@@ -69,6 +69,8 @@ class Parts:
     compiles: bool = True  #: False if compile workers run in other processes
     keep_history: int = 0  #: days for which ended jobs are kept; 0 for no limit
     webhook_private: bool = True  #: webhooks may be sent to loopback and private addresses
+    keep_drawings: int = 0  #: days for which drawings without jobs are kept; 0 for no limit
+    archive: Path | None = None  #: folder for a zip file of each job before its deletion
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,6 +161,8 @@ def serve(
             compiles=parts.compiles,
             name=name,
             keep_history=parts.keep_history,
+            keep_drawings=parts.keep_drawings,
+            archive=parts.archive,
             webhook_private=parts.webhook_private,
             access=rules,
             upload=limits.upload,

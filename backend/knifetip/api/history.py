@@ -1,9 +1,7 @@
-"""Routes for ended jobs and for statistics of the machines, and the deletion of old jobs."""
+"""Routes for ended jobs and for statistics of the machines."""
 
 from __future__ import annotations
 
-import asyncio
-import logging
 from typing import Annotated
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
@@ -15,17 +13,14 @@ from knifetip.api.schemas.history import HistoryQuery, StatisticsOut, Statistics
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.schemas.order_details import details_filter
 from knifetip.api.schemas.times import rfc3339
-from knifetip.api.service import Service, ServiceDep, set_next_page
+from knifetip.api.service import ServiceDep, set_next_page
 from knifetip.errors import RequestError
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.history_store import HistoryFilter
 
 router = ScopedRouter(tags=["history"])
 
-_DAY = 86_400.0
-_PAUSE = 3600.0  # seconds between two deletions of old jobs
 _END = 1e11  # later than all times
-_log = logging.getLogger("knifetip.api")
 
 
 @router.get("/history")
@@ -96,18 +91,3 @@ def get_statistics(
         )
         for one in sums
     ]
-
-
-async def delete_old_jobs(service: Service) -> None:
-    """Delete jobs that ended before the time for which ended jobs are kept, once an hour.
-
-    Runs until its asyncio task is cancelled.
-    """
-    days = service.settings.keep_history
-    while days > 0:
-        try:
-            end = service.store.database.clock() - days * _DAY
-            await asyncio.to_thread(service.store.history.delete_before, end)
-        except Exception:
-            _log.exception("old jobs were not deleted")
-        await asyncio.sleep(_PAUSE)

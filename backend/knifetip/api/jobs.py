@@ -227,6 +227,11 @@ def get_job(service: ServiceDep, id: JobId) -> JobOut:
 @requires(AccessScope.VIEWER)
 def get_job_events(service: ServiceDep, id: JobId) -> list[JobEvent]:
     """List the state changes of a job with their times, causes and descriptions."""
+    return job_events(service.store, id)
+
+
+def job_events(store: Store, id: str) -> list[JobEvent]:
+    """Return the API models of the events of a job."""
     return [
         JobEvent.model_validate(
             {
@@ -239,7 +244,7 @@ def get_job_events(service: ServiceDep, id: JobId) -> list[JobEvent]:
                 "message": event.message,
             }
         )
-        for event in service.store.events.of_job(id)
+        for event in store.events.of_job(id)
     ]
 
 

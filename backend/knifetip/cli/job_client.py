@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any
-from urllib.parse import quote
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, Final
+from urllib.parse import parse_qsl, quote, urlsplit
 
 from knifetip.errors import JobError
 from knifetip.messages import from_json
+
+if TYPE_CHECKING:
+    import httpx
+
+_PAGE: Final = 500  # jobs that are listed by one request
 
 
 class JobClient:
@@ -43,6 +49,16 @@ class JobClient:
             The server cannot be reached or refuses the request; the error contains the message of
             the server, if the server sent one.
         """
+        return self._answer(method, path, params=params, body=body).json()
+
+    def _answer(
+        self,
+        method: str,
+        path: str = "",
+        *,
+        params: dict[str, Any] | None = None,
+        body: dict[str, str] | None = None,
+    ) -> httpx.Response:
         import httpx  # imported here: slow, and other commands do not need it
 
         url = f"{self._server}/api/v1/jobs{path}"
@@ -52,12 +68,12 @@ class JobClient:
             )
         except (httpx.HTTPError, httpx.InvalidURL) as reason:
             raise JobError("server.unreachable", server=self._server, reason=reason) from reason
+        if answer.is_success:
+            return answer
         try:
             content = answer.json()
         except ValueError:
             content = {}
-        if answer.is_success:
-            return content
         if isinstance(content, dict) and "detail" in content:
             raise JobError(from_json({"text": content["detail"], **content}))
         raise JobError("server.answered", url=url, status=answer.status_code)
@@ -69,6 +85,27 @@ class JobClient:
     def tracks(self, id: str) -> list[dict[str, Any]]:
         """Return the tracks of the program of a job as JSON data."""
         return list(self.request("GET", f"{_path(id)}/tracks"))
+
+    def export(self, id: str) -> bytes:
+        """Return the zip file of a job.
+
+        Raises
+        ------
+        JobError
+            The server cannot be reached or refuses the request.
+        """
+        return self._answer("GET", f"{_path(id)}/export").content
+
+    def ids(self) -> Iterator[str]:
+        """Yield the ids of all jobs of the server, newest first."""
+        cursor: dict[str, Any] = {}
+        while True:
+            answer = self._answer("GET", params={"limit": _PAGE, **cursor})
+            yield from (row["id"] for row in answer.json())
+            following = answer.links.get("next", {}).get("url")
+            if following is None:
+                return
+            cursor = dict(parse_qsl(urlsplit(following).query))
 
     def command(self, id: str, command: str, body: dict[str, Any] | None = None) -> dict[str, Any]:
         """Send a command for a job to the server; return the changed job as JSON data.

@@ -39,6 +39,7 @@ COMMANDS: Final[dict[str, _Command]] = {
     "job": _Command("job", "List and control the jobs of a server."),
     "user": _Command("account", "Add, list and change the users of a server's database."),
     "key": _Command("account", "Create, list and revoke the API keys of a server's database."),
+    "export": _Command("export", "Write jobs of a server to zip files."),
     "serve": _Command(
         "service", "Run the server with its page, a compile worker and a simulated machine."
     ),

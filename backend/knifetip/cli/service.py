@@ -83,13 +83,32 @@ class PartOptions:
     keep_history: Annotated[
         int,
         typer.Option(
+            "--keep-jobs",
+            "--keep-history",
             min=0,
             max=100_000,
-            envvar="KNIFETIP_KEEP_HISTORY",
-            help="Days after which ended jobs are deleted; statistics and the use of tools remain. "
-            "0 keeps all jobs.",
+            envvar=["KNIFETIP_KEEP_JOBS", "KNIFETIP_KEEP_HISTORY"],
+            help="Days after which ended jobs are deleted; events, statistics and the use of tools "
+            "remain. 0 keeps all jobs.",
         ),
     ] = 0
+    keep_drawings: Annotated[
+        int,
+        typer.Option(
+            min=0,
+            max=100_000,
+            envvar="KNIFETIP_KEEP_DRAWINGS",
+            help="Days after their upload after which drawings without jobs are deleted. 0 keeps "
+            "all drawings.",
+        ),
+    ] = 0
+    archive: Annotated[
+        Path | None,
+        typer.Option(
+            envvar="KNIFETIP_ARCHIVE",
+            help="Folder in which a zip file of each job is written before the job is deleted.",
+        ),
+    ] = None
     webhook_private: Annotated[
         bool,
         typer.Option(
@@ -236,6 +255,8 @@ def serve(
             parts.compiles,
             parts.keep_history,
             parts.webhook_private,
+            parts.keep_drawings,
+            parts.archive,
         ),
         embedded.Access(access.key, access.key_file, tuple(access.allow_host or ())),
         print_stderr,

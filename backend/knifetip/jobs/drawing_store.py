@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -254,6 +255,22 @@ class DrawingStore:
             self._transitions.write_event(
                 session, "drawing", id, "deleted", OPERATOR, Message("drawing.deleted")
             )
+
+    def delete_unused_before(self, end: float) -> int:
+        """Delete the drawings that were uploaded before a time and of which no job is stored.
+
+        Returns the number of deleted drawings.
+        """
+        used = sa.exists().where(Job.drawing == Drawing.id)
+        old = sa.select(Drawing.id).where(Drawing.created < end, ~used)
+        with self._db.reading() as session:
+            ids = list(session.scalars(old))
+        deleted = 0
+        for id in ids:
+            with suppress(NoSuchJob, WrongState):  # deleted or used meanwhile
+                self.delete(id)
+                deleted += 1
+        return deleted
 
 
 def _unknown_drawing_error(id: str) -> NoSuchJob:

@@ -7,7 +7,7 @@ from collections.abc import Collection
 import sqlalchemy as sa
 
 from knifetip.jobs.database import Database
-from knifetip.jobs.tables import Event, Job
+from knifetip.jobs.tables import Event
 from knifetip.jobs.transitions import unknown_job_error
 
 
@@ -18,13 +18,19 @@ class EventStore:
         self._db = database
 
     def of_job(self, id: str) -> list[Event]:
-        """Return the events of the job with an id, oldest first."""
+        """Return the events of a job, oldest first; those of a deleted job remain.
+
+        Raises
+        ------
+        NoSuchJob
+            There is and was no job with this id.
+        """
+        query = sa.select(Event).where(Event.subject == id, Event.kind == "job").order_by(Event.id)
         with self._db.reading() as session:
-            if session.scalar(sa.select(Job.id).where(Job.id == id)) is None:
-                raise unknown_job_error(id)
-            return list(
-                session.scalars(sa.select(Event).where(Event.subject == id).order_by(Event.id))
-            )
+            found = list(session.scalars(query))
+        if not found:
+            raise unknown_job_error(id)
+        return found
 
     def after(self, last: int, limit: int = 1000, late: Collection[int] = ()) -> list[Event]:
         """Return at most ``limit`` events with ids above ``last`` or in ``late``, oldest first."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
@@ -11,7 +11,7 @@ import sqlalchemy as sa
 from knifetip.jobs.database import Database, rows
 from knifetip.jobs.job import ENDED, State
 from knifetip.jobs.order_details import DetailsFilter
-from knifetip.jobs.tables import Event, Job
+from knifetip.jobs.tables import Job
 
 _BATCH: Final = 200  # jobs that one transaction deletes, so that gateways do not wait
 
@@ -74,19 +74,29 @@ class HistoryStore:
                 session.scalars(query.order_by(Job.ended.desc(), Job.serial.desc()).limit(limit))
             )
 
-    def delete_before(self, end: float) -> int:
-        """Delete the jobs that ended before a time, with their events; return their number.
+    def delete_before(self, end: float, save: Callable[[Sequence[str]], None] | None = None) -> int:
+        """Delete the jobs that ended before a time; return their number.
 
-        Interrupted jobs are kept, because their board may be on the table.  The runs of deleted
-        jobs remain, so statistics and the use of tools do not change.
+        Interrupted jobs are kept, because their board may be on the table.  The events and the runs
+        of deleted jobs remain, so statistics and the use of tools do not change.
+
+        Parameters
+        ----------
+        end
+            Jobs that ended before this time are deleted (seconds since 1970).
+        save
+            Called with the ids of jobs before they are deleted; an error of it keeps them.
         """
         final = [state for state in ENDED if state is not State.INTERRUPTED]
-        old = sa.select(Job.id).where(Job.state.in_(final), Job.ended < end).limit(_BATCH)
+        is_old = sa.and_(Job.state.in_(final), Job.ended < end)
         deleted = 0
         while True:
+            with self._db.reading() as session:
+                ids = list(session.scalars(sa.select(Job.id).where(is_old).limit(_BATCH)))
+            if not ids:
+                return deleted
+            if save is not None:
+                save(ids)
             with self._db.writing() as session:
-                ids = list(session.scalars(old))
-                if not ids:
-                    return deleted
-                session.execute(sa.delete(Event).where(Event.subject.in_(ids)))
-                deleted += rows(session, sa.delete(Job).where(Job.id.in_(ids)))
+                # A job may have been requeued meanwhile.
+                deleted += rows(session, sa.delete(Job).where(Job.id.in_(ids), is_old))

@@ -1,0 +1,68 @@
+"""Deletion of old jobs and drawings, after an archive of the jobs was written (ADR 84)."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from functools import partial
+from pathlib import Path
+from typing import Final
+
+from knifetip.api.job_export import archive_jobs
+from knifetip.api.service import Service
+from knifetip.jobs.store import Store
+
+_DAY: Final = 86_400.0
+_PAUSE: Final = 3600.0  # seconds between two deletions
+_log = logging.getLogger("knifetip.api")
+
+
+async def run_retention(service: Service) -> None:
+    """Delete old jobs and drawings once an hour; runs until its asyncio task is cancelled."""
+    settings = service.settings
+    while settings.keep_history > 0 or settings.keep_drawings > 0:
+        try:
+            await asyncio.to_thread(
+                purge,
+                service.store,
+                settings.keep_history,
+                settings.keep_drawings,
+                settings.archive,
+            )
+        except Exception:
+            _log.exception("old jobs and drawings were not deleted")
+        await asyncio.sleep(_PAUSE)
+
+
+def purge(
+    store: Store, keep_jobs: int, keep_drawings: int, archive: Path | None
+) -> tuple[int, int]:
+    """Delete old jobs and drawings; return their numbers.
+
+    Interrupted jobs, jobs that have not ended, and drawings of stored jobs are kept.  Events,
+    statistics and the audit log are kept too.
+
+    Parameters
+    ----------
+    store
+        The store.
+    keep_jobs, keep_drawings
+        Days after their end, or after their upload, for which they are kept; 0 for ever.
+    archive
+        Folder for a zip file of each job before it is deleted; None for none.
+
+    Raises
+    ------
+    OSError
+        The archive cannot be written; the jobs that it lacks were not deleted.
+    """
+    now = store.database.clock()
+    jobs = drawings = 0
+    if keep_jobs > 0:
+        save = None if archive is None else partial(archive_jobs, store, archive)
+        jobs = store.history.delete_before(now - keep_jobs * _DAY, save)
+    if keep_drawings > 0:
+        drawings = store.drawings.delete_unused_before(now - keep_drawings * _DAY)
+    if jobs or drawings:
+        _log.info("deleted %d jobs and %d drawings", jobs, drawings)
+    return jobs, drawings

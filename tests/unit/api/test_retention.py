@@ -1,0 +1,136 @@
+"""Old jobs and drawings are deleted after they were archived; what is needed stays."""
+
+from __future__ import annotations
+
+import io
+import json
+import zipfile
+from pathlib import Path
+
+import httpx
+import pytest
+import sqlalchemy as sa
+
+from knifetip.api import retention
+from knifetip.api.service import Settings
+from knifetip.jobs.store import Store
+from knifetip.jobs.tables import Drawing, Job
+from tests.support.command import Command
+from tests.support.serving.server import (
+    order_job,
+    run_server,
+    service_of,
+    square,
+    upload_drawing,
+    wait_for_state,
+)
+
+pytestmark = pytest.mark.xdist_group("server")
+DAY = 86_400.0
+
+
+def contents(archive: bytes) -> dict[str, bytes]:
+    with zipfile.ZipFile(io.BytesIO(archive)) as opened:
+        return {name: opened.read(name) for name in opened.namelist()}
+
+
+def compiled_job(client: httpx.Client) -> tuple[str, str]:
+    drawing = upload_drawing(client, square())["id"]
+    job = order_job(client, drawing)["id"]
+    wait_for_state(client, job, "ready")
+    return drawing, job
+
+
+def make_older(store: Store, days: float) -> None:
+    """Move the times of all drawings and jobs into the past."""
+    with store.database.writing() as session:
+        session.execute(sa.update(Drawing).values(created=Drawing.created - days * DAY))
+        session.execute(sa.update(Job).where(Job.ended > 0).values(ended=Job.ended - days * DAY))
+
+
+def test_a_job_is_exported_with_drawing_program_verdict_and_events(
+    client: httpx.Client, knifetip: Command, tmp_path: Path
+) -> None:
+    drawing, job = compiled_job(client)
+    answer = client.get(f"/api/v1/jobs/{job}/export")
+    assert answer.status_code == 200
+    assert answer.headers["Content-Type"] == "application/zip"
+    assert answer.headers["Content-Disposition"] == f'attachment; filename="{job}.zip"'
+    files = contents(answer.content)
+    assert sorted(files) == [
+        "drawing-square.dxf", "events.json", "job.json", "program.txt", "verdict.json",
+    ]  # fmt: skip
+    assert files["drawing-square.dxf"] == square()
+    assert files["program.txt"] == client.get(f"/api/jobs/{job}/program").content
+    assert json.loads(files["job.json"])["drawing"] == drawing
+    assert json.loads(files["verdict.json"])["accepted"] is True
+    states = [event["state"] for event in json.loads(files["events.json"])]
+    assert states == [one["state"] for one in client.get(f"/api/jobs/{job}/events").json()]
+    assert client.get("/api/jobs/none/export").status_code == 404
+
+    code, out, err = knifetip(
+        "export", tmp_path / "out", "--job", job, "--server", str(client.base_url)
+    )
+    assert code == 0, err
+    assert contents((tmp_path / "out" / f"{job}.zip").read_bytes()) == files
+    assert out == f"{tmp_path / 'out' / f'{job}.zip'}\n"
+
+
+def test_all_jobs_are_exported(
+    client: httpx.Client,
+    knifetip: Command,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("knifetip.cli.job_client._PAGE", 1)
+    drawing = upload_drawing(client, square())["id"]
+    for _ in range(2):
+        order_job(client, drawing)
+    code, _out, err = knifetip("export", tmp_path, "--server", str(client.base_url))
+    assert code == 0, err
+    listed = {row["id"] for row in client.get("/api/jobs?limit=500").json()}
+    assert len(listed) >= 2
+    assert {file.stem for file in tmp_path.glob("*.zip")} == listed
+
+
+def test_old_jobs_are_archived_and_deleted_and_the_others_kept(tmp_path: Path) -> None:
+    with run_server(Settings(f"sqlite:///{tmp_path}/a.sqlite", name="test")) as client:
+        store = service_of(client.app).store
+        old_drawing, old = compiled_job(client)
+        used, ready = compiled_job(client)
+        unused = upload_drawing(client, square())["id"]
+        client.post(f"/api/jobs/{old}/cancel")
+        events = store.events.of_job(old)
+        make_older(store, 30.0)
+        exported = contents(client.get(f"/api/jobs/{old}/export").content)
+        young = upload_drawing(client, square())["id"]
+
+        assert retention.purge(store, 31, 31, tmp_path / "archive") == (0, 0)
+        assert not list(tmp_path.glob("archive/*"))
+        assert retention.purge(store, 29, 29, tmp_path / "archive") == (1, 2)
+
+        (file,) = (tmp_path / "archive").iterdir()
+        assert file.name == f"{old}.zip"
+        assert contents(file.read_bytes()) == exported
+        assert client.get(f"/api/jobs/{old}").status_code == 404
+        assert client.get(f"/api/jobs/{ready}").json()["state"] == "ready"
+        gone = {one: client.get(f"/api/drawings/{one}").status_code for one in (
+            old_drawing, unused, used, young,
+        )}  # fmt: skip
+        assert gone == {old_drawing: 404, unused: 404, used: 200, young: 200}
+        kept = [(event.id, event.state) for event in store.events.of_job(old)]
+        assert kept == [(event.id, event.state) for event in events]
+        assert len(kept) > 2
+        assert client.get("/api/history").status_code == 200
+
+
+def test_a_job_that_cannot_be_archived_is_kept(tmp_path: Path) -> None:
+    with run_server(Settings(f"sqlite:///{tmp_path}/a.sqlite", name="test")) as client:
+        store = service_of(client.app).store
+        _, job = compiled_job(client)
+        client.post(f"/api/jobs/{job}/cancel")
+        make_older(store, 30.0)
+        (tmp_path / "archive").write_text("a file, not a folder")
+        with pytest.raises(OSError, match="archive"):
+            retention.purge(store, 1, 0, tmp_path / "archive")
+        assert client.get(f"/api/jobs/{job}").json()["state"] == "cancelled"
