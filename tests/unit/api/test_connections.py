@@ -15,9 +15,10 @@ import httpx
 import pytest
 import uvicorn
 
+from knifetip.api import embedded
 from knifetip.api.access import AccessRules
 from knifetip.api.app import create_app
-from knifetip.api.connections import ConnectionLimits, limited_protocol
+from knifetip.api.connections import ConnectionLimits, LimitedProtocol, limited_protocol
 from knifetip.api.service import Settings
 from tests.support.serving.server import order_job, service_of, square, upload_drawing
 
@@ -228,3 +229,13 @@ def test_a_connection_is_refused_while_all_others_are_busy(tmp_path: Path) -> No
         assert json.loads(answer.partition(b"\r\n\r\n")[2])["code"] == (
             "limit.too-many-connections"
         )
+
+
+def test_the_service_limits_its_connections(tmp_path: Path) -> None:
+    rules = AccessRules(loopback_only=True)
+    app = create_app(Settings(database=f"sqlite:///{tmp_path}/shop.sqlite", access=rules))
+    limits = ConnectionLimits(head=3.0, per_client=7)
+    config = embedded._Server(app, [], print, False, limits).config
+    config.load()
+    assert issubclass(config.http_protocol_class, LimitedProtocol)
+    assert config.http_protocol_class.limits is limits

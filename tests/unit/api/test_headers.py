@@ -69,6 +69,7 @@ def test_errors_and_the_page_have_the_security_headers(client: LocalClient) -> N
         client.get("/api/openapi.json"),
         client.get("/api/v1/openapi.json"),
         client.get("/docs"),
+        client.get("/api/docs"),
         client.get("/metrics"),
         client.get("/healthz"),
         client.get("/readyz"),
