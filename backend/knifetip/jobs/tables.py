@@ -448,7 +448,9 @@ class WebhookDelivery(Base):
 
     serial: Mapped[int] = mapped_column(_SERIAL, primary_key=True, autoincrement=True)
     id: Mapped[str] = mapped_column(sa.String(40), unique=True)  #: the header webhook-id
-    webhook: Mapped[int] = mapped_column(sa.ForeignKey("webhook.serial", ondelete="CASCADE"))
+    webhook: Mapped[int] = mapped_column(
+        _SERIAL, sa.ForeignKey("webhook.serial", ondelete="CASCADE")
+    )
     event_type: Mapped[str] = mapped_column(sa.String(40))
     subject: Mapped[str] = mapped_column(sa.String(32))  #: id of the job or drawing
     payload: Mapped[str] = mapped_column(sa.Text)  #: the JSON text that is signed and sent

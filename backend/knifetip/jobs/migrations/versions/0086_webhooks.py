@@ -35,7 +35,7 @@ def upgrade() -> None:
         sa.Column("id", sa.String(40), nullable=False, unique=True),
         sa.Column(
             "webhook",
-            sa.BigInteger(),
+            _SERIAL,
             sa.ForeignKey("webhook.serial", ondelete="CASCADE"),
             nullable=False,
         ),
