@@ -153,6 +153,11 @@ def configure(
     logging.captureWarnings(True)
     # DBOS adds a handler of its own to a logger that has none.
     logging.getLogger("dbos").addHandler(logging.NullHandler())
+    # uvicorn's own configuration, if it was used before, gives these loggers handlers of their own.
+    for name in ("uvicorn", "uvicorn.error", "uvicorn.access"):
+        logger = logging.getLogger(name)
+        logger.handlers.clear()
+        logger.propagate = True
     # Libraries that log each of their steps as information.
     for name in ("alembic", "dbos", "httpx", "httpcore", "asyncio"):
         logging.getLogger(name).setLevel(logging.WARNING)

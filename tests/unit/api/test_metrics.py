@@ -41,7 +41,8 @@ def test_the_metrics_count_requests_jobs_gateways_and_stages(tmp_path: Path) -> 
     with run_server(Settings(f"sqlite:///{tmp_path}/a.sqlite", name="test")) as client:
         job = order_job(client, upload_drawing(client, square())["id"])["id"]
         wait_for_state(client, job, "ready")
-        released = order_job(client, upload_drawing(client, square())["id"], release=True)["id"]
+        other = upload_drawing(client, square(side=120.0))["id"]
+        released = order_job(client, other, release=True)["id"]
         ask = {"gateway": "g", "machine": "demo-table", "wait": 50}
         claim = client.post("/api/v1/gateway/claim", json=ask).json()
         assert claim["job"] == released
