@@ -179,7 +179,7 @@ def serve(
                 "--key-file PATH, then start the server again."
             )
         if key:
-            lines.append(_how_to_open(taken, key, access.key_file))
+            lines.append(_how_to_open(taken, access.key_file))
         elif rules.loopback_only and not refused and not _has_admin(database):
             lines.append(
                 "No administrator exists yet: every program on this computer may do everything. "
@@ -246,21 +246,18 @@ def _has_admin(database: str) -> bool:
         store.close()
 
 
-def _how_to_open(port: int, key: str, key_file: Path | None) -> str:
+def _how_to_open(port: int, key_file: Path | None) -> str:
     """Return the line of the start log that explains how other computers get access.
 
     Parameters
     ----------
     port
         Port of the server.
-    key
-        Key of the server.
     key_file
-        File that contains the key; None if the key is not in a file.
+        File that contains the key of the server; None if the key is not in a file.
     """
-    if key_file is None:
-        return f"Other computers need the key: open http://localhost:{port} and sign in."
-    return f"Open http://localhost:{port}/?key={key}"
+    key = "key" if key_file is None else f"key in {key_file}"
+    return f"Other computers need the {key}: open http://localhost:{port} and sign in."
 
 
 def _journal_path(database: str) -> Path:
