@@ -391,9 +391,13 @@ def test_a_job_lists_the_actions_that_are_routes_of_its_own(
     assert job["actions"] == ["confirm", "recompile", "cancel"]
     (listed,) = [row for row in client.get("/api/jobs").json() if row["id"] == job["id"]]
     assert listed["actions"] == job["actions"]
-    others = {"release", "hold", "resume", "requeue", "finish", "scrap"}
+    others = {"hold", "resume", "requeue", "finish", "scrap"}
     for action in others:
         assert client.post(f"/api/jobs/{job['id']}/{action}").status_code == 409
+    # The job was released: a repetition of the command changes nothing.
+    events = client.get(f"/api/jobs/{job['id']}/events").json()
+    assert client.post(f"/api/jobs/{job['id']}/release").status_code == 200
+    assert client.get(f"/api/jobs/{job['id']}/events").json() == events
 
 
 def test_what_the_operator_confirms_is_named(client: httpx.Client, waiting: dict[str, Any]) -> None:

@@ -20,6 +20,7 @@ pytestmark = pytest.mark.xdist_group("server")
 STORED = {
     *("id", "revision", "created", "sha256"),
     *("unit_given", "profile", "profile_state", "rules"),
+    *("external_id", "customer", "due", "notes", "metadata"),
 }
 #: Fields of the command line that repeat fields of REST.
 SHORTCUTS = {"size", "warnings"}
