@@ -100,7 +100,7 @@ def test_an_order_of_an_outdated_drawing_is_refused(
                 api.patch(f"/api/drawings/{drawing}/edges", json=change).raise_for_status()
         route.continue_()
 
-    page.route("**/api/jobs", late)
+    page.route("**/api/v1/jobs", late)
     jobs = len(api.get("/api/jobs?limit=500").json())
     page.get_by_test_id("compile").click()
     report = page.get_by_test_id("report")
@@ -128,7 +128,7 @@ def test_a_file_that_a_busy_server_refuses_is_sent_again(page: Page) -> None:
         else:
             route.continue_()
 
-    page.route("**/api/drawings", busy)
+    page.route("**/api/v1/drawings", busy)
     page.get_by_test_id("file-input").set_input_files(
         FilePayload(name="folds.dxf", mimeType="image/vnd.dxf", buffer=CARTON)
     )

@@ -33,7 +33,7 @@ def test_the_banner_shows_the_progress_and_disappears_when_the_server_is_prepare
     expect(page.get_by_test_id("welcome")).to_be_visible()
     expect(banner).to_be_hidden()
 
-    page.route("**/api/service", answer)
+    page.route("**/api/v1/service", answer)
     page.reload()
     expect(banner).to_contain_text("First start of the server: 60 of 240 software modules")
     expect(banner.get_by_role("progressbar")).to_have_attribute("aria-valuenow", "25")

@@ -91,7 +91,7 @@ def test_a_move_in_an_order_that_has_changed_is_refused_and_shown(queue: Queue) 
             queue.machine.api.post(f"/api/jobs/{queue.jobs[2]}/move", json=body).raise_for_status()
         route.continue_()
 
-    page.route(re.compile(r"/api/jobs/[^/]+/move$"), change_first)
+    page.route(re.compile(r"/api/v1/jobs/[^/]+/move$"), change_first)
     row(queue, "second.dxf").get_by_test_id("move-up").click()
     expect(page.get_by_test_id("report")).to_contain_text(re.compile("order|queue", re.I))
     expect_order(queue, "third.dxf", "first.dxf", "second.dxf")

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Final
 
 from fastapi import Query, Request, Response
 from fastapi.exceptions import RequestValidationError
-from pydantic import ValidationError
+from pydantic import Field, ValidationError
 
 from knifetip.api.jobs import create_job
 from knifetip.api.parameters import IdempotencyKey, JobId
@@ -39,9 +39,13 @@ _ANSWER: Final[dict[int | str, dict[str, Any]]] = {
 class XjdfQuery(Strict):
     """What an XJDF document may leave open; values of the document take precedence."""
 
-    machine: Annotated[str, Query(max_length=200)] = ""
-    board: Annotated[str, Query(max_length=200)] = ""
-    release: bool = False
+    machine: str = Field(
+        default="", max_length=200, description="Name of the machine if the document names none"
+    )
+    board: str = Field(
+        default="", max_length=200, description="Name of the board if the document names none"
+    )
+    release: bool = Field(default=False, description="Queue the job when its program is verified")
 
 
 @router.post("/xjdf", status_code=201, openapi_extra=_BODY)

@@ -18515,8 +18515,11 @@ export interface operations {
     order_by_xjdf: {
         parameters: {
             query?: {
+                /** @description Name of the machine if the document names none */
                 machine?: string;
+                /** @description Name of the board if the document names none */
                 board?: string;
+                /** @description Queue the job when its program is verified */
                 release?: boolean;
             };
             header?: {
