@@ -23,9 +23,10 @@ def export(
     server: Server = SERVER,
     key: Key = "",
 ) -> None:
-    """Write jobs of a server to zip files: JSON, events, drawing, program and verdict.
+    """Write jobs of a server to zip files.
 
-    Without --job, all jobs of the server are written.
+    Each file has the job as JSON, its events, drawing, program and verdict.  Without --job, all
+    jobs of the server are written.
     """
     client = JobClient(server, key)
     for id in job or client.ids():
