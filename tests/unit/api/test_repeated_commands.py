@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import uuid
+from collections.abc import Iterator
 from typing import Any
 
 import httpx
@@ -19,10 +20,12 @@ def drawing(client: httpx.Client) -> str:
 
 
 @pytest.fixture
-def ready(client: httpx.Client, drawing: str) -> str:
-    job = order_job(client, drawing)["id"]
+def ready(client: httpx.Client, drawing: str) -> Iterator[str]:
+    job = str(order_job(client, drawing)["id"])
     wait_for_state(client, job, "ready")
-    return str(job)
+    yield job
+    # A queued job would be the next one that a gateway of other tests claims.
+    client.post(f"/api/v1/jobs/{job}/cancel")
 
 
 def send(
