@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Callable
 
 import pytest
 import sqlalchemy as sa
@@ -76,9 +77,17 @@ def test_a_verdict_outside_tolerance_refuses_the_job_with_its_edges(store: Store
 def test_the_event_is_written_with_the_move_or_not_at_all(store: Store) -> None:
     job = queued(store)
     with pytest.raises(WrongState):
-        store.operators.release(job.id)
+        store.operators.scrap(job.id)
     assert course(store, job.id)[-1] == "queued"
     assert len(course(store, job.id)) == 4
+
+
+@pytest.mark.parametrize("at", [queued, running])
+def test_a_repeated_release_changes_nothing(store: Store, at: Callable[[Store], Job]) -> None:
+    job = at(store)
+    before = course(store, job.id)
+    assert store.operators.release(job.id).state == before[-1]
+    assert course(store, job.id) == before
 
 
 @pytest.mark.parametrize("move", ["release", "requeue", "scrap", "hold", "resume"])
@@ -89,12 +98,15 @@ def test_a_received_job_can_only_be_cancelled(store: Store, move: str) -> None:
     assert store.operators.cancel(job.id).state == "cancelled"
 
 
-@pytest.mark.parametrize("move", ["release", "requeue", "scrap", "hold", "resume", "cancel"])
+@pytest.mark.parametrize("move", ["requeue", "scrap", "hold", "resume", "cancel"])
 def test_a_job_that_is_done_stays_done(store: Store, move: str) -> None:
     job = running(store)
     store.gateways.finish(job.id, job.epoch, "done")
     with pytest.raises(WrongState, match="is done"):
         getattr(store.operators, move)(job.id)
+    # The answer to the release was lost, and it was sent again.
+    assert store.operators.release(job.id).state == "done"
+    assert course(store, job.id)[-1] == "done"
 
 
 def test_a_job_that_does_not_exist_is_named(store: Store) -> None:
