@@ -97,31 +97,39 @@ async def test_the_time_to_retry_follows_the_duration_of_calls() -> None:
 
 
 async def test_one_client_does_not_hold_all_threads_or_places() -> None:
-    work = WorkQueue(3, 8, per_client=2)
-    gate = threading.Event()
+    work = WorkQueue(4, 8, per_client=3)
     made: list[str] = []
+    gates: list[threading.Event] = []  # the call that began first is the first
 
     def call(name: str) -> None:
+        gate = threading.Event()
+        gates.append(gate)
         made.append(name)
         gate.wait(10.0)
 
     def ask(name: str) -> asyncio.Task[None]:
         return asyncio.create_task(work.run(partial(call, name), Client(name)))
 
-    # Two of eight calls are executed, and six wait: two places remain for other clients.
-    many = [ask("many") for _ in range(8)]
-    await asyncio.sleep(0.05)
-    assert made == ["many", "many"]
+    async def begun(count: int) -> list[str]:
+        async with asyncio.timeout(10.0):
+            while len(made) < count:
+                await asyncio.sleep(0.001)
+        return made
+
+    # Three of nine calls are executed, and six wait: two places remain for other clients.
+    many = [ask("many") for _ in range(9)]
+    assert await begun(3) == ["many"] * 3
     with pytest.raises(ServerBusy):
         await ask("many")
     few = [ask("few") for _ in range(2)]
-    await asyncio.sleep(0.05)
-    assert made == ["many", "many", "few"]
-    gate.set()
+    assert await begun(4) == [*["many"] * 3, "few"]
+    # When the second client has nothing left, three calls are executed at the same time, not four.
+    for ended, executed in enumerate([4, 4, 4, 4, 3, 3, 3, 3, 2, 1, 0]):
+        gates[ended].set()
+        await begun(ended + 1 + executed)
     await asyncio.gather(*many, *few)
-    assert sorted(made) == ["few"] * 2 + ["many"] * 8
-    # The second client waits for a call of the first one, not for all of them.
-    assert made.index("few", 3) <= 5
+    # The second client waits for one call, although the first one asked six times before it.
+    assert made == [*["many"] * 3, "few", "few", *["many"] * 6]
     work.close()
 
 
