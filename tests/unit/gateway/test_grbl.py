@@ -238,6 +238,9 @@ async def test_characters_in_flight_never_exceed_the_buffer() -> None:
         for answered in range(10):
             wire._due -= 29
             wire.say("ok")
+            async with asyncio.timeout(10.0):
+                while len(wire.lines) < 1 + min(10, 4 + answered):
+                    await asyncio.sleep(0)
             await asyncio.sleep(0.001)
             assert len(wire.lines) == 1 + min(10, 4 + answered)
         await asyncio.gather(*sending)
