@@ -27,6 +27,7 @@ from knifetip.api import (
     events,
     gateway,
     history,
+    job_commands,
     job_export,
     jobs,
     library,
@@ -95,8 +96,8 @@ STATUS: Mapping[type[errors.KnifetipError], int] = {
 
 
 _ROUTES = (
-    drawings, jobs, orders, confirmation, queues, rest, history, events, machines, tools, library,
-    definitions, profiles, webhooks, xjdf, gateway, accounts,
+    drawings, jobs, job_commands, orders, confirmation, queues, rest, history, events, machines,
+    tools, library, definitions, profiles, webhooks, xjdf, gateway, accounts,
 )  # fmt: skip
 
 

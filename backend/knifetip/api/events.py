@@ -22,7 +22,7 @@ from fastapi.sse import EventSourceResponse, ServerSentEvent
 
 from knifetip.api.drawing_requests import summary_out
 from knifetip.api.event_gaps import EventGaps
-from knifetip.api.jobs import job_out, jobs_out
+from knifetip.api.job_models import job_out, jobs_out
 from knifetip.api.machines import station_out
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.messages import MessageOut

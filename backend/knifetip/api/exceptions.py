@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from typing import Any, Final
 
+from knifetip.api.schemas.orders import ExceptionsIn
 from knifetip.jobs.compile_result import VerdictColumns
 from knifetip.model.acceptance import Shortfall, accept_shortfalls
 from knifetip.model.verdict import Acceptance
@@ -19,6 +20,11 @@ from knifetip.presentation.verdict import (
 
 #: Greatest difference between the measures of two findings about the same shortfall.
 _SAME_MEASURE: Final = 0.001
+
+
+def chosen_shortfalls(exceptions: ExceptionsIn) -> set[Shortfall]:
+    """Return the shortfalls that a request accepts: edge and code of each finding."""
+    return {(one.edge, one.code) for one in exceptions.findings}
 
 
 def accept_in_block(

@@ -15,7 +15,7 @@ from typing import Any
 from fastapi import Request, Response
 from fastapi.responses import PlainTextResponse
 
-from knifetip.api.jobs import job_out
+from knifetip.api.job_models import job_out
 from knifetip.api.parameters import JobId
 from knifetip.api.routing import ScopedRouter, requires, unaudited
 from knifetip.api.schemas.gateway import Claim, ClaimIn, FinishIn, HeartbeatIn, HeartbeatOut

@@ -7,7 +7,7 @@ from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
 from fastapi import Query, Request, Response
 
-from knifetip.api.jobs import jobs_out
+from knifetip.api.job_models import jobs_out
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.history import HistoryQuery, StatisticsOut, StatisticsQuery
 from knifetip.api.schemas.jobs import JobOut

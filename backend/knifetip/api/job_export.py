@@ -11,7 +11,7 @@ from typing import Final
 from fastapi import Request, Response
 from pydantic import TypeAdapter
 
-from knifetip.api.jobs import job_events, job_out, verdict_out
+from knifetip.api.job_models import job_events, job_out, verdict_out
 from knifetip.api.parameters import JobId
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.jobs import JobEvent

@@ -12,7 +12,8 @@ from starlette.datastructures import UploadFile
 from starlette.exceptions import HTTPException
 
 from knifetip.api.drawing_requests import Upload, drawing_name, store_upload, summary_out
-from knifetip.api.jobs import job_out, place_order
+from knifetip.api.job_creation import place_order
+from knifetip.api.job_models import job_out
 from knifetip.api.parameters import IdempotencyKey
 from knifetip.api.principal import PrincipalDep, demand
 from knifetip.api.queue import queued

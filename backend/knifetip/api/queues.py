@@ -6,7 +6,7 @@ from typing import Annotated
 
 from fastapi import Header, Response
 
-from knifetip.api.jobs import job_out, jobs_out
+from knifetip.api.job_models import job_out, jobs_out
 from knifetip.api.parameters import JobId, MachineName
 from knifetip.api.queue import queued
 from knifetip.api.queue_estimate import remaining_seconds, start_times

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from fastapi import Response
 
-from knifetip.api.jobs import job_out
+from knifetip.api.job_models import job_out
 from knifetip.api.parameters import IdempotencyKey, JobId
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.jobs import JobOut

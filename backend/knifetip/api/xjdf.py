@@ -8,7 +8,7 @@ from fastapi import Query, Request, Response
 from fastapi.exceptions import RequestValidationError
 from pydantic import Field, ValidationError
 
-from knifetip.api.jobs import create_job
+from knifetip.api.job_creation import create_job
 from knifetip.api.parameters import IdempotencyKey, JobId
 from knifetip.api.principal import PrincipalDep
 from knifetip.api.queue import queued

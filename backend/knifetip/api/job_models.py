@@ -1,0 +1,138 @@
+"""API models of jobs, of their events and of their verdicts, built from rows of the store."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from knifetip.api.queue_estimate import Estimate, estimates
+from knifetip.api.schemas.jobs import JobEvent, JobOut
+from knifetip.api.schemas.order_details import OrderDetailsOut, details_fields
+from knifetip.api.schemas.verdicts import VerdictOut, VerdictSummary
+from knifetip.api.waiting import Waiting, waiting_of
+from knifetip.jobs.job import State
+from knifetip.jobs.operator_actions import allowed_actions
+from knifetip.jobs.store import Store
+from knifetip.jobs.tables import Job
+from knifetip.messages import hint, render
+from knifetip.model.verdict import EDGE_COLUMNS
+from knifetip.presentation.columns import unpack_columns
+from knifetip.presentation.verdict import areas_json, unpack_areas
+
+
+def job_out(store: Store, row: Job) -> JobOut:
+    """Return the API model of a job from its row in the store."""
+    return jobs_out(store, [row])[0]
+
+
+def jobs_out(store: Store, rows: Sequence[Job]) -> list[JobOut]:
+    """Return the API models of jobs from their rows in the store, in the same order."""
+    now = store.database.clock()
+    remaining = store.jobs.remaining_copies(rows)
+    estimated = estimates(store, rows)
+    return [
+        _job_out(row, waiting, remaining.get(row.id, 0), now, estimated.get(row.id, Estimate()))
+        for row, waiting in zip(rows, waiting_of(store, rows), strict=True)
+    ]
+
+
+def _job_out(row: Job, waiting: Waiting, remaining: int, now: float, estimate: Estimate) -> JobOut:
+    message = waiting.message or row.message
+    computed = {
+        "verdict", "progress", "waiting_for", "actions", "reason", "hint", "message", "is_rest",
+        "remaining_copies", "queue_position", "estimated_start", "no_estimate",
+        *OrderDetailsOut.model_fields,
+    }  # fmt: skip
+    fields: dict[str, Any] = {
+        name: getattr(row, name) for name in set(JobOut.model_fields) - computed
+    }
+    return JobOut.model_validate(
+        {
+            **fields,
+            **details_fields(row),
+            "waiting_for": waiting.waiting_for,
+            "message": message,
+            "reason": render(message) if message else "",
+            "hint": hint(message) if message else "",
+            "actions": allowed_actions(row, now),
+            "verdict": row.verdict_summary,
+            "progress": progress(row),
+            "is_rest": row.rest is not None,
+            "remaining_copies": remaining,
+            "queue_position": estimate.place,
+            "estimated_start": None if estimate.starts_in is None else now + estimate.starts_in,
+            "no_estimate": estimate.missing,
+        }
+    )
+
+
+def progress(row: Job) -> float:
+    """Return the completed fraction of a job, 0 … 1.
+
+    Before the job is queued, this is the completed fraction of the compile.  It is 0 while the job
+    is queued, and then the executed fraction of the program lines of all copies.
+    """
+    match row.state:
+        case State.DONE:
+            return 1.0
+        case (
+            State.RUNNING
+            | State.HELD
+            | State.INTERRUPTED
+            | State.SCRAPPED
+            | State.CONTINUED
+            | State.CANCELLED
+        ):
+            executed = row.line / row.lines if row.lines else 0.0
+            # Between two copies ``line`` is the last line of the completed copy, already counted.
+            if row.copies_done and executed >= 1.0:
+                executed = 0.0
+            return min((row.copies_done + executed) / row.copies, 1.0)
+        case State.QUEUED:
+            return 0.0
+        case _:
+            return row.progress
+
+
+def job_events(store: Store, id: str) -> list[JobEvent]:
+    """Return the API models of the events of a job."""
+    return [
+        JobEvent.model_validate(
+            {
+                "id": event.id,
+                "job": event.subject,
+                "at": event.at,
+                "state": event.state,
+                "who": event.who,
+                "why": render(event.message) if event.message else "",
+                "message": event.message,
+            }
+        )
+        for event in store.events.of_job(id)
+    ]
+
+
+def verdict_out(block: bytes) -> VerdictOut:
+    """Return the API model of a stored verdict of the verifier.
+
+    A column that the stored verdict does not have becomes an empty list; verdicts stored by older
+    versions have fewer columns.
+
+    Parameters
+    ----------
+    block
+        The stored verdict: columns of measurements, and findings, packed into bytes.
+    """
+    columns, meta = unpack_columns(block)
+    figures = {
+        f"edge_{name}": columns[name].tolist() if name in columns else [] for name in EDGE_COLUMNS
+    }
+    summary = {name: meta[name] for name in VerdictSummary.model_fields if name in meta}
+    return VerdictOut.model_validate(
+        {
+            **summary,
+            **figures,
+            "findings": meta["findings"],
+            "areas": areas_json(unpack_areas(columns)),
+        }
+    )
