@@ -16,6 +16,7 @@ import re
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Protocol, TypeAlias
 
 import sqlalchemy.exc
@@ -381,7 +382,7 @@ def request_facts(scope: Scope, cookie: str) -> RequestFacts:
 class AccountLookup(Protocol):
     """Finds the owners of credentials in the database, and signs users in."""
 
-    async def proof(self, facts: RequestFacts) -> Proof:
+    async def proof(self, facts: RequestFacts, *, used: bool = True) -> Proof:
         """Return what the database knows about the credentials of a request."""
 
     async def sign_in(self, name: str, password: str, address: str) -> str:
@@ -391,7 +392,7 @@ class AccountLookup(Protocol):
 class NoAccounts:
     """Accounts of a server without a database."""
 
-    async def proof(self, facts: RequestFacts) -> Proof:  # noqa: ARG002
+    async def proof(self, facts: RequestFacts, *, used: bool = True) -> Proof:  # noqa: ARG002
         """Return that there are no accounts."""
         return Proof()
 
@@ -429,7 +430,9 @@ class Access:
         found = find_access(self.rules, facts, time.time(), proof)
         refused = found if isinstance(found, Refusal) else None
         if isinstance(found, Principal):
-            scope.setdefault("state", {})["principal"] = found
+            state = scope.setdefault("state", {})
+            state["principal"] = found
+            state["permission"] = partial(self._is_permitted, facts, found)
         answer: Response | None = None
         ways = signin.Ways(proof.closed, bool(self.rules.key))
         if any(ways) and (refused is None or refused.status == 401):
@@ -439,6 +442,11 @@ class Access:
                 await asyncio.sleep(WRONG_KEY_DELAY)
             answer = _problem(refused)
         await (answer or self.app)(scope, receive, send)
+
+    async def _is_permitted(self, facts: RequestFacts, principal: Principal) -> bool:
+        """Return whether a request that was accepted from a principal would still be accepted."""
+        proof = await self._accounts.proof(facts, used=False)
+        return find_access(self.rules, facts, time.time(), proof) == principal
 
     async def _sign_in(
         self, request: Request, facts: RequestFacts, refused: Refusal | None, ways: signin.Ways

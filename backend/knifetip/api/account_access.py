@@ -37,7 +37,7 @@ class Accounts:
         self.store: Store | None = None
         self._threads = ThreadPoolExecutor(2, "accounts")
         self._hashing = ThreadPoolExecutor(2, "passwords")
-        self._found: OrderedDict[str, tuple[float, Principal | None]] = OrderedDict()
+        self._found: OrderedDict[tuple[str, bool], tuple[float, Principal | None]] = OrderedDict()
         self._slow_down = SlowDown()
         self._hashes: Counter[str] = Counter()
         self._closed = False  # never becomes False again: there is always an administrator then
@@ -53,8 +53,16 @@ class Accounts:
         self._found.clear()
         self._checked = -KEPT
 
-    async def proof(self, facts: RequestFacts) -> Proof:
-        """Return what the database knows about the credentials of a request."""
+    async def proof(self, facts: RequestFacts, *, used: bool = True) -> Proof:
+        """Return what the database knows about the credentials of a request.
+
+        Parameters
+        ----------
+        facts
+            Headers of the request.
+        used
+            Record the use of the session or of the key.
+        """
         if self.store is None:
             return Proof()
         now = time.monotonic()
@@ -63,40 +71,44 @@ class Accounts:
             self._checked = now
         bearer = bearer_key(facts.authorization)
         if bearer is not None:
-            principal = await self._find(f"key {bearer}", lambda: self._owner_of_key(bearer))
+            principal = await self._find(
+                f"key {bearer}", lambda: self._owner_of_key(bearer, used), used
+            )
         elif facts.user_session:
             token = facts.user_session
-            principal = await self._find(f"session {token}", lambda: self._user(token))
+            principal = await self._find(f"session {token}", lambda: self._user(token, used), used)
         else:
             principal = None
         return Proof(principal, self._closed)
 
     async def _find(
-        self, credential: str, look_up: Callable[[], Principal | None]
+        self, credential: str, look_up: Callable[[], Principal | None], used: bool = True
     ) -> Principal | None:
         if len(credential) > 200:
             return None
         now = time.monotonic()
-        found = self._found.get(credential)
+        # A look-up that is no use is remembered apart, or the next use would not be recorded.
+        place = credential, used
+        found = self._found.get(place)
         if found is None or found[0] <= now:
             principal = await self._run(self._threads, look_up)
-            self._found.pop(credential, None)
-            self._found[credential] = found = now + KEPT, principal
+            self._found.pop(place, None)
+            self._found[place] = found = now + KEPT, principal
             if len(self._found) > _CREDENTIALS:
                 self._found.popitem(last=False)
         return found[1]
 
-    def _owner_of_key(self, secret: str) -> Principal | None:
+    def _owner_of_key(self, secret: str, used: bool) -> Principal | None:
         assert self.store is not None
-        row = self.store.keys.find(secret)
+        row = self.store.keys.find(secret, used=used)
         if row is None:
             return None
         scopes = scopes_of(AccessScope(scope) for scope in row.scopes)
         return Principal(PrincipalKind.KEY, row.title, row.id, scopes)
 
-    def _user(self, token: str) -> Principal | None:
+    def _user(self, token: str, used: bool = True) -> Principal | None:
         assert self.store is not None
-        row = self.store.sessions.find(token)
+        row = self.store.sessions.find(token, used=used)
         if row is None:
             return None
         scopes = scopes_of([AccessScope(row.role)])

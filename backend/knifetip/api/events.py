@@ -14,9 +14,10 @@ import asyncio
 import json
 import logging
 import time
-from collections.abc import AsyncIterator, Collection, Sequence
+from collections.abc import AsyncIterator, Awaitable, Callable, Collection, Sequence
 from typing import Annotated
 
+import sqlalchemy.exc
 from fastapi import Header, Query, Request
 from fastapi.sse import EventSourceResponse, ServerSentEvent
 
@@ -24,6 +25,7 @@ from knifetip.api.drawing_requests import summary_out
 from knifetip.api.event_gaps import EventGaps
 from knifetip.api.job_models import job_out, jobs_out
 from knifetip.api.machines import station_out
+from knifetip.api.principal import permission_of
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.messages import MessageOut
 from knifetip.api.schemas.stations import StationOut
@@ -44,6 +46,7 @@ _RECENT = 100  # events among which late ones are looked for when the first clie
 _REFRESH = 2.0  # seconds between two queries for what queued jobs wait for, without events
 _RETRY = 2000  # milliseconds after which a client connects again
 _BACKLOG = 1000  # unsent messages after which a slow listener is disconnected
+_PERMISSION_POLL = 1.0  # seconds between two looks whether a client may still listen
 _MAX_WAITING = 50  # newest jobs whose wait for kernels is reported
 _ACTIVE_STATES = (State.COMPILING.value, State.RUNNING.value, State.HELD.value)
 _log = logging.getLogger("knifetip.api")
@@ -95,6 +98,20 @@ class Stream:
             if queue.full():
                 queue.get_nowait()
             queue.put_nowait(None)
+
+    async def _disconnect_when_refused(
+        self,
+        queue: asyncio.Queue[ServerSentEvent | None],
+        permission: Callable[[], Awaitable[bool]],
+    ) -> None:
+        """End the event stream of a client as soon as it is no longer permitted."""
+        while await _is_permitted(permission):
+            await asyncio.sleep(_PERMISSION_POLL)
+        self._listeners.discard(queue)
+        # The client must not receive what it has not read so far.
+        while not queue.empty():
+            queue.get_nowait()
+        queue.put_nowait(None)
 
     def _forget_sent(self) -> None:
         """Send the present state of active jobs and stations again.
@@ -201,10 +218,17 @@ class Stream:
             return _message("deleted", json.dumps({"drawing": id}), number)
         return _message("drawing", drawing.model_dump_json(), number)
 
-    async def listen(self, after: int | None) -> AsyncIterator[ServerSentEvent]:
-        """Yield server-sent events: the changes after event number ``after``, then new changes.
+    async def listen(
+        self, after: int | None, permission: Callable[[], Awaitable[bool]]
+    ) -> AsyncIterator[ServerSentEvent]:
+        """Yield server-sent events: past changes, then new changes.
 
-        If ``after`` is None, only new changes are yielded.
+        Parameters
+        ----------
+        after
+            Number of the event after which changes are yielded; None for only new changes.
+        permission
+            Tells whether the client may still listen; if not, the iterator ends.
         """
         store = self._service.store
         queue: asyncio.Queue[ServerSentEvent | None] = asyncio.Queue(_BACKLOG)
@@ -221,6 +245,7 @@ class Stream:
                 missed = await asyncio.to_thread(self._missed, after, self._last)
             self._listeners.add(queue)
             self._has_listeners.set()
+        watch = asyncio.create_task(self._disconnect_when_refused(queue, permission))
         try:
             # The headers are sent before this client is a listener, so they prove nothing.
             yield ServerSentEvent(event="connected", raw_data="{}", retry=_RETRY)
@@ -229,6 +254,7 @@ class Stream:
             while (news := await queue.get()) is not None:
                 yield news
         finally:
+            watch.cancel()
             self._listeners.discard(queue)
             if not self._listeners:
                 self._has_listeners.clear()
@@ -246,6 +272,14 @@ class Stream:
             events += [event for event in batch if event.id <= last]
             after = batch[-1].id
         return self._messages(events)
+
+
+async def _is_permitted(permission: Callable[[], Awaitable[bool]]) -> bool:
+    try:
+        return await permission()
+    except sqlalchemy.exc.SQLAlchemyError:
+        # Without the database there are no events either; the next look decides.
+        return True
 
 
 def _message(kind: str, data: str, number: int | None = None) -> ServerSentEvent:
@@ -271,10 +305,11 @@ async def get_events(
 
     ``Last-Event-ID`` or ``after`` is the id of the last event that the client received; the changes
     since then are sent first.  If neither is given, only new changes are sent.  The first event is
-    ``connected``: a client that lists jobs after it misses no change.
+    ``connected``: a client that lists jobs after it misses no change.  The stream ends when its
+    session or its key ends.
     """
     stream: Stream = request.app.state.stream
     # An id that is not a number is not from this server; past events are not replayed.
     last_event = int(last) if last is not None and last.isdecimal() and len(last) < 16 else after
-    async for event in stream.listen(last_event):
+    async for event in stream.listen(last_event, permission_of(request)):
         yield event

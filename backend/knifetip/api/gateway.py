@@ -17,6 +17,7 @@ from fastapi.responses import PlainTextResponse
 
 from knifetip.api.job_models import job_out
 from knifetip.api.parameters import JobId
+from knifetip.api.principal import permission_of
 from knifetip.api.routing import ScopedRouter, requires, unaudited
 from knifetip.api.schemas.gateway import Claim, ClaimIn, FinishIn, HeartbeatIn, HeartbeatOut
 from knifetip.api.schemas.jobs import JobOut
@@ -61,6 +62,7 @@ async def claim(service: ServiceDep, request: Request, claimant: ClaimIn) -> Cla
     """
     deadline = time.monotonic() + claimant.wait
     recorded_at = -_CONTACT_INTERVAL
+    permission = permission_of(request)
     with wake_on_change(service.store.changes, machine_topic(claimant.machine)) as changed:
         while not service.stopping.is_set():
             if time.monotonic() - recorded_at >= _CONTACT_INTERVAL:
@@ -68,8 +70,8 @@ async def claim(service: ServiceDep, request: Request, claimant: ClaimIn) -> Cla
                 await service.threads.claims(
                     service.store.machines.record_contact, claimant.machine, claimant.gateway
                 )
-            # A disconnected gateway would never start the job.
-            if await request.is_disconnected():
+            # A disconnected gateway would never start the job; one with a revoked key must not.
+            if await request.is_disconnected() or not await permission():
                 break
             job = await service.threads.claims(_claim_next, service, claimant)
             if job is not None:

@@ -18,7 +18,8 @@ IdempotencyKey = Annotated[
         max_length=200,
         description="Text chosen by the client, such as a UUID. A request that is repeated with "
         "the same key has no further effect and gets the drawing or the job of the first; with "
-        "the same key and another content it is refused with 422",
+        "the same key and another content it is refused with 422. Each user and each API key has "
+        "keys of its own",
     ),
 ]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Awaitable, Callable, Collection
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import Annotated, Final
@@ -78,6 +78,16 @@ def principal_of(request: Request) -> Principal:
     """Return the principal of a request, which the access control has found."""
     principal: Principal = request.scope.get("state", {}).get("principal", ANONYMOUS)
     return principal
+
+
+def permission_of(request: Request) -> Callable[[], Awaitable[bool]]:
+    """Return a function that tells whether a long request is still permitted.
+
+    It is no longer permitted after the sign-out of its session, the end of its key, or a change of
+    its user.
+    """
+    permission: Callable[[], Awaitable[bool]] = request.scope["state"]["permission"]
+    return permission
 
 
 # A coroutine: FastAPI would run a plain function on a thread of the shared pool.

@@ -43,12 +43,17 @@ class CommandKeys:
         if key is None:
             return None
         row = self._transitions.lock(session, id)
-        earlier = session.get(CommandKey, key.text)
+        earlier = session.get(CommandKey, key.stored)
         if earlier is not None:
             key.check(earlier)
             return row
         session.add(
-            CommandKey(key=key.text, fingerprint=key.fingerprint, job=id, created=self._db.clock())
+            CommandKey(
+                key=key.stored,
+                fingerprint=key.fingerprint,
+                job=id,
+                created=self._db.clock(),
+            )
         )
         session.flush()
         return None

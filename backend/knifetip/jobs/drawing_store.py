@@ -74,7 +74,7 @@ class DrawingStore:
             **drawing_columns(new.interpretation),
             version=1,
             summary=new.summary,
-            key=None if key is None else key.text,
+            key=None if key is None else key.stored,
             fingerprint="" if key is None else key.fingerprint,
             content=new.content,
             edges=new.edges,
@@ -113,7 +113,7 @@ class DrawingStore:
         with self._db.reading() as session:
             row = session.scalar(
                 sa.select(Drawing)
-                .where(Drawing.key == key.text)
+                .where(Drawing.key == key.stored)
                 .options(undefer(Drawing.import_report))
             )
         return None if row is None else key.check(row)

@@ -269,7 +269,7 @@ class JobStore:
             The key was used for a request with another content.
         """
         with self._db.reading() as session:
-            row = session.scalar(sa.select(Job).where(Job.key == key.text))
+            row = session.scalar(sa.select(Job).where(Job.key == key.stored))
         return None if row is None else key.check(row)
 
     def get(self, id: str) -> Job:
@@ -428,7 +428,7 @@ def _initial_columns(now: float, key: RequestKey | None) -> dict[str, Any]:
         "verdict_summary": None,
         "compile_key": "",
         "program_of": "",
-        "key": None if key is None else key.text,
+        "key": None if key is None else key.stored,
         "fingerprint": "" if key is None else key.fingerprint,
         "program": None,
         "toolpath": None,

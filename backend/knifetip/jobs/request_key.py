@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import hashlib
+from dataclasses import dataclass, field
 from typing import TypeVar
 
 from knifetip.errors import KeyReused
+from knifetip.jobs.accounts.acting import acting_principal
 from knifetip.jobs.database import short
 from knifetip.jobs.tables import CommandKey, Drawing, Job
 
@@ -14,10 +16,20 @@ Row = TypeVar("Row", Drawing, Job, CommandKey)
 
 @dataclass(frozen=True, slots=True)
 class RequestKey:
-    """Idempotency-Key of a request, and a hash of the content of the request."""
+    """Idempotency-Key of a request, and a hash of the content of the request.
+
+    A key belongs to the principal that sent it: the same text of another one is another key.
+    """
 
     text: str  #: the key: a text that the client sends again if it repeats the request
     fingerprint: str  #: hash of the content of the request
+    principal: str = field(default_factory=acting_principal)  #: sender of the request
+
+    @property
+    def stored(self) -> str:
+        """Text in the database; it is different for each pair of principal and key."""
+        # The principal has no zero character, so that two pairs never give the same text.
+        return hashlib.sha256(f"{self.principal}\0{self.text}".encode()).hexdigest()
 
     def check(self, row: Row) -> Row:
         """Return the drawing, job or command that was stored with this key.

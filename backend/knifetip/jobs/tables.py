@@ -110,7 +110,8 @@ class Drawing(Base):
     rules: Mapped[str] = mapped_column(sa.Text, default="")
     #: data for the page: unit, evidence, bounds, counts, layers, questions
     summary: Mapped[dict[str, Any]] = mapped_column(sa.JSON)
-    key: Mapped[str | None] = mapped_column(sa.String(200), unique=True)  #: Idempotency-Key
+    #: ``RequestKey.stored`` of the request; None if it had no key
+    key: Mapped[str | None] = mapped_column(sa.String(200), unique=True)
     fingerprint: Mapped[str] = mapped_column(sa.String(64))  #: hash of the request with that key
     #: details of the order: see ``order_details``
     external_id: Mapped[str] = mapped_column(sa.String(200), default="")
@@ -267,7 +268,7 @@ class CommandKey(Base):
     __tablename__ = "command_key"
     __table_args__ = (sa.Index("command_key_by_job", "job"),)
 
-    key: Mapped[str] = mapped_column(sa.String(200), primary_key=True)
+    key: Mapped[str] = mapped_column(sa.String(200), primary_key=True)  #: ``RequestKey.stored``
     fingerprint: Mapped[str] = mapped_column(sa.String(64))  #: hash of the command with that key
     job: Mapped[str] = mapped_column(sa.String(32), sa.ForeignKey("job.id", ondelete="CASCADE"))
     created: Mapped[float] = mapped_column(sa.Double)

@@ -902,7 +902,8 @@ export interface paths {
          *
          *     ``Last-Event-ID`` or ``after`` is the id of the last event that the client received; the changes
          *     since then are sent first.  If neither is given, only new changes are sent.  The first event is
-         *     ``connected``: a client that lists jobs after it misses no change.
+         *     ``connected``: a client that lists jobs after it misses no change.  The stream ends when its
+         *     session or its key ends.
          *
          *     Needs the scope `viewer`.
          */
@@ -15406,7 +15407,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
                 "Idempotency-Key"?: string | null;
             };
             path?: never;
@@ -15834,7 +15835,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
                 "Idempotency-Key"?: string | null;
             };
             path?: never;
@@ -16102,7 +16103,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
                 "Idempotency-Key"?: string | null;
             };
             path: {
@@ -16141,7 +16142,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
                 "Idempotency-Key"?: string | null;
             };
             path: {
@@ -16176,7 +16177,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
                 "Idempotency-Key"?: string | null;
             };
             path: {
@@ -16211,7 +16212,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
                 "Idempotency-Key"?: string | null;
             };
             path: {
@@ -16250,7 +16251,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
                 "Idempotency-Key"?: string | null;
             };
             path: {
@@ -16285,7 +16286,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
                 "Idempotency-Key"?: string | null;
             };
             path: {
@@ -16324,7 +16325,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
                 "Idempotency-Key"?: string | null;
             };
             path: {
@@ -16359,7 +16360,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
                 "Idempotency-Key"?: string | null;
             };
             path: {
@@ -16394,7 +16395,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
                 "Idempotency-Key"?: string | null;
             };
             path: {
@@ -16429,7 +16430,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
                 "Idempotency-Key"?: string | null;
             };
             path: {
@@ -16464,7 +16465,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
                 "Idempotency-Key"?: string | null;
             };
             path?: never;
@@ -16509,7 +16510,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
                 "Idempotency-Key"?: string | null;
             };
             path?: never;
@@ -16716,7 +16717,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
                 "Idempotency-Key"?: string | null;
             };
             path: {
@@ -18523,7 +18524,7 @@ export interface operations {
                 release?: boolean;
             };
             header?: {
-                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422 */
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
                 "Idempotency-Key"?: string | null;
             };
             path?: never;

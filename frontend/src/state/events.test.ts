@@ -53,3 +53,12 @@ test("after a lost connection the open drawing is compared, once", () => {
   expect(onDrawing.mock.calls).toEqual([[null]]);
   end();
 });
+
+test("a stream that breaks makes the page ask whether it is still signed in", () => {
+  queryClient.setQueryData(["me"], { name: "anna" });
+  const end = subscribeToEvents(onDrawing);
+  expect(isStale("me")).toBe(false);
+  FakeSource.last.onerror?.(new Event("error"));
+  expect(isStale("me")).toBe(true);
+  end();
+});

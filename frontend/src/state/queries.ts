@@ -385,7 +385,10 @@ export function subscribeToEvents(
     },
     onConnection: (connection) => {
       useUiStore.getState().set({ connection });
-      if (connection === "broken") broken = true;
+      if (connection !== "broken") return;
+      broken = true;
+      // The stream of a session that has ended ends too; then this request loads the sign-in page.
+      void queryClient.invalidateQueries({ queryKey: ["me"] });
     },
   });
 }

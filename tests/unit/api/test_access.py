@@ -455,7 +455,7 @@ async def test_two_hosts_in_one_request_are_refused() -> None:
 class SilentDatabase(NoAccounts):
     """Accounts in a database that cannot be reached."""
 
-    async def proof(self, facts: RequestFacts) -> Proof:
+    async def proof(self, facts: RequestFacts, *, used: bool = True) -> Proof:
         raise sqlalchemy.exc.OperationalError("SELECT", {}, Exception(facts.path))
 
 

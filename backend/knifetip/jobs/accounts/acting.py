@@ -102,6 +102,15 @@ def acting_owner() -> str:
     return "" if acting is None else acting.owner
 
 
+def acting_principal() -> str:
+    """Return a text that identifies the principal of the present request; "" outside requests.
+
+    In contrast to ``acting_owner`` it is not empty for principals without an account.
+    """
+    acting = _acting.get()
+    return "" if acting is None else f"{acting.kind}:{acting.id}"
+
+
 def set_subject(session: Session, kind: str, subject: str) -> None:
     """Set the object that the audit log names for a transaction, unless it is set already."""
     session.info.setdefault("subject", (kind, subject))

@@ -103,8 +103,16 @@ class KeyStore:
             row.revoked = row.revoked or self._db.clock()
             return row
 
-    def find(self, secret: str) -> ApiKey | None:
-        """Return the valid key with a secret, and record its use; None if there is none."""
+    def find(self, secret: str, *, used: bool = True) -> ApiKey | None:
+        """Return the valid key with a secret; None if there is none.
+
+        Parameters
+        ----------
+        secret
+            Secret of the key.
+        used
+            Record the use of the key.
+        """
         parts = _SECRET.fullmatch(secret)
         if parts is None:
             return None
@@ -118,7 +126,7 @@ class KeyStore:
             or (row.expires is not None and row.expires <= now)
         ):
             return None
-        if row.used is None or now - row.used >= USE_INTERVAL:
+        if used and (row.used is None or now - row.used >= USE_INTERVAL):
             with self._db.writing() as session:
                 session.execute(sa.update(ApiKey).where(ApiKey.id == row.id).values(used=now))
         return row

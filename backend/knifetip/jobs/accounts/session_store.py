@@ -47,8 +47,16 @@ class SessionStore:
             )
         return token
 
-    def find(self, token: str) -> UserAccount | None:
-        """Return the active user of a session, and record its use; None if it has ended."""
+    def find(self, token: str, *, used: bool = True) -> UserAccount | None:
+        """Return the active user of a session; None if the session has ended.
+
+        Parameters
+        ----------
+        token
+            Token of the session.
+        used
+            Record the use of the session, which postpones its end.
+        """
         query = (
             sa.select(BrowserSession, UserAccount)
             .join(UserAccount, UserAccount.id == BrowserSession.user)
@@ -59,7 +67,7 @@ class SessionStore:
         now = self._db.clock()
         if found is None or found[0].expires <= now or found[0].seen <= now - IDLE:
             return None
-        if now - found[0].seen >= _USE_INTERVAL:
+        if used and now - found[0].seen >= _USE_INTERVAL:
             with self._db.writing() as session:
                 session.execute(
                     sa.update(BrowserSession)
