@@ -45,6 +45,7 @@ from knifetip.api.account_access import Accounts
 from knifetip.api.api_version import ApiVersion
 from knifetip.api.client_limits import Clients, LimitClients
 from knifetip.api.description import Description
+from knifetip.api.documents import Documents
 from knifetip.api.headers import SecurityHeaders
 from knifetip.api.known_fields import KnownFields, names_near, refuse_unknown
 from knifetip.api.limits import Limits
@@ -139,6 +140,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         )
         service = Service(chosen, store, pool, work, warm_up)
         app.state.service = service
+        app.state.documents = Documents(service)
         app.state.readiness = Readiness(store, storage, compiling, service.threads)
         app.state.stream = events.Stream(service)
         app.state.metrics = metrics

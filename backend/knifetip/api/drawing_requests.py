@@ -7,10 +7,11 @@ import json
 import unicodedata
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Final
+from typing import Any, Final
 
 from fastapi import Response
 
+from knifetip.api.document_tasks import drawing_model
 from knifetip.api.revisions import check_match, etag
 from knifetip.api.schemas.drawings import DrawingOut, DrawingSummary
 from knifetip.api.schemas.order_details import details_fields
@@ -33,14 +34,11 @@ from knifetip.jobs.tables import Drawing
 from knifetip.messages import Message
 from knifetip.model.interpretation import Interpretation
 from knifetip.presentation.columns import unpack_columns
-from knifetip.presentation.import_report import unpack_rows
 
 #: Number of attempts to change a drawing that other requests change at the same time.
 _ATTEMPTS: Final = 3
 #: Unicode categories of characters that names do not keep: control, format, line separators.
 _ACTING: Final = ("Cc", "Cf", "Cn", "Co", "Cs", "Zl", "Zp")
-#: Maximum number of import report rows in the JSON of a drawing.
-_MAX_ROWS: Final = 2000
 
 
 @dataclass(frozen=True, slots=True)
@@ -281,24 +279,34 @@ def drawing_out(service: Service, row: Drawing) -> DrawingOut:
     row
         The drawing; its column ``import_report`` must be loaded.
     """
-    import_report = row.summary["import_report"]
-    return DrawingOut.model_validate(
-        {
-            **row.summary,
-            "unit": row.summary["unit"] or None,
-            "id": row.id,
-            "revision": row.version,
-            "name": row.name,
-            **details_fields(row),
-            "created": row.created,
-            "sha256": row.sha256,
-            "profile": row.profile,
-            "profile_state": profile_state(service, row),
-            "rules": row.rules,
-            "unit_given": row.unit_given or None,
-            "import_report": {**import_report, "rows": unpack_rows(row.import_report, _MAX_ROWS)},
-        }
-    )
+    fields = drawing_fields(row, profile_state(service, row))
+    return drawing_model(fields, row.import_report)
+
+
+def drawing_fields(row: Drawing, state: str) -> dict[str, Any]:
+    """Return the fields of the API model of a stored drawing, without rows of the import report.
+
+    Parameters
+    ----------
+    row
+        The drawing.
+    state
+        State of its profile, from ``profile_state``.
+    """
+    return {
+        **row.summary,
+        "unit": row.summary["unit"] or None,
+        "id": row.id,
+        "revision": row.version,
+        "name": row.name,
+        **details_fields(row),
+        "created": row.created,
+        "sha256": row.sha256,
+        "profile": row.profile,
+        "profile_state": state,
+        "rules": row.rules,
+        "unit_given": row.unit_given or None,
+    }
 
 
 def profile_state(service: Service, row: Drawing) -> str:

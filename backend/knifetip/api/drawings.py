@@ -5,8 +5,16 @@ from __future__ import annotations
 from typing import Annotated, Any
 
 from fastapi import File, Form, Query, Request, Response, UploadFile
-from fastapi.responses import StreamingResponse
+from fastapi.concurrency import run_in_threadpool
 
+from knifetip.api.documents import AnswerDep
+from knifetip.api.drawing_documents import (
+    cleaning_document,
+    drawing_document,
+    edges_document,
+    import_report_document,
+    picture_document,
+)
 from knifetip.api.drawing_requests import (
     Change,
     Upload,
@@ -14,14 +22,12 @@ from knifetip.api.drawing_requests import (
     apply_change,
     change_details,
     drawing_name,
-    drawing_out,
-    profile_state,
     summary_out,
 )
 from knifetip.api.overrides import merge_overrides
 from knifetip.api.parameters import DataFormat, DrawingId, IdempotencyKey
 from knifetip.api.queue import queued
-from knifetip.api.revisions import IfMatch, IfNoneMatch, etag, is_known
+from knifetip.api.revisions import IfMatch
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.drawings import (
     CleaningOut,
@@ -54,16 +60,12 @@ from knifetip.api.service import (
     set_next_page,
 )
 from knifetip.formats import FORMATS, format_of
-from knifetip.jobs import tasks
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.interpretations import interpretation_of
 from knifetip.jobs.tables import Drawing
 from knifetip.library import custom_profiles
 from knifetip.messages import Message
 from knifetip.model.interpretation import Interpretation
-from knifetip.presentation.edges import EdgeTable
-from knifetip.presentation.import_report import unpack_rows
-from knifetip.presentation.picture import svg_picture
 
 router = ScopedRouter(prefix="/drawings", tags=["drawings"])
 
@@ -142,19 +144,16 @@ def list_drawings(
 
 @router.get("/{id}", response_model=DrawingOut, responses=_NOT_MODIFIED)
 @requires(AccessScope.VIEWER)
-def get_drawing(
-    service: ServiceDep, response: Response, id: DrawingId, known: IfNoneMatch = None
-) -> DrawingOut | Response:
+async def get_drawing(
+    service: ServiceDep,
+    answer: AnswerDep,
+    id: DrawingId,
+) -> Response:
     """Get a drawing with its import report and the questions that the user must still answer.
 
     The status is 304 if ``If-None-Match`` contains the ETag of the drawing.
     """
-    row = service.store.drawings.get_with(id, "import_report")
-    headers = {"ETag": etag(row.version, profile_state(service, row)), "Cache-Control": "no-cache"}
-    if is_known(headers["ETag"], known):
-        return Response(status_code=304, headers=headers)
-    response.headers.update(headers)
-    return drawing_out(service, row)
+    return await answer.send(id, drawing_document(service))
 
 
 @router.patch("/{id}")
@@ -203,30 +202,29 @@ def delete_drawing(service: ServiceDep, id: DrawingId) -> None:
 
 @router.get("/{id}/edges", response_model=EdgesOut, responses={200: BINARY, **_NOT_MODIFIED})
 @requires(AccessScope.VIEWER)
-def get_edges(
+async def get_edges(
     service: ServiceDep,
+    answer: AnswerDep,
     request: Request,
     id: DrawingId,
     format: DataFormat = "json",
 ) -> Response:
     """List the edges of a drawing, as JSON or as binary arrays (``format=columns``)."""
-    row = service.store.drawings.get_with(id, "edges")
     if format == "columns":
+        row = await run_in_threadpool(service.store.drawings.get_with, id, "edges")
         return bytes_response(request, row.edges, str(row.version), "application/octet-stream")
-    headers = {"ETag": etag(row.version), "Cache-Control": "no-cache"}
-    if is_known(headers["ETag"], request.headers.get("if-none-match")):
-        return Response(status_code=304, headers=headers)
-    pieces = EdgeTable.unpack(row.edges).json_pieces()
-    return StreamingResponse(pieces, media_type="application/json", headers=headers)
+    return await answer.send(id, edges_document(service))
 
 
 @router.get("/{id}/picture", response_class=Response, responses={200: _SVG, **_NOT_MODIFIED})
 @requires(AccessScope.VIEWER)
-def get_picture(service: ServiceDep, request: Request, id: DrawingId) -> Response:
+async def get_picture(
+    service: ServiceDep,
+    answer: AnswerDep,
+    id: DrawingId,
+) -> Response:
     """Get a small picture of a drawing as SVG, with its edges in the colours of line types."""
-    row = service.store.drawings.get_with(id, "edges")
-    picture = svg_picture(row.edges).encode()
-    return bytes_response(request, picture, f"{row.version}-picture", "image/svg+xml")
+    return await answer.send(id, picture_document(service))
 
 
 @router.patch("/{id}/edges")
@@ -248,32 +246,33 @@ def override_edges(
     return apply_change(service, response, id, match, decide)
 
 
-@router.get("/{id}/import-report")
+@router.get("/{id}/import-report", response_model=ImportReportOut, responses=_NOT_MODIFIED)
 @requires(AccessScope.VIEWER)
-def get_import_report(
+async def get_import_report(
     service: ServiceDep,
+    answer: AnswerDep,
     id: DrawingId,
     outcome: Annotated[
         OutcomeWord | None,
         Query(description="List only entities with this outcome; all if it is missing"),
     ] = None,
-) -> ImportReportOut:
+) -> Response:
     """Get the import report of a drawing: all entities of its file, or those with one outcome."""
-    row = service.store.drawings.get_with(id, "import_report")
-    rows = [one for one in unpack_rows(row.import_report) if outcome in (None, one["outcome"])]
-    return ImportReportOut.model_validate({**row.summary["import_report"], "rows": rows})
+    return await answer.send(id, import_report_document(service, outcome))
 
 
-@router.get("/{id}/cleaning")
+@router.get("/{id}/cleaning", response_model=CleaningOut, responses=_NOT_MODIFIED)
 @requires(AccessScope.VIEWER)
-@queued
-def get_cleaning(service: ServiceDep, id: DrawingId) -> CleaningOut:
+async def get_cleaning(
+    service: ServiceDep,
+    answer: AnswerDep,
+    id: DrawingId,
+) -> Response:
     """Get the cleaning report of a drawing: the edges that cleaning changes before planning.
 
     Cleaning merges, shortens, joins and drops edges.
     """
-    edges = service.store.drawings.column(id, "edges")
-    return CleaningOut.model_validate(service.run(tasks.cleaning_report, edges))
+    return await answer.send(id, cleaning_document(service))
 
 
 @router.get("/{id}/file", response_class=Response, responses={200: _FILE, **_NOT_MODIFIED})

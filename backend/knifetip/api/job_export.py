@@ -11,11 +11,12 @@ from typing import Final
 from fastapi import Request, Response
 from pydantic import TypeAdapter
 
-from knifetip.api.job_models import job_events, job_out, verdict_out
+from knifetip.api.job_models import job_events, job_out
 from knifetip.api.parameters import JobId
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.jobs import JobEvent
 from knifetip.api.service import BINARY, ServiceDep, bytes_response, file_name
+from knifetip.api.verdict_model import verdict_out
 from knifetip.errors import WrongState
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.store import Store

@@ -1,4 +1,4 @@
-"""API models of jobs, of their events and of their verdicts, built from rows of the store."""
+"""API models of jobs and of their events, built from rows of the store."""
 
 from __future__ import annotations
 
@@ -8,16 +8,12 @@ from typing import Any
 from knifetip.api.queue_estimate import Estimate, estimates
 from knifetip.api.schemas.jobs import JobEvent, JobOut
 from knifetip.api.schemas.order_details import OrderDetailsOut, details_fields
-from knifetip.api.schemas.verdicts import VerdictOut, VerdictSummary
 from knifetip.api.waiting import Waiting, waiting_of
 from knifetip.jobs.job import State
 from knifetip.jobs.operator_actions import allowed_actions
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.messages import hint, render
-from knifetip.model.verdict import EDGE_COLUMNS
-from knifetip.presentation.columns import unpack_columns
-from knifetip.presentation.verdict import areas_json, unpack_areas
 
 
 def job_out(store: Store, row: Job) -> JobOut:
@@ -110,29 +106,3 @@ def job_events(store: Store, id: str) -> list[JobEvent]:
         )
         for event in store.events.of_job(id)
     ]
-
-
-def verdict_out(block: bytes) -> VerdictOut:
-    """Return the API model of a stored verdict of the verifier.
-
-    A column that the stored verdict does not have becomes an empty list; verdicts stored by older
-    versions have fewer columns.
-
-    Parameters
-    ----------
-    block
-        The stored verdict: columns of measurements, and findings, packed into bytes.
-    """
-    columns, meta = unpack_columns(block)
-    figures = {
-        f"edge_{name}": columns[name].tolist() if name in columns else [] for name in EDGE_COLUMNS
-    }
-    summary = {name: meta[name] for name in VerdictSummary.model_fields if name in meta}
-    return VerdictOut.model_validate(
-        {
-            **summary,
-            **figures,
-            "findings": meta["findings"],
-            "areas": areas_json(unpack_areas(columns)),
-        }
-    )

@@ -5,11 +5,14 @@ from __future__ import annotations
 from typing import Annotated
 
 from fastapi import Query, Request, Response
+from fastapi.concurrency import run_in_threadpool
 from fastapi.responses import PlainTextResponse
 
+from knifetip.api.documents import AnswerDep
 from knifetip.api.exceptions import find_same_exceptions
 from knifetip.api.job_creation import create_job
-from knifetip.api.job_models import job_events, job_out, jobs_out, verdict_out
+from knifetip.api.job_documents import verdict_document, verdict_version
+from knifetip.api.job_models import job_events, job_out, jobs_out
 from knifetip.api.parameters import DataFormat, IdempotencyKey, JobId
 from knifetip.api.principal import PrincipalDep
 from knifetip.api.queue import queued
@@ -92,20 +95,19 @@ def get_program(service: ServiceDep, request: Request, id: JobId) -> Response:
 
 @router.get("/{id}/verdict", response_model=VerdictOut, responses={200: BINARY})
 @requires(AccessScope.VIEWER)
-def get_verdict(
+async def get_verdict(
     service: ServiceDep,
+    answer: AnswerDep,
     request: Request,
     id: JobId,
     format: DataFormat = "json",
 ) -> Response:
     """Get the verdict on a job's program, with measurements per edge, as JSON or binary arrays."""
-    row = service.store.jobs.get(id)
-    block = service.store.jobs.column(id, "verdict")
     if format == "columns":
-        # The verdict changes when a shortfall is accepted.
-        version = f"{row.program_sha256}-{(row.verdict_summary or {}).get('exceptions', 0)}"
-        return bytes_response(request, block, version, "application/octet-stream")
-    return Response(verdict_out(block).model_dump_json(), media_type="application/json")
+        row = await run_in_threadpool(service.store.jobs.get_with, id, "verdict")
+        block = row.verdict or b""
+        return bytes_response(request, block, verdict_version(row), "application/octet-stream")
+    return await answer.send(id, verdict_document(service))
 
 
 @router.get("/{id}/toolpath", response_class=Response, responses={200: BINARY})

@@ -35,7 +35,12 @@ IfNoneMatch = Annotated[
 
 
 def etag(revision: int, profile_state: str = "current") -> str:
-    """Return the ETag of a drawing.
+    """Return the ETag of a drawing; see ``revision_tag``."""
+    return f'"{revision_tag(revision, profile_state)}"'
+
+
+def revision_tag(revision: int, profile_state: str) -> str:
+    """Return the ETag of a drawing without quotation marks.
 
     Parameters
     ----------
@@ -45,7 +50,7 @@ def etag(revision: int, profile_state: str = "current") -> str:
         "current", or "changed" or "deleted" if the profile was changed or deleted since the drawing
         was classified.
     """
-    return f'"{revision}"' if profile_state == "current" else f'"{revision}-{profile_state}"'
+    return f"{revision}" if profile_state == "current" else f"{revision}-{profile_state}"
 
 
 def check_match(match: str | None, row: Drawing) -> None:

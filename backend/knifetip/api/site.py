@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import asyncio
 import gzip
-import re
 from pathlib import Path
 
 from starlette.datastructures import Headers
@@ -17,6 +16,8 @@ from starlette.requests import Request
 from starlette.responses import HTMLResponse, Response
 from starlette.staticfiles import NotModifiedResponse, StaticFiles
 from starlette.types import Scope
+
+from knifetip.api.compression import accepts_gzip
 
 #: The page loads nothing from other origins.  Its components set inline styles.
 PAGE_POLICY = (
@@ -37,9 +38,6 @@ _PAGE_HEADERS = {"Content-Security-Policy": PAGE_POLICY, "X-Frame-Options": "SAM
 _FOREVER = "public, max-age=31536000, immutable"
 #: Files that become smaller by compression; fonts are compressed already.
 _COMPRESSED = {".js", ".css", ".svg"}
-_ACCEPTS_GZIP = re.compile(
-    r"(?:^|,)\s*(?:gzip|\*)\s*(?:;\s*q=(?!0(?:\.0*)?\s*(?:,|$))[^,]*)?(?:,|$)"
-)
 
 
 class Site(StaticFiles):
@@ -98,7 +96,7 @@ class Site(StaticFiles):
         response.headers.update(_PAGE_HEADERS)
         if is_asset and Path(path).suffix in _COMPRESSED:
             response.headers["Vary"] = "Accept-Encoding"
-            if response.status_code == 200 and _accepts_gzip(Headers(scope=scope)):
+            if response.status_code == 200 and accepts_gzip(Headers(scope=scope)):
                 return await self._gzipped(path, response)
         return response
 
@@ -123,9 +121,3 @@ class Site(StaticFiles):
 
 def _compress(file: Path) -> bytes:
     return gzip.compress(file.read_bytes(), mtime=0)
-
-
-def _accepts_gzip(headers: Headers) -> bool:
-    """Return whether a client takes compressed responses; a part of a file is not compressed."""
-    accepted = headers.get("accept-encoding", "")
-    return "range" not in headers and _ACCEPTS_GZIP.search(accepted) is not None

@@ -8,7 +8,7 @@ from typing import Any, Final
 
 import sqlalchemy as sa
 from sqlalchemy.exc import IntegrityError
-from sqlalchemy.orm import Session
+from sqlalchemy.orm import Session, undefer
 
 from knifetip.errors import WrongState
 from knifetip.jobs.accounts.acting import acting_owner
@@ -284,6 +284,35 @@ class JobStore:
             row = session.scalar(sa.select(Job).where(Job.id == id))
         if row is None:
             raise unknown_job_error(id)
+        return row
+
+    def get_with(self, id: str, *columns: str) -> Job:
+        """Return a job in which some of the large columns are loaded.
+
+        One query reads all columns, so that they belong together.
+
+        Parameters
+        ----------
+        id
+            Id of the job.
+        *columns
+            Names of the large columns to load; see ``column``.
+
+        Raises
+        ------
+        NoSuchJob
+            There is no job with this id.
+        WrongState
+            A column is empty: the job is not compiled yet, or it was refused.
+        """
+        large = [undefer(getattr(Job, column)) for column in columns]
+        with self._db.reading() as session:
+            row = session.scalar(sa.select(Job).where(Job.id == id).options(*large))
+        if row is None:
+            raise unknown_job_error(id)
+        for column in columns:
+            if getattr(row, column) is None:
+                raise WrongState("store.no-column", kind="job", id=id, column=column)
         return row
 
     def column(self, id: str, column: str) -> bytes:

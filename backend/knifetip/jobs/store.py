@@ -19,6 +19,7 @@ from knifetip.jobs.claimed_jobs import ClaimedJobs
 from knifetip.jobs.command_keys import CommandKeys
 from knifetip.jobs.compile_store import CompileStore
 from knifetip.jobs.database import Database
+from knifetip.jobs.document_store import DocumentStore
 from knifetip.jobs.drawing_store import DrawingStore
 from knifetip.jobs.event_store import EventStore
 from knifetip.jobs.gateway_store import GatewayStore
@@ -55,6 +56,7 @@ class Store:
         self.database = Database(url, clock)
         transitions = Transitions(self.database)
         self.drawings = DrawingStore(self.database, transitions)
+        self.documents = DocumentStore(self.database)
         self.jobs = JobStore(self.database, transitions)
         self.events = EventStore(self.database)
         self.compiles = CompileStore(self.database, transitions)

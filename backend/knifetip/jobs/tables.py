@@ -262,6 +262,32 @@ class JobMetadata(Base):
     )
 
 
+class DrawingDocument(Base):
+    """A large JSON answer about a drawing, which was made for one version of the drawing."""
+
+    __tablename__ = "drawing_document"
+
+    owner: Mapped[int] = mapped_column(
+        _SERIAL, sa.ForeignKey("drawing.serial", ondelete="CASCADE"), primary_key=True
+    )
+    kind: Mapped[str] = mapped_column(sa.String(40), primary_key=True)
+    version: Mapped[str] = mapped_column(sa.String(200))  #: of the owner and of knifetip
+    content: Mapped[bytes] = mapped_column(sa.LargeBinary)  #: JSON, gzip
+
+
+class JobDocument(Base):
+    """A large JSON answer about a job, which was made for one version of the job."""
+
+    __tablename__ = "job_document"
+
+    owner: Mapped[int] = mapped_column(
+        _SERIAL, sa.ForeignKey("job.serial", ondelete="CASCADE"), primary_key=True
+    )
+    kind: Mapped[str] = mapped_column(sa.String(40), primary_key=True)
+    version: Mapped[str] = mapped_column(sa.String(200))  #: of the owner and of knifetip
+    content: Mapped[bytes] = mapped_column(sa.LargeBinary)  #: JSON, gzip
+
+
 class CommandKey(Base):
     """The Idempotency-Key of a command that was carried out."""
 

@@ -11,15 +11,17 @@ import json
 import zlib
 from collections import defaultdict
 from functools import lru_cache
-from typing import Any
+from typing import Any, Final
 
-from knifetip.messages import Message, printable
+from knifetip.messages import Message, printable, with_text
 from knifetip.model.drawing import Annotation, Drawing, ImportOutcome
 
 _OUTCOMES = {outcome.value: outcome.name.lower() for outcome in ImportOutcome}
 #: Cached, because the texts of kinds, layers and reasons repeat.
 _printable = lru_cache(maxsize=4096)(printable)
 _as_json = lru_cache(maxsize=4096)(Message.as_json)
+#: Fields that only some rows have.
+_ABSENT: Final = {"text": "", "place": None, "box": None}
 
 
 def outcome_counts(drawing: Drawing) -> dict[str, int]:
@@ -97,6 +99,16 @@ def unpack_rows(content: bytes, limit: int | None = None) -> list[dict[str, Any]
     text = zlib.decompress(content).decode()
     rows: list[dict[str, Any]] = json.loads(text) if limit is None else _first_rows(text, limit)
     return rows
+
+
+def with_defaults(row: dict[str, Any]) -> dict[str, Any]:
+    """Return a row with the text of its reason, and with all fields that a row may have."""
+    return {**_ABSENT, **row, "reason": _with_text(json.dumps(row["reason"]))}
+
+
+@lru_cache(maxsize=4096)  # most rows have one of few reasons
+def _with_text(reason: str) -> dict[str, Any]:
+    return with_text(json.loads(reason))
 
 
 def _first_rows(text: str, limit: int) -> list[dict[str, Any]]:

@@ -15556,7 +15556,10 @@ export interface operations {
                 /** @description Format of the response: `json`, or `columns` for arrays in one block of bytes: KTIP, the length of the header (uint32, little-endian), the header (JSON with name, dtype, shape and offset of each array), and the arrays */
                 format?: "json" | "columns";
             };
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string | null;
+            };
             path: {
                 /** @description Id of the drawing */
                 id: string;
@@ -15635,7 +15638,10 @@ export interface operations {
     get_picture: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string | null;
+            };
             path: {
                 /** @description Id of the drawing */
                 id: string;
@@ -15677,7 +15683,10 @@ export interface operations {
                 /** @description List only entities with this outcome; all if it is missing */
                 outcome?: ("kept" | "merged" | "dropped") | null;
             };
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string | null;
+            };
             path: {
                 /** @description Id of the drawing */
                 id: string;
@@ -15695,6 +15704,13 @@ export interface operations {
                     "application/json": components["schemas"]["ImportReportOut"];
                 };
             };
+            /** @description Not modified */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
             /** @description Error with a hint */
             default: {
                 headers: {
@@ -15709,7 +15725,10 @@ export interface operations {
     get_cleaning: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string | null;
+            };
             path: {
                 /** @description Id of the drawing */
                 id: string;
@@ -15726,6 +15745,13 @@ export interface operations {
                 content: {
                     "application/json": components["schemas"]["CleaningOut"];
                 };
+            };
+            /** @description Not modified */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Error with a hint */
             default: {
@@ -16005,7 +16031,10 @@ export interface operations {
                 /** @description Format of the response: `json`, or `columns` for arrays in one block of bytes: KTIP, the length of the header (uint32, little-endian), the header (JSON with name, dtype, shape and offset of each array), and the arrays */
                 format?: "json" | "columns";
             };
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string | null;
+            };
             path: {
                 /** @description Id of the job */
                 id: string;

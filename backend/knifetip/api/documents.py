@@ -1,0 +1,178 @@
+"""Large answers, most of them JSON: made once by a worker process, stored, and sent as bytes.
+
+The JSON of a drawing with 100,000 edges has 30 MB.  If threads of the server made it, all other
+requests would wait for Python's lock.  Small JSON is made by the thread of the request, which takes
+some milliseconds.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import Annotated, Final, Generic, NamedTuple, TypeVar
+
+from fastapi import Depends, Request, Response
+from fastapi.concurrency import run_in_threadpool
+from fastapi.responses import StreamingResponse
+from sqlalchemy.exc import SQLAlchemyError
+
+from knifetip.api.compression import accepts_gzip, unpack
+from knifetip.api.queue import Client
+from knifetip.api.revisions import IfNoneMatch, is_known
+from knifetip.api.service import Service
+from knifetip.jobs.tables import Drawing, Job
+
+Row = TypeVar("Row", Drawing, Job)
+
+#: Number of rows from which a worker process makes a document.
+LARGE: Final = 2000
+
+_log = logging.getLogger("knifetip.api")
+
+
+@dataclass(frozen=True, slots=True)
+class Document(Generic[Row]):
+    """A kind of large answer about drawings or jobs, and how it is made."""
+
+    kind: str
+    #: returns the row with an id, with these large columns; raises NoSuchJob
+    read: Callable[..., Row]
+    columns: tuple[str, ...]  #: large columns from which it is made
+    version: Callable[[Row], str]  #: changes whenever the document changes; the ETag
+    is_large: Callable[[Row], bool]
+    task: Callable[..., bytes]  #: returns the JSON as gzip data
+    arguments: Callable[[Row], tuple[object, ...]]  #: of the task, from the row with its columns
+    calculates: bool = False  #: whether a worker process makes it even if it is small
+    media: str = "application/json"  #: media type
+
+
+class Made(NamedTuple):
+    """A document that was made for a version of its drawing or job."""
+
+    version: str
+    content: bytes  #: gzip
+
+
+class Documents:
+    """The documents of a server; requests that wait for the same document wait together."""
+
+    def __init__(self, service: Service) -> None:
+        self._service = service
+        self._making: dict[tuple[str, str, str], asyncio.Task[Made]] = {}
+
+    async def get(self, client: str, row: Row, document: Document[Row]) -> Made:
+        """Return a stored document; a worker process makes it if it is not stored.
+
+        Parameters
+        ----------
+        client
+            Name of the client in the ``WorkQueue``.
+        row
+            The drawing or the job.
+        document
+            Kind of the document.
+        """
+        version = document.version(row)
+        content = await run_in_threadpool(
+            self._service.store.documents.find, row, document.kind, version
+        )
+        if content is not None:
+            return Made(version, content)
+        key = (document.kind, row.id, version)
+        making = self._making.get(key)
+        if making is None:
+            # It is made even if this client goes, because others may wait for it.
+            call = self._service.work.run(partial(self._make, row.id, document), Client(client))
+            making = self._making[key] = asyncio.ensure_future(call)
+            making.add_done_callback(lambda _: self._making.pop(key, None))
+        return await asyncio.shield(making)
+
+    def _make(self, id: str, document: Document[Row]) -> Made:
+        """Make a document in a worker process, and store it if it is large."""
+        row = document.read(id, *document.columns)
+        version = document.version(row)
+        content = self._service.run(document.task, *document.arguments(row))
+        if document.is_large(row):
+            try:
+                self._service.store.documents.keep(row, document.kind, version, content)
+            except SQLAlchemyError as error:
+                # The document is made again for the next request.
+                _log.warning("a document was not stored: %s", error)
+        return Made(version, content)
+
+
+def _make_here(id: str, document: Document[Row]) -> Made:
+    row = document.read(id, *document.columns)
+    content = document.task(_no_progress, *document.arguments(row))
+    return Made(document.version(row), content)
+
+
+def _no_progress(_stage: object, _fraction: float) -> None:
+    pass
+
+
+def _response(made: Made, media: str, *, packed: bool) -> Response:
+    headers = _headers(made.version, weak=packed)
+    if packed:
+        headers["Content-Encoding"] = "gzip"
+        return Response(made.content, media_type=media, headers=headers)
+    return StreamingResponse(unpack(made.content), media_type=media, headers=headers)
+
+
+def _headers(version: str, *, weak: bool) -> dict[str, str]:
+    """Return the headers of a version; the ETag of compressed data is weak (RFC 9110, 8.8.1)."""
+    return {
+        "ETag": f'{"W/" if weak else ""}"{version}"',
+        "Cache-Control": "no-cache",
+        "Vary": "Accept-Encoding",
+    }
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """The answer to one request with a document."""
+
+    documents: Documents
+    request: Request
+    known: str | None  #: header If-None-Match
+
+    async def send(self, id: str, document: Document[Row]) -> Response:
+        """Return the response with a document; its status is 304 if the client has the document.
+
+        Parameters
+        ----------
+        id
+            Id of the drawing or the job.
+        document
+            Kind of the document.
+
+        Raises
+        ------
+        NoSuchJob
+            There is no drawing or job with this id.
+        ServerBusy
+            A worker process must make the document, and too many requests wait for one.
+        """
+        row = await run_in_threadpool(document.read, id)
+        is_large = document.is_large(row)
+        packed = is_large and accepts_gzip(self.request.headers)
+        version = document.version(row)
+        if is_known(f'"{version}"', self.known):
+            return Response(status_code=304, headers=_headers(version, weak=packed))
+        if document.calculates or is_large:
+            client = Client.of(self.request).name
+            made = await self.documents.get(client, row, document)
+        else:
+            made = await run_in_threadpool(_make_here, id, document)
+        return _response(made, document.media, packed=packed)
+
+
+# A coroutine: FastAPI would run a plain function on a thread of the shared pool.
+async def _answer(request: Request, known: IfNoneMatch = None) -> Answer:
+    return Answer(request.app.state.documents, request, known)
+
+
+AnswerDep = Annotated[Answer, Depends(_answer)]
