@@ -52,7 +52,7 @@ from knifetip.api.limits import Limits
 from knifetip.api.metrics import CountRequests, Metrics, add_numbers, route_templates
 from knifetip.api.metrics import router as metrics_router
 from knifetip.api.problems import problem
-from knifetip.api.queue import WorkQueue
+from knifetip.api.queue import ORDERS_AT_ONCE, ORDERS_WAITING, WorkQueue
 from knifetip.api.readiness import Readiness
 from knifetip.api.request_log import RequestLog
 from knifetip.api.retention import run_retention
@@ -138,7 +138,9 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         work = WorkQueue(
             chosen.processes + 1, chosen.waiting, per_client=max(1, chosen.processes - 1)
         )
-        service = Service(chosen, store, pool, work, warm_up)
+        # One thread commits while the others prepare; more would only wait for the database.
+        placing = WorkQueue(ORDERS_AT_ONCE, ORDERS_WAITING, per_client=ORDERS_AT_ONCE - 1)
+        service = Service(chosen, store, pool, work, placing, warm_up)
         app.state.service = service
         app.state.documents = Documents(service)
         app.state.readiness = Readiness(store, storage, compiling, service.threads)
@@ -164,6 +166,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             await asyncio.gather(*tasks, return_exceptions=True)
             await asyncio.to_thread(compiling.stop)
             work.close()
+            placing.close()
             service.threads.close()
             access.close()
             store.close()

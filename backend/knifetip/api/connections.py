@@ -1,9 +1,10 @@
 """Limits of connections: time for heads and bodies, and number per client (ADR 84).
 
-uvicorn limits neither.  A client that opens connections and sends nothing, or a byte now and then,
-would occupy file descriptors until no gateway can connect.  Here such connections are closed.  If
-too many are open, the one that has been idle longest makes room for a new one, so that a gateway
-gets through even if a program at the same address holds all places.
+uvicorn limits neither, and closes idle connections while clients still use them.  A client that
+opens connections and sends nothing, or a byte now and then, would occupy file descriptors until no
+gateway can connect.  Here such connections are closed.  If too many are open, the one that has been
+idle longest makes room for a new one, so that a gateway gets through even if a program at the same
+address holds all places.
 """
 
 from __future__ import annotations
@@ -38,6 +39,10 @@ class ConnectionLimits:
     body: float = 30.0  #: seconds in which ``body_bytes`` of a request body must arrive
     body_bytes: int = 16384  #: least bytes of a body in each period of ``body`` seconds
     answer: float = 60.0  #: seconds after which a client that reads no answer is disconnected
+    #: seconds after which a connection without a request is closed.  It is longer than the time for
+    #: which clients keep one (5 s of httpx, 60 s of nginx): a request that is sent while the server
+    #: closes its connection gets no answer, and a client cannot know whether it was carried out.
+    idle: float = 75.0
     per_client: int = 256  #: connections of one address, without requests of gateways under way
     total: int = 2048  #: connections of all addresses
 
@@ -49,6 +54,7 @@ class LimitedProtocol(H11Protocol):
 
     def __init__(self, *arguments: Any, **named: Any) -> None:
         super().__init__(*arguments, **named)
+        self.timeout_keep_alive = self.limits.idle  # type: ignore[assignment]  # any number of s
         self._timer: asyncio.TimerHandle | None = None
         self._waits_for: object = None  # state of h11 for which the timer runs
         self._answer_timer: asyncio.TimerHandle | None = None

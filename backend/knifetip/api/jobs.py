@@ -15,7 +15,7 @@ from knifetip.api.job_documents import verdict_document, verdict_version
 from knifetip.api.job_models import job_events, job_out, jobs_out
 from knifetip.api.parameters import DataFormat, IdempotencyKey, JobId
 from knifetip.api.principal import PrincipalDep
-from knifetip.api.queue import queued
+from knifetip.api.queue import Client
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.jobs import JobEvent, JobOut, JobsQuery
 from knifetip.api.schemas.order_details import details_filter
@@ -31,10 +31,10 @@ router = ScopedRouter(prefix="/jobs", tags=["jobs"])
 
 @router.post("", status_code=201)
 @requires(AccessScope.DESIGNER)
-@queued
-def order_job(
+async def order_job(
     service: ServiceDep,
     principal: PrincipalDep,
+    request: Request,
     response: Response,
     order: JobIn,
     key: IdempotencyKey = None,
@@ -45,7 +45,7 @@ def order_job(
     answer questions about the drawing, the status is 409 and the response contains the
     ``questions``.
     """
-    return create_job(service, principal, response, order, key)
+    return await create_job(service, principal, Client.of(request), response, order, key)
 
 
 @router.get("")

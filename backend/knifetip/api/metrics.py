@@ -179,6 +179,7 @@ def add_numbers(metrics: Metrics, service: Service, clients: Clients) -> None:
             "processes": ("Greatest number of worker processes.", size),
             "processes_busy": ("Worker processes that execute a task.", busy),
             "work_waiting": ("Requests that wait for a worker process.", service.work.waiting),
+            "orders_waiting": ("Orders that wait to be stored.", service.orders.waiting),
             "leases_expired_total": (
                 "Jobs that this process took back from silent workers and gateways.",
                 service.store.leases.taken_back,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from functools import partial
 from typing import Annotated, Any, Final
 
 from fastapi import Depends, Request, Response
@@ -12,12 +13,13 @@ from starlette.datastructures import UploadFile
 from starlette.exceptions import HTTPException
 
 from knifetip.api.drawing_requests import Upload, drawing_name, store_upload, summary_out
-from knifetip.api.job_creation import place_order
+from knifetip.api.job_creation import create_stored, place_order
 from knifetip.api.job_models import job_out
 from knifetip.api.parameters import IdempotencyKey
 from knifetip.api.principal import PrincipalDep, demand
-from knifetip.api.queue import queued
+from knifetip.api.queue import Client, queued
 from knifetip.api.routing import ScopedRouter, requires
+from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.schemas.order_details import details_columns
 from knifetip.api.schemas.orders import JobIn
 from knifetip.api.schemas.orders_with_files import OrderIn, OrderOut, OrderResult, OrdersIn
@@ -123,10 +125,10 @@ def _parsed(text: bytes, place: tuple[str, ...]) -> OrderIn:
 
 @router.post("", status_code=201, openapi_extra=_BODY)
 @requires(AccessScope.DESIGNER)
-@queued
-def place_order_with_file(
+async def place_order_with_file(
     service: ServiceDep,
     principal: PrincipalDep,
+    request: Request,
     response: Response,
     sent: Annotated[SentOrder, Depends(_sent_order)],
     key: IdempotencyKey = None,
@@ -141,10 +143,21 @@ def place_order_with_file(
     """
     if sent.order.release:
         demand(principal, AccessScope.OPERATOR)
-    drawing = _drawing(service, sent, key)
-    job = _job(service, sent, drawing, sent.key(key))
+    client = Client.of(request)
+    if sent.content is None:
+        drawing = await service.orders.run(partial(_drawing, service, sent, key), client)
+        order = _job_order(sent.order, drawing.id)
+        job = await create_stored(service, client, order, sent.key(key))
+    else:
+        drawing, job = await service.work.run(partial(_with_file, service, sent, key), client)
     response.headers["Location"] = f"/api/jobs/{job.id}"
-    return OrderOut(drawing=summary_out(drawing), job=job_out(service.store, job))
+    return OrderOut(drawing=summary_out(drawing), job=job)
+
+
+def _with_file(service: Service, sent: SentOrder, key: str | None) -> tuple[Drawing, JobOut]:
+    """Store the drawing and the job of an order with a file."""
+    drawing = _drawing(service, sent, key)
+    return drawing, job_out(service.store, _job(service, sent, drawing, sent.key(key)))
 
 
 @router.post("/batch")
@@ -209,6 +222,11 @@ def _job(service: Service, sent: SentOrder, drawing: Drawing, key: RequestKey | 
     earlier = service.store.jobs.find(key) if key else None
     if earlier is not None:
         return earlier
-    choices = sent.order.model_copy(update={"drawing": drawing.id})
+    return place_order(service, _job_order(sent.order, drawing.id), key)
+
+
+def _job_order(order: OrderIn, drawing: str) -> JobIn:
+    """Return the order of a job that an order contains, for a stored drawing."""
+    choices = order.model_copy(update={"drawing": drawing})
     fields = {name: getattr(choices, name) for name in JobIn.model_fields if name != "revision"}
-    return place_order(service, JobIn.model_construct(**fields), key)
+    return JobIn.model_construct(**fields)

@@ -1,4 +1,6 @@
-"""Queue of requests that need a worker process; a waiting request occupies no thread.
+"""Queues of requests that need a worker process or store an order.
+
+A waiting request occupies no thread.
 
 The decorator ``queued`` executes a route in this queue::
 
@@ -25,7 +27,7 @@ from collections.abc import Awaitable, Callable
 from concurrent.futures import ThreadPoolExecutor
 from contextvars import ContextVar, copy_context
 from functools import partial, wraps
-from typing import Any, NamedTuple, ParamSpec, Protocol, TypeVar, cast
+from typing import Any, Final, NamedTuple, ParamSpec, Protocol, TypeVar, cast
 
 from fastapi import Request
 
@@ -36,6 +38,9 @@ P = ParamSpec("P")
 T = TypeVar("T")
 
 WAITING = 16  #: most requests that may wait
+#: Orders of stored drawings need no worker process; each takes a few ms.
+ORDERS_AT_ONCE: Final = 4
+ORDERS_WAITING: Final = 1024
 _LONGEST = 60  # greatest Retry-After (s)
 _LOOK = 0.5  # seconds between two checks whether a client has closed its connection
 

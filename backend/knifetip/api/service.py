@@ -14,6 +14,7 @@ from urllib.parse import urlencode
 from fastapi import Depends, Request, Response
 
 from knifetip.api.access import AccessRules
+from knifetip.api.answered_questions import AnsweredQuestions
 from knifetip.api.client_limits import ClientLimits
 from knifetip.api.queue import WAITING, WorkQueue, is_client_gone
 from knifetip.api.threads import GatewayThreads
@@ -59,7 +60,9 @@ class Service:
     store: Store
     pool: ProcessPool
     work: WorkQueue
+    orders: WorkQueue  #: of orders, which need no worker process
     warm_up: WarmUp
+    answered: AnsweredQuestions = field(default_factory=AnsweredQuestions)
     threads: GatewayThreads = field(default_factory=GatewayThreads)
     stopping: threading.Event = field(default_factory=threading.Event)
     ready: bool = False

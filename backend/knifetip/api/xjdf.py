@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Annotated, Any, Final
 
 from fastapi import Query, Request, Response
@@ -11,7 +12,7 @@ from pydantic import Field, ValidationError
 from knifetip.api.job_creation import create_job
 from knifetip.api.parameters import IdempotencyKey, JobId
 from knifetip.api.principal import PrincipalDep
-from knifetip.api.queue import queued
+from knifetip.api.queue import Client
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.common import Strict
 from knifetip.api.schemas.jobs import JobOut
@@ -50,11 +51,10 @@ class XjdfQuery(Strict):
 
 @router.post("/xjdf", status_code=201, openapi_extra=_BODY)
 @requires(AccessScope.DESIGNER)
-@queued
-def order_by_xjdf(
+async def order_by_xjdf(
     service: ServiceDep,
     principal: PrincipalDep,
-    request: Request,  # noqa: ARG001  # the queue needs it
+    request: Request,
     response: Response,
     content: Body,
     wanted: Annotated[XjdfQuery, Query()],
@@ -65,7 +65,8 @@ def order_by_xjdf(
     ``FileSpec/@URL`` names a drawing that was uploaded, as ``/api/v1/drawings/ID``.  ``machine``
     and ``board`` are used if the document names none.
     """
-    order = read_order(content)
+    client = Client.of(request)
+    order = await service.orders.run(partial(read_order, content), client)
     board = order.board or wanted.board
     if not board:
         raise RequestError("xjdf.missing", place="ResourceSet[@Name='Media']/Resource/@ExternalID")
@@ -84,7 +85,7 @@ def order_by_xjdf(
         job = JobIn.model_validate(fields)
     except ValidationError as reason:
         raise RequestValidationError(reason.errors()) from reason
-    return create_job(service, principal, response, job, key)
+    return await create_job(service, principal, client, response, job, key)
 
 
 @router.get("/jobs/{id}/xjmf", response_class=Response, responses=_ANSWER)

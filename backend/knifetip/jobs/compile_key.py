@@ -36,8 +36,19 @@ def compile_key(arguments: tuple[object, ...]) -> str:
     TypeError
         An argument contains an object of an unknown type.
     """
-    digest = hashlib.sha256(_code_version().encode())
-    for part in _parts(arguments):
+    return digest_of((_code_version(), arguments))
+
+
+def digest_of(value: object) -> str:
+    """Return a SHA-256 hash of a value in hexadecimal digits; it depends on each of its fields.
+
+    Raises
+    ------
+    TypeError
+        The value contains an object of an unknown type.
+    """
+    digest = hashlib.sha256()
+    for part in _parts(value):
         # The length keeps neighbouring parts apart.
         digest.update(len(part).to_bytes(8, "big") + part)
     return digest.hexdigest()
@@ -66,7 +77,7 @@ def _parts(value: object) -> Iterator[bytes]:
             if isinstance(value, Definition):
                 yield value.toml.encode()
         case _:
-            raise TypeError(f"a compile depends on a {type(value).__name__}")
+            raise TypeError(f"no hash of a {type(value).__name__}")
 
 
 @cache

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import cache, partial
-from typing import Final
 
 import numpy as np
 
@@ -30,18 +29,6 @@ from knifetip.planning.dashes import distinct_edges
 from knifetip.planning.groove_operations import plan_grooves
 from knifetip.planning.milling import apply_choices, plan_milling
 from knifetip.planning.setup import Setup
-
-#: Line types that are made as other line types, each with its own tool.
-_STEPS: Final[Mapping[LineType, tuple[LineType, ...]]] = {
-    LineType.UNCLASSIFIED: (),
-    LineType.IGNORED: (),
-    LineType.COMBI: (LineType.CREASE, LineType.PERFORATION),
-}
-
-
-def lacks_tool(machine: Machine, line_type: LineType) -> bool:
-    """Return whether no station of a machine has a tool that makes a line type."""
-    return any(machine.station_for(step) is None for step in _STEPS.get(line_type, (line_type,)))
 
 
 def check_corners(corners: Corners, machine: Machine) -> None:

@@ -8,7 +8,7 @@ from knifetip.messages import Message
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
 from knifetip.model.question import Question
-from knifetip.planning.plan import lacks_tool
+from knifetip.planning.tool_steps import lacks_tool
 
 
 def tool_questions(dieline: Dieline, machine: Machine) -> list[Question]:

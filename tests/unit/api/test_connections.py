@@ -109,6 +109,16 @@ def test_a_connection_that_sends_no_head_is_answered_408_and_closed(tmp_path: Pa
             assert drip(slow, head, 0.1).startswith(b"HTTP/1.1 408 ")
 
 
+def test_an_idle_connection_lives_longer_than_in_the_pools_of_clients(tmp_path: Path) -> None:
+    # httpx keeps a connection for 5 s, nginx for 60 s.  If the server closed it at the same moment,
+    # the next request on it would fail without an answer.
+    assert ConnectionLimits().idle > 60.0
+    with server(tmp_path, ConnectionLimits(idle=0.4)) as client, connect(client) as connection:
+        connection.settimeout(4.0)  # less than the 5 s of uvicorn
+        connection.sendall(b"GET /healthz HTTP/1.1\r\n" + HEAD + b"\r\n")
+        assert until_closed(connection).startswith(b"HTTP/1.1 200 ")
+
+
 def test_a_second_head_on_a_connection_has_the_same_time(tmp_path: Path) -> None:
     with server(tmp_path, ConnectionLimits(head=0.4)) as client, connect(client) as connection:
         connection.sendall(b"GET /healthz HTTP/1.1\r\n" + HEAD + b"\r\n")

@@ -15,7 +15,8 @@ from knifetip.model.dieline import LineType
 from knifetip.model.machine import Station
 from knifetip.model.operation import End
 from knifetip.model.tool import Cutter
-from knifetip.planning.plan import lacks_tool, plan
+from knifetip.planning.plan import plan
+from knifetip.planning.tool_steps import lacks_tool
 from tests.support.shapes import BOARD, MACHINE, closed, dieline, edges
 
 ROUTER = Cutter(radius=3.0, feed=9000.0, plunge=1500.0, speed=18000.0)

@@ -10,7 +10,8 @@ import pytest
 from knifetip.errors import NoToolForLineType
 from knifetip.model.dieline import LineType
 from knifetip.model.operation import End, Operation
-from knifetip.planning.plan import lacks_tool, plan
+from knifetip.planning.plan import plan
+from knifetip.planning.tool_steps import lacks_tool
 from tests.support.shapes import BOARD, MACHINE, closed, dieline, edges
 
 OUTLINE = closed((0, 0), (200, 0), (200, 100), (0, 100))

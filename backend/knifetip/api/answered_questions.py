@@ -1,0 +1,47 @@
+"""Remember for which orders no question about the drawing is open.
+
+A worker process finds the questions, which takes longer than the storage of the job.  Repeated
+orders of a drawing therefore do without it.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import threading
+from collections import OrderedDict
+from typing import Final
+from weakref import WeakValueDictionary
+
+_REMEMBERED: Final = 4096
+
+
+class AnsweredQuestions:
+    """Keys of orders without open questions; see ``job_creation.PreparedOrder.questions_key``."""
+
+    def __init__(self) -> None:
+        self._answered: OrderedDict[str, None] = OrderedDict()
+        self._lock = threading.Lock()
+        self._alone: WeakValueDictionary[str, asyncio.Lock] = WeakValueDictionary()
+
+    def __contains__(self, key: str) -> bool:
+        """Return whether no question is open for orders with a key, as far as it is remembered."""
+        with self._lock:
+            if key not in self._answered:
+                return False
+            self._answered.move_to_end(key)
+            return True
+
+    def add(self, key: str) -> None:
+        """Remember that no question is open; the key that was used longest ago is forgotten."""
+        with self._lock:
+            self._answered[key] = None
+            if len(self._answered) > _REMEMBERED:
+                self._answered.popitem(last=False)
+
+    def alone(self, key: str) -> asyncio.Lock:
+        """Return the lock under which the questions for a key are found.
+
+        Of many equal orders at the same time only one then needs a worker process.  It must be
+        called in the event loop.
+        """
+        return self._alone.setdefault(key, asyncio.Lock())
