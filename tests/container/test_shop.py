@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import stat
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
@@ -11,6 +12,7 @@ from typing import Any
 import pytest
 import yaml
 
+from knifetip.jobs.store import Store
 from tests.container.shop import (
     ROOT,
     Shop,
@@ -20,6 +22,7 @@ from tests.container.shop import (
     run_job_through_restarts,
     start,
 )
+from tests.support.command import Command
 
 POSTGRES = "docker.io/library/postgres:15-bookworm"
 SERVICES: dict[str, Any] = yaml.safe_load((ROOT / "docker-compose.yml").read_text())["services"]
@@ -102,11 +105,43 @@ def test_parts_start_when_what_they_need_is_ready() -> None:
     assert "database" not in SHOP["gateway"]["networks"]
 
 
-def test_only_the_one_shot_service_has_no_health_check() -> None:
+def test_the_gateway_has_a_key_of_its_own_and_not_that_of_the_server() -> None:
+    gateway, creator = SHOP["gateway"], SHOP["gateway-key"]
+    assert "secrets" not in gateway
+    assert gateway["environment"] == {"KNIFETIP_KEY_FILE": "/keys/gateway"}
+    assert "gateway-key:/keys:ro" in gateway["volumes"]
+    assert creator["volumes"] == ["gateway-key:/data"]
+    assert gateway["depends_on"]["gateway-key"]["condition"] == "service_completed_successfully"
+    assert creator["depends_on"]["migrate"]["condition"] == "service_completed_successfully"
+
+
+def test_the_command_that_creates_the_key_of_the_gateway(
+    knifetip: Command, tmp_path: Path, postgresql_url: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("KNIFETIP_DATABASE", postgresql_url)
+    assert knifetip(*SHOP["migrate"]["command"])[0] == 0
+    words = [word.replace("/data/", f"{tmp_path}/") for word in SHOP["gateway-key"]["command"]]
+    # Each start of the shop runs the service again.
+    for _ in range(2):
+        code, out, err = knifetip(*words)
+        assert (code, out) == (0, ""), err
+    file = tmp_path / "gateway"
+    assert stat.S_IMODE(file.stat().st_mode) == 0o600
+    store = Store(postgresql_url)
+    (key,) = store.keys.all()
+    found = store.keys.find(file.read_text().strip())
+    store.close()
+    assert found is not None
+    assert (found.id, found.scopes) == (key.id, ["gateway"])
+
+
+def test_only_one_shot_services_have_no_health_check() -> None:
     # The image has a check of the API, which the other parts replace.
     without = {name for name, one in SHOP.items() if "healthcheck" not in one}
     assert without == {"api"}
-    assert SHOP["migrate"]["healthcheck"] == {"disable": True}
+    for name in ("migrate", "gateway-key"):
+        assert SHOP[name]["healthcheck"] == {"disable": True}
+        assert SHOP[name]["restart"] == "no"
 
 
 def test_workers_have_names_of_their_own_that_stay_the_same() -> None:

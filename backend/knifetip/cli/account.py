@@ -10,8 +10,9 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from datetime import datetime
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -19,9 +20,8 @@ import typer
 from knifetip.cli.database_options import DatabaseOptions
 from knifetip.cli.drawing import Json
 from knifetip.cli.options import expand
-from knifetip.cli.terminal import print_json, print_stderr
+from knifetip.cli.terminal import print_json, print_line, print_stderr
 from knifetip.jobs.accounts.scopes import AccessScope
-from knifetip.messages import printable
 
 if TYPE_CHECKING:
     from knifetip.jobs.store import Store
@@ -117,15 +117,35 @@ def create_key(
     days: Annotated[
         float | None, typer.Option(min=0.001, help="Days until the key expires. Default: never.")
     ] = None,
+    file: Annotated[
+        Path | None,
+        typer.Option(
+            help="File for the secret, which its owner only can read. If it already contains a "
+            "valid key with these scopes, no key is created."
+        ),
+    ] = None,
     *,
     chosen: DatabaseOptions,
 ) -> None:
-    """Create an API key and print its secret, which cannot be read again."""
+    """Create an API key and print its secret, or write it to a file; it cannot be read again."""
     expires = None if days is None else time.time() + days * _DAY
-    with _opened(chosen.url) as store:
+    with _opened(chosen.url) as store, ExitStack() as stack:
+        new_file = None
+        if file is not None:
+            from knifetip.cli.key_file import NewKeyFile, key_in  # imports the database
+
+            kept = key_in(file, store.keys, scope)
+            if kept is not None:
+                print_stderr(f"{file}: key {kept.id} for {kept.title} is valid")
+                return
+            new_file = NewKeyFile(file)
+            stack.callback(new_file.remove)
         row, secret = store.keys.add(title, scope, expires, "command line")
+        if new_file is not None:
+            new_file.write(secret)
     print_stderr(f"key {row.id} for {row.title}: {', '.join(row.scopes)}")
-    typer.echo(secret)
+    if file is None:
+        typer.echo(secret)
 
 
 def list_keys(as_json: Json = False, *, chosen: DatabaseOptions) -> None:
@@ -139,9 +159,8 @@ def list_keys(as_json: Json = False, *, chosen: DatabaseOptions) -> None:
     for row in rows:
         state = f", revoked {_date(row.revoked)}" if row.revoked else ""
         state += f", expires {_date(row.expires)}" if row.expires else ""
-        title = printable(row.title)
         used = _date(row.used)
-        typer.echo(f"{row.id} {title:24} {','.join(row.scopes)} used {used}{state}")
+        print_line(f"{row.id} {row.title:24} {','.join(row.scopes)} used {used}{state}")
 
 
 def revoke_key(

@@ -21,6 +21,7 @@ from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.database import Database, short
 from knifetip.jobs.job import new_id
 from knifetip.jobs.tables import ApiKey
+from knifetip.messages import printable
 
 #: Shortest time between two records of the use of a key (s).
 USE_INTERVAL: Final = 60.0
@@ -65,7 +66,8 @@ class KeyStore:
             The key has no title or no scope, or would be expired.
         """
         now = self._db.clock()
-        if not title.strip() or not scopes:
+        title = printable(title).strip()[:100]
+        if not title or not scopes:
             raise RequestError("key.incomplete", source=["title", "scopes"])
         if expires is not None and expires <= now:
             raise RequestError("key.expired-at-once", source=["expires"])
@@ -73,7 +75,7 @@ class KeyStore:
         secret = f"kt_{id}_{secrets.token_urlsafe(32)}"
         row = ApiKey(
             id=id,
-            title=title.strip()[:100],
+            title=title,
             digest=_digest(secret),
             scopes=sorted(scope.value for scope in set(scopes)),
             created=now,
