@@ -119,17 +119,18 @@ async def attempt_delivery(claimed: Claimed, now: float, *, private: bool) -> At
         Whether loopback and private addresses are permitted.
     """
     start = time.monotonic()
-    status, fault = 0, ""
+    status, answer, fault = 0, "", ""
     try:
         async with asyncio.timeout(TIME_LIMIT):
-            status, answer = await _post(claimed, now, private)
+            status, content = await _post(claimed, now, private)
+        answer = _visible(content.decode("utf-8", "replace")[:_SHOWN])
         if not 200 <= status < 300:
-            fault = answer.decode("utf-8", "replace")
+            fault = answer
     except TimeoutError:
         fault = f"no complete answer within {TIME_LIMIT:.0f} s"
     except (httpx.HTTPError, httpx.InvalidURL, OSError, RequestError, UnicodeError) as reason:
         fault = str(reason) or type(reason).__name__
-    return Attempt(now, status, time.monotonic() - start, _visible(fault[:_SHOWN]))
+    return Attempt(now, status, time.monotonic() - start, _visible(fault[:_SHOWN]), answer)
 
 
 def _visible(text: str) -> str:
@@ -148,6 +149,8 @@ async def _post(claimed: Claimed, now: float, private: bool) -> tuple[int, bytes
     headers = {
         "Host": parts.netloc,
         "Content-Type": "application/json",
+        # The beginning of the answer is shown, as it arrives.
+        "Accept-Encoding": "identity",
         "User-Agent": f"knifetip/{version('knifetip')}",
         **signature_headers(claimed, now),
     }

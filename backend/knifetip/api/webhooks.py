@@ -14,6 +14,7 @@ from knifetip.api.schemas.webhooks import (
     DeliveryOut,
     NewWebhookOut,
     RotationIn,
+    SentDeliveryOut,
     WebhookIn,
     WebhookOut,
     WebhookPatch,
@@ -119,6 +120,16 @@ def list_webhook_deliveries(
     return [delivery_out(row) for row in rows]
 
 
+@router.get("/{id}/deliveries/{delivery}")
+@requires(AccessScope.ADMIN)
+def get_webhook_delivery(
+    service: ServiceDep, id: WebhookId, delivery: DeliveryId
+) -> SentDeliveryOut:
+    """Get a delivery with its attempts and the text that is sent."""
+    row = service.store.webhooks.delivery(id, delivery)
+    return SentDeliveryOut(**dict(delivery_out(row)), payload=row.payload)
+
+
 @router.post("/{id}/replay", status_code=202)
 @requires(AccessScope.ADMIN)
 def replay_dead_letters(service: ServiceDep, id: WebhookId) -> list[DeliveryOut]:
@@ -143,6 +154,7 @@ def _webhook_out(store: Store, row: Webhook) -> WebhookOut:
     return WebhookOut.model_validate(
         {
             **_columns(row),
+            "previous_secret_until": store.webhooks.overlap_end(row),
             "last_delivery": None if last is None else delivery_out(last),
         }
     )
@@ -153,7 +165,7 @@ def _with_secret(store: Store, row: Webhook) -> NewWebhookOut:
 
 
 def _columns(row: Webhook) -> dict[str, object]:
-    names = set(WebhookOut.model_fields) - {"last_delivery"}
+    names = set(WebhookOut.model_fields) - {"last_delivery", "previous_secret_until"}
     return {name: getattr(row, name) for name in names}
 
 

@@ -64,6 +64,7 @@ class Attempt:
     status: int  #: HTTP status; 0 without an answer
     seconds: float
     fault: str = ""  #: why there was no answer, or the beginning of an answer that is no success
+    answer: str = ""  #: beginning of the answer, whatever its status
 
     @property
     def succeeded(self) -> bool:
@@ -77,6 +78,7 @@ class Attempt:
             "status": self.status,
             "seconds": round(self.seconds, 3),
             "fault": self.fault,
+            "answer": self.answer,
         }
 
 

@@ -208,6 +208,30 @@ class WebhookStore:
             query = query.order_by(WebhookDelivery.serial.desc()).limit(limit)
             return list(session.scalars(query))
 
+    def delivery(self, id: str, delivery: str) -> WebhookDelivery:
+        """Return a delivery to an endpoint.
+
+        Raises
+        ------
+        NoSuchJob
+            There is no endpoint or delivery with this id.
+        """
+        with self._db.reading() as session:
+            row = session.scalar(
+                sa.select(WebhookDelivery).where(
+                    WebhookDelivery.webhook == _find(session, id).serial,
+                    WebhookDelivery.id == delivery,
+                )
+            )
+            if row is None:
+                raise NoSuchJob("webhook.unknown-delivery", delivery=short(delivery))
+            return row
+
+    def overlap_end(self, webhook: Webhook) -> float | None:
+        """Return the end of the overlap with the former secret; None if that does not sign."""
+        overlaps = webhook.previous_secret and webhook.previous_until > self._db.clock()
+        return webhook.previous_until if overlaps else None
+
     def last_delivery(self, webhook: Webhook) -> WebhookDelivery | None:
         """Return the newest delivery to an endpoint, None if there is none."""
         query = (

@@ -1804,6 +1804,28 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/webhooks/{id}/deliveries/{delivery}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Webhook Delivery
+         * @description Get a delivery with its attempts and the text that is sent.
+         *
+         *     Needs the scope `admin`.
+         */
+        get: operations["get_webhook_delivery"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/webhooks/{id}/replay": {
         parameters: {
             query?: never;
@@ -2598,6 +2620,12 @@ export interface components {
              * @description Duration (s)
              */
             seconds: number;
+            /**
+             * Answer
+             * @description Beginning of the answer without control characters, whatever its status; at most 200 characters
+             * @default
+             */
+            answer: string;
             /**
              * Fault
              * @description Why there was no answer, or the beginning of an answer that is no success; empty for a success
@@ -5216,6 +5244,11 @@ export interface components {
              */
             created_by: string;
             /**
+             * Previous Secret Until
+             * @description Time until which requests are signed with the former secret, too; null if only the present one signs
+             */
+            previous_secret_until: string | null;
+            /**
              * Failures
              * @description Failed attempts since the last success; 0 if it works
              */
@@ -6071,6 +6104,55 @@ export interface components {
              * @default false
              */
             inherited: boolean;
+        };
+        /**
+         * SentDeliveryOut
+         * @description A delivery with the text that is signed and sent.
+         */
+        SentDeliveryOut: {
+            /**
+             * Id
+             * @description Id of the delivery, which is sent in the header webhook-id
+             */
+            id: string;
+            /**
+             * Event Type
+             * @description Type of the event; webhook.test for a test
+             */
+            event_type: string;
+            /**
+             * Subject
+             * @description Id of the job, the drawing, or the webhook of a test
+             */
+            subject: string;
+            /**
+             * State
+             * @description pending: it is sent, or sent again later. delivered: the endpoint accepted it. dead: it is sent again only on request
+             * @enum {string}
+             */
+            state: "pending" | "delivered" | "dead";
+            /**
+             * Created
+             * Format: date-time
+             * @description Time of the event
+             * @example 2030-01-02T03:04:05.123Z
+             */
+            created: string;
+            /**
+             * Next Attempt
+             * @description Earliest time of the next attempt; null if none follows
+             */
+            next_attempt: string | null;
+            /**
+             * Attempts
+             * @description Attempts, oldest first; at most the last 100
+             */
+            attempts: components["schemas"]["AttemptOut"][];
+            /**
+             * Payload
+             * @description Body of the request: JSON
+             */
+            payload: string;
         };
         /**
          * ServiceOut
@@ -7442,6 +7524,11 @@ export interface components {
              * @description Who added it
              */
             created_by: string;
+            /**
+             * Previous Secret Until
+             * @description Time until which requests are signed with the former secret, too; null if only the present one signs
+             */
+            previous_secret_until: string | null;
             /**
              * Failures
              * @description Failed attempts since the last success; 0 if it works
@@ -18463,6 +18550,40 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["DeliveryOut"][];
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_webhook_delivery: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Id of the webhook */
+                id: string;
+                /** @description Id of the delivery */
+                delivery: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SentDeliveryOut"];
                 };
             };
             /** @description Error with a hint */

@@ -52,6 +52,7 @@ class Receiver:
     calls: list[Call] = field(default_factory=list)
     #: returns status and headers of the answer to a call
     answer: Callable[[Call], tuple[int, dict[str, str]]] = lambda _call: (204, {})
+    body: bytes = b""  #: of each answer that is not 204
 
     def wait(self, condition: Callable[[list[Call]], bool], seconds: float = 30.0) -> list[Call]:
         """Wait until the calls meet a condition, and return them."""
@@ -86,8 +87,10 @@ def run_receiver(port: int = 0) -> Iterator[Receiver]:
             for name, value in headers.items():
                 self.send_header(name, value)
             if status != 204:
-                self.send_header("Content-Length", "0")
+                self.send_header("Content-Length", str(len(receiver.body)))
             self.end_headers()
+            if status != 204:
+                self.wfile.write(receiver.body)
 
         def log_message(self, *_: object) -> None:
             pass

@@ -49,7 +49,8 @@ LEAST = {
     "admin": """
         save_machine delete_machine save_board delete_board save_tool delete_tool
         add_webhook list_webhooks get_webhook change_webhook delete_webhook rotate_webhook_secret
-        test_webhook list_webhook_deliveries replay_dead_letters replay_webhook_delivery
+        test_webhook list_webhook_deliveries get_webhook_delivery replay_dead_letters
+        replay_webhook_delivery
         list_users create_user change_user list_keys create_key revoke_key list_audit
     """,
     "nobody": "claim get_gateway_program heartbeat finish report_station",

@@ -118,6 +118,48 @@ def test_a_test_event_and_a_replay(shop: LocalClient, receiver: Receiver) -> Non
     assert shop.get("/api/webhooks").json()[0]["last_delivery"]["id"] == delivery
 
 
+def test_the_text_of_a_delivery_and_the_answer_are_shown(
+    shop: LocalClient, receiver: Receiver
+) -> None:
+    receiver.answer = lambda _call: (200, {"Content-Type": "text/html"})
+    receiver.body = b"thank you \x1b[31m<script>alert(1)</script>\xe2\x80\xae" + b"y" * 1000
+    webhook = add(shop, receiver.url, event_types=["job.done"])["id"]
+    delivery = shop.post(f"/api/webhooks/{webhook}/test").json()["id"]
+    wait_until_delivered(shop, webhook)
+    found = shop.get(f"/api/webhooks/{webhook}/deliveries/{delivery}").json()
+    (call,) = receiver.calls
+    assert found["payload"].encode() == call.body
+    assert call.headers["accept-encoding"] == "identity"
+    (attempt,) = found["attempts"]
+    assert (attempt["status"], attempt["fault"]) == (200, "")
+    assert attempt["answer"].startswith("thank you  [31m<script>alert(1)</script> y")
+    assert len(attempt["answer"]) <= 200
+    other = add(shop, receiver.url, event_types=["job.done"])["id"]
+    answer = shop.get(f"/api/webhooks/{other}/deliveries/{delivery}")
+    assert (answer.status_code, answer.json()["code"]) == (404, "webhook.unknown-delivery")
+
+
+def test_after_a_rotation_both_secrets_sign_for_a_time(
+    shop: LocalClient, receiver: Receiver
+) -> None:
+    added = add(shop, receiver.url, event_types=["job.done"])
+    path = f"/api/webhooks/{added['id']}"
+    assert added["previous_secret_until"] is None
+    rotated = shop.post(f"{path}/rotate-secret", json={"overlap_hours": 2}).json()
+    assert rotated["previous_secret_until"] == shop.get(path).json()["previous_secret_until"]
+    assert rotated["previous_secret_until"] > added["created"]
+    # A leaked secret ends at once.
+    last = shop.post(f"{path}/rotate-secret", json={"overlap_hours": 0}).json()
+    assert last["previous_secret_until"] is None
+    shop.post(f"{path}/test")
+    (call,) = receiver.wait(lambda calls: len(calls) == 1)
+    call.verify(last["secret"])
+    assert len(call.headers["webhook-signature"].split()) == 1
+    for secret in (added["secret"], rotated["secret"]):
+        with pytest.raises(WebhookVerificationError):
+            call.verify(secret)
+
+
 def wait_until_delivered(client: LocalClient, webhook: str) -> None:
     event = threading.Event()
     for _ in range(500):
@@ -241,6 +283,7 @@ def test_a_hostile_answer_is_shown_harmlessly(shop: LocalClient) -> None:
         ("POST", "/api/webhooks/none/replay", None, 404),
         ("POST", "/api/webhooks/none/rotate-secret", None, 404),
         ("GET", "/api/webhooks/none/deliveries", None, 404),
+        ("GET", "/api/webhooks/none/deliveries/none", None, 404),
     ],
 )
 def test_refused_requests(

@@ -79,6 +79,11 @@ class AttemptOut(BaseModel):
     at: Moment = Field(description="Time of the attempt")
     status: int = Field(description="HTTP status of the answer; 0 if there was none")
     seconds: float = Field(description="Duration (s)")
+    answer: str = Field(
+        default="",
+        description="Beginning of the answer without control characters, whatever its status; at "
+        "most 200 characters",
+    )
     fault: str = Field(
         description="Why there was no answer, or the beginning of an answer that is no success; "
         "empty for a success"
@@ -102,6 +107,12 @@ class DeliveryOut(BaseModel):
     attempts: list[AttemptOut] = Field(description="Attempts, oldest first; at most the last 100")
 
 
+class SentDeliveryOut(DeliveryOut):
+    """A delivery with the text that is signed and sent."""
+
+    payload: str = Field(description="Body of the request: JSON")
+
+
 class WebhookOut(BaseModel):
     """An endpoint to which events are sent."""
 
@@ -116,6 +127,10 @@ class WebhookOut(BaseModel):
     )
     created: Moment = Field(description="Time at which it was added")
     created_by: str = Field(description="Who added it")
+    previous_secret_until: Moment | None = Field(
+        description="Time until which requests are signed with the former secret, too; null if "
+        "only the present one signs"
+    )
     failures: int = Field(description="Failed attempts since the last success; 0 if it works")
     last_delivery: DeliveryOut | None = Field(description="Newest delivery; null if there is none")
 
