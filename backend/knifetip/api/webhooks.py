@@ -174,5 +174,5 @@ def delivery_out(row: WebhookDelivery) -> DeliveryOut:
     names = ("id", "event_type", "subject", "state", "created", "attempts")
     return DeliveryOut.model_validate(
         {name: getattr(row, name) for name in names}
-        | {"next_attempt": row.due if row.state == "pending" else None}
+        | {"next_attempt": max(row.due, row.created) if row.state == "pending" else None}
     )

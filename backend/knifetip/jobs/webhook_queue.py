@@ -21,6 +21,7 @@ from sqlalchemy.orm import Session, aliased
 
 from knifetip.jobs.database import Database, rows
 from knifetip.jobs.tables import Webhook, WebhookDelivery
+from knifetip.jobs.webhook_outbox import TEST
 
 #: Time from each failed attempt to the next one (s); 3.2 days in all.
 DELAYS: Final = (
@@ -148,12 +149,16 @@ class WebhookQueue:
                 WebhookDelivery.due <= now,
                 # A lease further in the future was written before the clock was set back.
                 sa.or_(WebhookDelivery.lease <= now, WebhookDelivery.lease > now + 2.0 * LEASE),
-                ~sa.exists().where(
-                    earlier.webhook == webhook,
-                    earlier.state == _PENDING,
-                    earlier.subject == WebhookDelivery.subject,
-                    earlier.serial < WebhookDelivery.serial,
-                    earlier.tries < IN_ORDER,
+                sa.or_(
+                    # A test that failed does not hold back the next one.
+                    WebhookDelivery.event_type == TEST,
+                    ~sa.exists().where(
+                        earlier.webhook == webhook,
+                        earlier.state == _PENDING,
+                        earlier.subject == WebhookDelivery.subject,
+                        earlier.serial < WebhookDelivery.serial,
+                        earlier.tries < IN_ORDER,
+                    ),
                 ),
             )
             .order_by(WebhookDelivery.due, WebhookDelivery.serial)

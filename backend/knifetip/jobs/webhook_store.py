@@ -171,6 +171,7 @@ class WebhookStore:
             now = self._db.clock()
             payload = {"type": TEST, "timestamp": rfc3339(now), "data": {"webhook": webhook.id}}
             row = new_delivery(webhook.serial, TEST, webhook.id, payload, now)
+            row.due = 0.0  # before all others: a person waits for the result
             session.add(row)
             webhook.resume_at = 0.0
         self._db.changes.notify((WEBHOOK,))

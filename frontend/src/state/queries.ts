@@ -9,6 +9,7 @@ import {
   useQuery,
 } from "@tanstack/react-query";
 import {
+  type DeliveryState,
   type DrawingSummary,
   type HistoryFilter,
   type ImportReportRow,
@@ -171,6 +172,21 @@ export const queries = {
       // Deliveries send no event to the page.
       refetchInterval: 3000,
     }),
+  deliveries: (webhook: string, state: DeliveryState | null) =>
+    infiniteQueryOptions({
+      queryKey: ["deliveries", webhook, state],
+      queryFn: ({ signal, pageParam }) => service.deliveries(webhook, state, signal, pageParam),
+      initialPageParam: null as number | null,
+      getNextPageParam,
+      refetchInterval: 3000,
+    }),
+  delivery: (webhook: string, delivery: string) =>
+    queryOptions({
+      queryKey: ["delivery", webhook, delivery],
+      queryFn: ({ signal }) => service.delivery(webhook, delivery, signal),
+      refetchInterval: ({ state }) => (state.data?.state === "pending" ? 1000 : false),
+      staleTime: 0,
+    }),
   library: () =>
     queryOptions({ queryKey: ["library"], queryFn: ({ signal }) => service.library(signal) }),
   librarySchema: (shelf: Shelf) =>
@@ -205,6 +221,12 @@ export const useQueue = (machine: string) => useQuery(queries.queue(machine));
 export const useHistory = (filter: HistoryFilter) =>
   useInfiniteQuery({
     ...queries.history(filter),
+    select: ({ pages }) => pages.flatMap(({ rows }) => rows),
+    placeholderData: keepPreviousData,
+  });
+export const useDeliveries = (webhook: string, state: DeliveryState | null) =>
+  useInfiniteQuery({
+    ...queries.deliveries(webhook, state),
     select: ({ pages }) => pages.flatMap(({ rows }) => rows),
     placeholderData: keepPreviousData,
   });

@@ -139,6 +139,21 @@ def test_the_text_of_a_delivery_and_the_answer_are_shown(
     assert (answer.status_code, answer.json()["code"]) == (404, "webhook.unknown-delivery")
 
 
+def test_a_test_waits_for_nothing_else(shop: LocalClient, receiver: Receiver) -> None:
+    """A person corrects the receiver and wants to know at once whether that helped."""
+    receiver.answer = lambda _call: (503, {})
+    webhook = add(shop, receiver.url, event_types=["drawing.read"])["id"]
+    upload_drawing(shop, square(side=61.0))
+    receiver.wait(lambda calls: len(calls) == 1)
+    wait_for_attempt(shop, webhook)
+    for count in (2, 3):
+        test = shop.post(f"/api/webhooks/{webhook}/test").json()
+        assert test["next_attempt"] >= test["created"]
+        calls = receiver.wait(lambda calls, count=count: len(calls) >= count, seconds=4.0)
+        assert calls[count - 1].id == test["id"]
+        wait_for_attempt(shop, webhook)
+
+
 def test_after_a_rotation_both_secrets_sign_for_a_time(
     shop: LocalClient, receiver: Receiver
 ) -> None:
