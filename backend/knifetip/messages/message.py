@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Iterable, Mapping
 from pathlib import PurePath
@@ -12,6 +13,8 @@ from knifetip.messages.entry import Kind
 
 #: Value in JSON for numbers that are infinite or not a number, which JSON cannot represent.
 _NOT_FINITE: Final = 1e9
+#: Characters of unusable arguments that are shown.
+_SHOWN: Final = 300
 
 
 @runtime_checkable
@@ -88,15 +91,28 @@ def from_json(plain: Mapping[str, Any] | str) -> Message:
 
     Older versions of knifetip stored a sentence in place of this data.  Such a sentence becomes a
     message with the code ``stored.text``.  So does the stored text of a message whose code is
-    unknown to this version of knifetip, or whose arguments are not those of its code.
+    unknown to this version of knifetip, or whose arguments are not those of its code.  If it has no
+    text, its code and the arguments as they are take the place of the text.
     """
     if isinstance(plain, str):
         return Message(STORED, text=plain, hint="")
     kinds = CODES.get(str(plain.get("code")))
     given = plain.get("arguments") or {}
     if kinds is None or kinds.keys() != given.keys():
-        return Message(STORED, text=str(plain.get("text", "")), hint=str(plain.get("hint", "")))
+        text = str(plain.get("text", "")) or _unrendered(plain)
+        return Message(STORED, text=text, hint=str(plain.get("hint", "")))
     return Message(plain["code"], **{name: _restored(value) for name, value in given.items()})
+
+
+def _unrendered(plain: Mapping[str, Any]) -> str:
+    """Return code and arguments of a message that has no text, in one line of printable letters."""
+    code, given = plain.get("code"), plain.get("arguments")
+    if not code:
+        return ""
+    arguments = json.dumps(given, ensure_ascii=False, default=str) if given else ""
+    shown = f"{arguments[:_SHOWN]}…" if len(arguments) > _SHOWN else arguments
+    text = f"{str(code)[:100]} {shown}".strip()
+    return "".join(letter if letter.isprintable() else "\ufffd" for letter in text)
 
 
 def _rebuild(code: str, arguments: Mapping[str, Any]) -> Message:

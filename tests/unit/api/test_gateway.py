@@ -354,6 +354,16 @@ def test_a_code_that_the_server_does_not_have_keeps_its_text(
     assert job["hint"].startswith("Close it. Check the table.")
 
 
+def test_wrong_arguments_inside_a_message_are_shown_as_they_are(
+    client: httpx.Client, claimed: dict[str, Any]
+) -> None:
+    cause = {"code": "controller.stopped", "arguments": {"alarm": 9, "axis": "\x1b[31mX"}}
+    job = interrupted_for(client, claimed, cause).json()
+    assert 'controller.stopped {"alarm": 9, "axis": "\\u001b[31mX"}' in job["reason"]
+    (event,) = client.get(f"/api/jobs/{claimed['job']}/events").json()[-1:]
+    assert event["why"] == job["reason"]
+
+
 @pytest.mark.parametrize(
     "why",
     [
@@ -379,7 +389,8 @@ def test_arguments_that_are_no_messages_are_not_stored(
 ) -> None:
     wrong = {"code": "controller.not-stopped", "arguments": {"error": [1], "progress": [1]}}
     job = interrupted_for(client, claimed, wrong).json()
-    stored = {"code": "stored.text", "arguments": {"text": "", "hint": ""}}
+    text = 'controller.not-stopped {"error": [1], "progress": [1]}'
+    stored = {"code": "stored.text", "arguments": {"text": text, "hint": ""}}
     assert job["message"]["arguments"]["cause"] == stored
     assert client.get(f"/api/jobs/{claimed['job']}/events").status_code == 200
 

@@ -91,6 +91,13 @@ def test_sentences_stored_without_a_code_stay_readable() -> None:
         "hint": "Do.",
         "edges": [1],
     }
+    # Without a text, the code and the arguments as they are tell what happened.
+    wrong = {"code": "question.tool", "arguments": {"alarm": 9, "why": "\x1b[31m<b>\u202e\nend"}}
+    found = from_json(wrong)
+    assert found.code == "stored.text"
+    assert render(found) == 'question.tool {"alarm": 9, "why": "\\u001b[31m<b>\ufffd\\nend"}'
+    long = from_json({"code": "none", "arguments": {"why": "x" * 5000}})
+    assert len(render(long)) < 400
     # A message of another version, whose code or arguments do not exist in this one.
     assert render(from_json({"code": "none", "arguments": {}, "text": "New."})) == "New."
     assert render(from_json({"code": "question.tool", "arguments": {}, "text": "New."})) == "New."
