@@ -42,7 +42,6 @@ class Status:
     still: bool  #: no axis moves
     number: int = 0  #: N word of the line being executed, 0 if not reported
     free: int | None = None  #: free blocks of the planner, None if not reported
-    feed: float = 0.0  #: mm/min
     #: lines of programs that the machine may have begun since the controller was opened
     sent: int = 0
     located: bool = True  #: the work offset is known, so the position is reliable

@@ -183,7 +183,6 @@ class Receiver:
             still=report.still,
             number=report.number,
             free=report.free,
-            feed=report.feed,
             sent=exchange.sent,
             located=report.work is not None or self._offset is not None,
         )
