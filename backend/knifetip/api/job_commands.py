@@ -147,21 +147,21 @@ def cancel_job(service: ServiceDep, principal: PrincipalDep, id: JobId, key: Com
 @requires(AccessScope.OPERATOR)
 def finish_job(service: ServiceDep, id: JobId, key: CommandKey) -> JobOut:
     """Declare that all sheets of an interrupted job are complete."""
-    return job_out(service.store, service.store.operators.declare_finished(id, key))
+    return job_out(service.store, service.store.interrupted.declare_finished(id, key))
 
 
 @router.post("/{id}/requeue")
 @requires(AccessScope.OPERATOR)
 def requeue_job(service: ServiceDep, id: JobId, key: CommandKey) -> JobOut:
     """Queue an interrupted job again, from its first program line; the table must be clear."""
-    return job_out(service.store, service.store.operators.requeue(id, key))
+    return job_out(service.store, service.store.interrupted.requeue(id, key))
 
 
 @router.post("/{id}/scrap")
 @requires(AccessScope.OPERATOR)
 def scrap_job(service: ServiceDep, id: JobId, key: CommandKey) -> JobOut:
     """Give up an interrupted job and free the table of its machine."""
-    return job_out(service.store, service.store.operators.scrap(id, key))
+    return job_out(service.store, service.store.interrupted.scrap(id, key))
 
 
 def _check_own(service: Service, principal: Principal, id: str) -> None:

@@ -1,4 +1,7 @@
-"""Actions of operators on stored jobs, such as release, confirm, hold and cancel."""
+"""Actions of operators on stored jobs, such as release, confirm, hold and cancel.
+
+Actions on interrupted jobs are in ``interrupted_jobs``.
+"""
 
 from __future__ import annotations
 
@@ -30,7 +33,6 @@ from knifetip.jobs.operator_actions import (
     allowed_actions,
     awaits_confirmation,
     has_only_shortfalls,
-    is_fully_executed,
 )
 from knifetip.jobs.request_key import RequestKey
 from knifetip.jobs.station_store import dry_run_on
@@ -176,93 +178,6 @@ class OperatorStore:
                 message=None,
                 progress=0.0,
                 **_WITHOUT_PROGRAM,
-            )
-            return self._transitions.lock(session, id)
-
-    def requeue(self, id: str, key: RequestKey | None = None) -> Job:
-        """Queue an interrupted job again, at its former position in the queue, and return it.
-
-        The operator calls this after clearing the table.
-
-        Raises
-        ------
-        WrongState
-            The job is not ``interrupted``, its last copy was executed to the last program line, or
-            it makes the rest of a sheet.
-        """
-        with self._db.writing() as session:
-            if (repeated := self._keys.repeated(session, id, key)) is not None:
-                return repeated
-            row = self._transitions.lock(session, id)
-            if row.rest is not None:
-                raise WrongState("rest.not-again", job=id)
-            if is_fully_executed(row):
-                raise WrongState("job.fully-executed", job=id, lines=row.lines)
-            self._transitions.move(
-                session,
-                id,
-                Action.REQUEUE,
-                OPERATOR,
-                Message("job.requeued"),
-                lease=0.0,
-                line=0,
-                position=None,
-                stopped_at=None,
-                message=None,
-                requested_action="",
-                seconds_left=None,
-            )
-            return self._transitions.lock(session, id)
-
-    def scrap(self, id: str, key: RequestKey | None = None) -> Job:
-        """Move an interrupted job to ``scrapped`` and return it.
-
-        The job is not made again, and the table of its machine is free for another job.
-
-        Raises
-        ------
-        WrongState
-            The job is not ``interrupted``.
-        """
-        with self._db.writing() as session:
-            if (repeated := self._keys.repeated(session, id, key)) is not None:
-                return repeated
-            row = self._transitions.lock(session, id)
-            if row.state == State.SCRAPPED:
-                return row
-            self._transitions.move(
-                session, id, Action.SCRAP, OPERATOR, Message("job.scrapped"), requested_action=""
-            )
-            return self._transitions.lock(session, id)
-
-    def declare_finished(self, id: str, key: RequestKey | None = None) -> Job:
-        """Move an interrupted job to ``done`` and return it.
-
-        An operator calls this after finding that all sheets of the job are complete.
-
-        Raises
-        ------
-        WrongState
-            The job is not ``interrupted``.
-        """
-        with self._db.writing() as session:
-            if (repeated := self._keys.repeated(session, id, key)) is not None:
-                return repeated
-            row = self._transitions.lock(session, id)
-            if row.state == State.DONE:
-                return row
-            self._transitions.move(
-                session,
-                id,
-                Action.FINISH,
-                OPERATOR,
-                Message("job.declared-finished", line=row.line, lines=row.lines),
-                line=row.lines,
-                copies_done=row.copies,
-                message=None,
-                requested_action="",
-                lease=0.0,
-                seconds_left=0.0,
             )
             return self._transitions.lock(session, id)
 

@@ -24,6 +24,7 @@ from knifetip.jobs.drawing_store import DrawingStore
 from knifetip.jobs.event_store import EventStore
 from knifetip.jobs.gateway_store import GatewayStore
 from knifetip.jobs.history_store import HistoryStore
+from knifetip.jobs.interrupted_jobs import InterruptedJobs
 from knifetip.jobs.job_store import JobStore
 from knifetip.jobs.lease_sweep import LeaseSweep
 from knifetip.jobs.library_store import LibraryStore
@@ -63,9 +64,9 @@ class Store:
         self.tools = ToolStore(self.database)
         self.library = LibraryStore(self.database)
         gate = ToolGate(self.tools, self.library)
-        self.operators = OperatorStore(
-            self.database, transitions, gate, CommandKeys(self.database, transitions)
-        )
+        keys = CommandKeys(self.database, transitions)
+        self.operators = OperatorStore(self.database, transitions, gate, keys)
+        self.interrupted = InterruptedJobs(self.database, transitions, keys)
         self.machines = MachineQueues(self.database)
         claimed = ClaimedJobs(self.database, transitions)
         self.gateways = GatewayStore(self.database, transitions, self.machines, claimed)

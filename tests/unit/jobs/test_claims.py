@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from operator import attrgetter
 
 import pytest
 import sqlalchemy as sa
@@ -77,7 +78,7 @@ def test_a_verdict_outside_tolerance_refuses_the_job_with_its_edges(store: Store
 def test_the_event_is_written_with_the_move_or_not_at_all(store: Store) -> None:
     job = queued(store)
     with pytest.raises(WrongState):
-        store.operators.scrap(job.id)
+        store.interrupted.scrap(job.id)
     assert course(store, job.id)[-1] == "queued"
     assert len(course(store, job.id)) == 4
 
@@ -90,20 +91,38 @@ def test_a_repeated_release_changes_nothing(store: Store, at: Callable[[Store], 
     assert course(store, job.id) == before
 
 
-@pytest.mark.parametrize("move", ["release", "requeue", "scrap", "hold", "resume"])
+@pytest.mark.parametrize(
+    "move",
+    [
+        "operators.release",
+        "interrupted.requeue",
+        "interrupted.scrap",
+        "operators.hold",
+        "operators.resume",
+    ],
+)
 def test_a_received_job_can_only_be_cancelled(store: Store, move: str) -> None:
     job = ordered(store)
     with pytest.raises(WrongState, match="is received"):
-        getattr(store.operators, move)(job.id)
+        attrgetter(move)(store)(job.id)
     assert store.operators.cancel(job.id).state == "cancelled"
 
 
-@pytest.mark.parametrize("move", ["requeue", "scrap", "hold", "resume", "cancel"])
+@pytest.mark.parametrize(
+    "move",
+    [
+        "interrupted.requeue",
+        "interrupted.scrap",
+        "operators.hold",
+        "operators.resume",
+        "operators.cancel",
+    ],
+)
 def test_a_job_that_is_done_stays_done(store: Store, move: str) -> None:
     job = running(store)
     store.gateways.finish(job.id, job.epoch, "done")
     with pytest.raises(WrongState, match="is done"):
-        getattr(store.operators, move)(job.id)
+        attrgetter(move)(store)(job.id)
     # The answer to the release was lost, and it was sent again.
     assert store.operators.release(job.id).state == "done"
     assert course(store, job.id)[-1] == "done"
@@ -194,7 +213,7 @@ def test_each_claim_has_a_new_epoch_and_an_earlier_owner_is_refused(
     job = running(store)
     clock.now += LEASE + 0.1
     store.leases.run()
-    store.operators.requeue(job.id)
+    store.interrupted.requeue(job.id)
     again = store.gateways.claim("table", "other gateway", manual=False)
     assert again is not None
     assert again.epoch > job.epoch
@@ -247,12 +266,12 @@ def test_an_interrupted_job_is_queued_again_from_its_first_line_or_scrapped(stor
     job = running(store)
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=100))
     store.gateways.finish(job.id, job.epoch, "interrupted", stored("A belt tore."))
-    again = store.operators.requeue(job.id)
+    again = store.interrupted.requeue(job.id)
     assert (again.state, again.line, again.message) == ("queued", 0, None)
     second = store.gateways.claim("table", "gateway", manual=False)
     assert second is not None
     store.gateways.finish(second.id, second.epoch, "interrupted")
-    assert store.operators.scrap(second.id).state == "scrapped"
+    assert store.interrupted.scrap(second.id).state == "scrapped"
     assert store.machines.jobs_on_tables() == {}
 
 
@@ -264,7 +283,7 @@ def test_copies_that_were_cut_before_an_interruption_count(store: Store) -> None
         == "Copy 1 of 3 of the job is finished. The next copy needs a new sheet of board."
     )
     store.gateways.finish(job.id, job.epoch, "interrupted")
-    store.operators.requeue(job.id)
+    store.interrupted.requeue(job.id)
     again = store.gateways.claim("table", "gateway", manual=False)
     assert again is not None
     store.gateways.heartbeat(
@@ -333,7 +352,7 @@ def test_a_new_claim_begins_with_the_first_phase(store: Store) -> None:
     job = fed(store)
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, held=True, phase=4))
     store.gateways.finish(job.id, job.epoch, "interrupted")
-    store.operators.requeue(job.id)
+    store.interrupted.requeue(job.id)
     again = store.gateways.claim("table", "gateway", manual=False)
     assert again is not None
     assert again.phase == 0
@@ -352,7 +371,7 @@ def test_the_place_where_a_job_stopped_is_stored(store: Store, outcome: str) -> 
     assert row.stopped_at == stopped
     assert row.position == stopped["position"]
     if outcome == "interrupted":
-        assert store.operators.requeue(job.id).stopped_at is None
+        assert store.interrupted.requeue(job.id).stopped_at is None
 
 
 def test_a_silent_gateway_stops_its_job_at_the_last_heartbeat(store: Store, clock: Clock) -> None:

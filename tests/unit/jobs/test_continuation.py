@@ -126,7 +126,7 @@ def test_an_unfinished_sheet_is_known_after_its_rest_was_cancelled(store: Store)
 def test_a_batch_does_not_go_on_by_itself_over_an_unfinished_sheet(store: Store) -> None:
     batch = running(store, copies=3)
     store.gateways.finish(batch.id, batch.epoch, "interrupted", line=0, copies_done=1)
-    store.operators.requeue(batch.id)
+    store.interrupted.requeue(batch.id)
     other = queued(store, priority=1)
     claim = store.gateways.claim("table", "gateway", manual=False)
     assert claim is not None
@@ -143,7 +143,7 @@ def test_an_operator_who_ends_an_interrupted_job_clears_the_table(
     store: Store, action: str
 ) -> None:
     parent = interrupted(store)
-    getattr(store.operators, action)(parent.id)
+    getattr(store.interrupted, action)(parent.id)
     assert store.gateways.unfinished_sheet(queued(store)) == ""
 
 
@@ -260,7 +260,7 @@ def test_an_interrupted_rest_cannot_be_queued_from_its_start(store: Store) -> No
     store.gateways.heartbeat(job.id, claim.epoch, WAITING)
     store.gateways.finish(job.id, claim.epoch, "interrupted", line=3)
     with pytest.raises(WrongState, match="rest"):
-        store.operators.requeue(job.id)
+        store.interrupted.requeue(job.id)
 
 
 def test_a_rest_stays_on_its_machine_and_makes_one_sheet(store: Store) -> None:

@@ -70,7 +70,7 @@ def test_a_late_report_counts_only_while_the_job_is_interrupted(store: Store, cl
         store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=60))
     with pytest.raises(StaleEpoch):
         store.gateways.finish(job.id, job.epoch - 1, "done")
-    store.operators.requeue(job.id)
+    store.interrupted.requeue(job.id)
     with pytest.raises(StaleEpoch):
         store.gateways.finish(job.id, job.epoch, "done")
     again = store.gateways.claim("table", "gateway", manual=False)
@@ -78,7 +78,7 @@ def test_a_late_report_counts_only_while_the_job_is_interrupted(store: Store, cl
     store.gateways.finish(again.id, again.epoch, "interrupted")
     with pytest.raises(StaleEpoch):
         store.gateways.finish(job.id, job.epoch, "done")
-    store.operators.scrap(job.id)
+    store.interrupted.scrap(job.id)
     with pytest.raises(StaleEpoch):
         store.gateways.finish(again.id, again.epoch, "done")
 
@@ -121,7 +121,7 @@ def test_a_copy_that_was_cut_to_its_last_line_is_counted(store: Store, clock: Cl
 
 def test_an_operator_declares_an_interrupted_job_finished(store: Store, clock: Clock) -> None:
     job = interrupted(store, clock, 200, copies=2)
-    row = store.operators.declare_finished(job.id)
+    row = store.interrupted.declare_finished(job.id)
     assert (row.state, row.line, row.copies_done, row.message) == ("done", LINES, 2, None)
     last = store.events.of_job(job.id)[-1]
     assert (last.who, str(last.message)) == (
@@ -130,7 +130,7 @@ def test_an_operator_declares_an_interrupted_job_finished(store: Store, clock: C
         "had stopped at program line 200 of 231.",
     )
     # The answer was lost, and the request is sent again.
-    assert store.operators.declare_finished(job.id).state == "done"
+    assert store.interrupted.declare_finished(job.id).state == "done"
     assert store.events.of_job(job.id)[-1].id == last.id
 
 
@@ -138,7 +138,7 @@ def test_an_operator_declares_an_interrupted_job_finished(store: Store, clock: C
 def test_only_an_interrupted_job_can_be_declared_finished(store: Store, state: str) -> None:
     job = {"ready": compiling, "queued": queued, "running": running}[state](store)
     with pytest.raises(WrongState):
-        store.operators.declare_finished(job.id)
+        store.interrupted.declare_finished(job.id)
 
 
 def test_a_service_that_could_not_be_reached_takes_nothing_from_gateways(

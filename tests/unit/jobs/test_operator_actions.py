@@ -140,7 +140,7 @@ def done(store: Store) -> str:
 
 
 def scrapped(store: Store) -> str:
-    return store.operators.scrap(interrupted(store)).id
+    return store.interrupted.scrap(interrupted(store)).id
 
 
 def continued(store: Store) -> str:
@@ -205,9 +205,9 @@ METHODS: dict[OperatorAction, Callable[[Store, str], Job]] = {
     OperatorAction.HOLD: lambda store, id: store.operators.hold(id),
     OperatorAction.RESUME: lambda store, id: store.operators.resume(id),
     OperatorAction.REST: lambda store, id: store.jobs.add_continuation(id, Continuation(None)),
-    OperatorAction.REQUEUE: lambda store, id: store.operators.requeue(id),
-    OperatorAction.FINISH: lambda store, id: store.operators.declare_finished(id),
-    OperatorAction.SCRAP: lambda store, id: store.operators.scrap(id),
+    OperatorAction.REQUEUE: lambda store, id: store.interrupted.requeue(id),
+    OperatorAction.FINISH: lambda store, id: store.interrupted.declare_finished(id),
+    OperatorAction.SCRAP: lambda store, id: store.interrupted.scrap(id),
     OperatorAction.CANCEL: lambda store, id: store.operators.cancel(id),
 }
 

@@ -286,7 +286,7 @@ def test_an_interrupted_job_that_is_queued_again_keeps_its_place(
     clock.now += 1.0
     queued(store)
     store.gateways.finish(job.id, job.epoch, "interrupted")
-    store.operators.requeue(job.id)
+    store.interrupted.requeue(job.id)
     again = store.gateways.claim("table", "gateway", manual=True)
     assert again is not None
     assert again.id == job.id

@@ -251,7 +251,7 @@ def test_a_running_job_cannot_be_moved_or_changed(store: Store) -> None:
 def test_copies_change_while_a_job_waits_but_not_below_the_completed_ones(store: Store) -> None:
     job = running(store, copies=3)
     store.gateways.finish(job.id, job.epoch, "interrupted", line=5, copies_done=2)
-    store.operators.requeue(job.id)
+    store.interrupted.requeue(job.id)
     with pytest.raises(WrongState, match="2 copies"):
         store.queues.change(job.id, WaitingChange(copies=2), MIA)
     assert store.queues.change(job.id, WaitingChange(copies=5), MIA).copies == 5

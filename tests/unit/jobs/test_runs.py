@@ -116,7 +116,7 @@ def test_a_completed_copy_counts_whole_and_an_interrupted_one_to_its_line(
     job = run(store, copies=3)
     store.gateways.finish(job.id, job.epoch, "interrupted", line=25, copies_done=1)
     assert used(store, machine) == pytest.approx({1: 700.0, 2: ARC, 3: 0.0})
-    store.operators.requeue(job.id)
+    store.interrupted.requeue(job.id)
     again = store.gateways.claim("table", "gateway", manual=False)
     assert again is not None
     store.gateways.finish(again.id, again.epoch, "done")
@@ -143,7 +143,7 @@ def test_a_late_report_corrects_the_length(store: Store, machine: Machine, clock
     store.gateways.finish(job.id, job.epoch, "interrupted", line=30)
     assert used(store, machine)[1] == pytest.approx(400.0)
     clock.now += 1000.0
-    store.operators.declare_finished(job.id)
+    store.interrupted.declare_finished(job.id)
     assert used(store, machine) == pytest.approx({1: 400.0, 2: ARC, 3: 0.0})
     (sums,) = store.statistics.sums(0.0, 1e10, "day", UTC)
     assert (sums.runs, sums.jobs, sums.interruptions, sums.seconds) == (1, 1, 0, 60.0)
@@ -186,7 +186,7 @@ def test_statistics_agree_with_a_count_by_hand(store: Store, clock: Clock) -> No
     job = run(store)
     clock.now += 10.0
     store.gateways.finish(job.id, job.epoch, "interrupted", line=20)
-    store.operators.scrap(job.id)
+    store.interrupted.scrap(job.id)
     clock.now += day
     job = run(store)
     clock.now += 5.0
@@ -225,7 +225,7 @@ def ended(store: Store, clock: Clock, outcome: str = "done", **more: object) -> 
     job = run(store, **more)
     store.gateways.finish(job.id, job.epoch, outcome)
     if outcome == "interrupted":
-        store.operators.scrap(job.id)
+        store.interrupted.scrap(job.id)
     return store.jobs.get(job.id)
 
 
