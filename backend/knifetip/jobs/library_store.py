@@ -20,6 +20,7 @@ from knifetip.errors import LibraryError, NoSuchJob, StaleVersion, WrongState
 from knifetip.jobs.changes import ALL
 from knifetip.jobs.database import Database, note_change, rows, short
 from knifetip.jobs.job import State
+from knifetip.jobs.outdated_jobs import changes_since_compile
 from knifetip.jobs.tables import Job, LibraryEntry, LibraryVersion
 from knifetip.library import load
 from knifetip.library.definition import Definition, Shelf, board_of, machine_of
@@ -400,94 +401,3 @@ def _conflict(
     if not based_on:
         return WrongState("library.exists", shelf=word, name=shown, version=version)
     return StaleVersion("library.stale", shelf=word, name=shown, version=version, given=based_on)
-
-
-def changes_since_compile(session: Session, jobs: Sequence[Job]) -> dict[str, list[Message]]:
-    """Return what has changed since the compile of each job, by id of the job.
-
-    Jobs whose machine and board are unchanged are omitted.
-
-    Parameters
-    ----------
-    session
-        Session with the transaction of the caller.
-    jobs
-        The jobs.
-    """
-    used = {
-        row.id: [
-            (shelf, name, version)
-            for shelf, name, version in (
-                (Shelf.MACHINES, row.machine, row.machine_version),
-                (Shelf.BOARDS, row.board, row.board_version),
-            )
-            if version
-        ]
-        for row in jobs
-    }
-    names = {name for entries in used.values() for _, name, _ in entries}
-    found = session.scalars(sa.select(LibraryEntry).where(LibraryEntry.name.in_(names)))
-    newest = {(entry.shelf, entry.name): entry.version for entry in found}
-    changes = {
-        id: [
-            _change(shelf, name, version, newest.get((shelf.value, name)))
-            for shelf, name, version in entries
-            if newest.get((shelf.value, name)) != version
-        ]
-        for id, entries in used.items()
-    }
-    return {id: messages for id, messages in changes.items() if messages}
-
-
-def newest_versions(session: Session, row: Job) -> tuple[int, int]:
-    """Return the newest versions of the machine and the board of a job; 0 for shipped entries.
-
-    Parameters
-    ----------
-    session
-        Session with the transaction of the caller.
-    row
-        The job.
-
-    Raises
-    ------
-    WrongState
-        The machine or the board was deleted.
-    """
-    newest = []
-    for shelf, name, version in (
-        (Shelf.MACHINES, row.machine, row.machine_version),
-        (Shelf.BOARDS, row.board, row.board_version),
-    ):
-        entry = session.get(LibraryEntry, (shelf.value, name))
-        if entry is None and version:
-            raise WrongState("library.deleted", shelf=shelf.word, name=name)
-        newest.append(0 if entry is None else entry.version)
-    return newest[0], newest[1]
-
-
-def _change(shelf: Shelf, name: str, version: int, newest: int | None) -> Message:
-    """Return the message that an entry has changed since ``version``; None: it was deleted."""
-    if newest is None:
-        return Message("library.deleted-since", shelf=shelf.word, name=name, version=version)
-    return Message(
-        "library.changed-since", shelf=shelf.word, name=name, version=version, newest=newest
-    )
-
-
-def outdated() -> sa.ColumnElement[bool]:
-    """Return the condition that a job was compiled for a machine or board that has since changed.
-
-    A job for an entry of knifetip's library is never outdated.  A job for a deleted entry is.
-    """
-
-    conditions = []
-    for shelf, name, version in (
-        (Shelf.MACHINES, Job.machine, Job.machine_version),
-        (Shelf.BOARDS, Job.board, Job.board_version),
-    ):
-        same = sa.exists().where(
-            LibraryEntry.shelf == shelf, LibraryEntry.name == name, LibraryEntry.version == version
-        )
-        conditions.append(sa.and_(version > 0, ~same))
-    return sa.or_(*conditions)

@@ -10,7 +10,7 @@ from sqlalchemy.orm import Session
 
 from knifetip.jobs.database import Database
 from knifetip.jobs.job import LEASED, ON_TABLE, Confirmation, State
-from knifetip.jobs.library_store import outdated
+from knifetip.jobs.outdated_jobs import outdated
 from knifetip.jobs.tables import Gateway, Job
 
 #: A job that a gateway has claimed and that waits for the operator's confirmation.

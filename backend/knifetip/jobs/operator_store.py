@@ -27,13 +27,13 @@ from knifetip.jobs.job import (
     State,
     sources,
 )
-from knifetip.jobs.library_store import changes_since_compile, newest_versions
 from knifetip.jobs.operator_actions import (
     OperatorAction,
     allowed_actions,
     awaits_confirmation,
     has_only_shortfalls,
 )
+from knifetip.jobs.outdated_jobs import changes_since_compile, newest_versions
 from knifetip.jobs.request_key import RequestKey
 from knifetip.jobs.station_store import dry_run_on
 from knifetip.jobs.tables import Job
