@@ -9,7 +9,7 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from typing import Final, TypeVar
 
-from knifetip.api.access import Proof, RequestFacts, bearer_key
+from knifetip.api.access_rules import Proof, RequestFacts, bearer_key
 from knifetip.api.principal import Principal, PrincipalKind
 from knifetip.api.slow_down import SlowDown
 from knifetip.errors import SignInRefused, SignInSlowDown

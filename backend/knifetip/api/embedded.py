@@ -29,7 +29,7 @@ from fastapi import FastAPI
 
 from knifetip import logs
 from knifetip.api import keys
-from knifetip.api.access import AccessRules, is_loopback
+from knifetip.api.access_rules import AccessRules, is_loopback
 from knifetip.api.app import create_app
 from knifetip.api.client_limits import ClientLimits
 from knifetip.api.connections import ConnectionLimits, limited_protocol, raise_file_limit

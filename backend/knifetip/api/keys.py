@@ -9,7 +9,7 @@ import secrets
 from collections.abc import Sequence
 from pathlib import Path
 
-from knifetip.api.access import parse_authority
+from knifetip.api.access_rules import parse_authority
 from knifetip.errors import SettingsError
 
 SHORTEST = 8

@@ -13,7 +13,7 @@ from urllib.parse import urlencode
 
 from fastapi import Depends, Request, Response
 
-from knifetip.api.access import AccessRules
+from knifetip.api.access_rules import AccessRules
 from knifetip.api.answered_questions import AnsweredQuestions
 from knifetip.api.client_limits import ClientLimits
 from knifetip.api.queue import WAITING, WorkQueue, is_client_gone

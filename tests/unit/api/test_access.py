@@ -12,10 +12,9 @@ import sqlalchemy.exc
 from starlette.responses import PlainTextResponse
 
 from knifetip.api import access, signin
-from knifetip.api.access import (
-    Access,
+from knifetip.api.access import Access, NoAccounts
+from knifetip.api.access_rules import (
     AccessRules,
-    NoAccounts,
     Proof,
     Refusal,
     RequestFacts,

@@ -16,7 +16,7 @@ import pytest
 import uvicorn
 
 from knifetip.api import embedded
-from knifetip.api.access import AccessRules
+from knifetip.api.access_rules import AccessRules
 from knifetip.api.app import create_app
 from knifetip.api.connections import ConnectionLimits, LimitedProtocol, limited_protocol
 from knifetip.api.service import Settings

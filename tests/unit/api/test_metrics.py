@@ -10,7 +10,7 @@ import httpx
 import pytest
 from prometheus_client.parser import text_string_to_metric_families
 
-from knifetip.api.access import AccessRules
+from knifetip.api.access_rules import AccessRules
 from knifetip.api.service import Settings
 from knifetip.jobs.measures import measure
 from knifetip.jobs.store import Store

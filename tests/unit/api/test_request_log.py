@@ -15,7 +15,7 @@ import httpx
 import pytest
 
 from knifetip import logs
-from knifetip.api.access import AccessRules
+from knifetip.api.access_rules import AccessRules
 from knifetip.api.service import Settings
 from knifetip.logs import LogFormat, LogLevel
 from tests.support.command import Command
