@@ -41,11 +41,11 @@ imports it as an unchanged, separate package, which the LGPL permits for program
 
 - Who *uses* knifetip, also inside a company or as a service for others, has no duty.
 - Who *passes on* knifetip with psycopg, for example a container image, passes on the licence text of psycopg and where
-  its source is (<https://github.com/psycopg/psycopg>), and lets the receiver replace psycopg by a changed version. In an
+  its source is (<https://github.com/psycopg/psycopg>), and permits the receiver to replace psycopg by a changed version. In an
   image that is `pip install` over the package in `/opt/knifetip`.
 - Changes of psycopg itself, if passed on, are under the LGPL. The code of knifetip is not affected.
 
-certifi is under the MPL 2.0, which asks the same for changes of its files only. The font Inter is under the OFL 1.1: it
+certifi is under the MPL 2.0, which requires the same for changes of its files only. The font Inter is under the OFL 1.1: it
 must not be sold by itself.
 """  # noqa: E501
 

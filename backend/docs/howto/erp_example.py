@@ -37,7 +37,7 @@ def show(problem: Problem) -> int:
 
 
 def wait(client: AuthenticatedClient, job: JobOut, seconds: float) -> JobOut:
-    """Return the job when its program is made; webhooks save the polling: see receive-webhooks."""
+    """Return the job when its program is made; webhooks replace polling: see receive-webhooks."""
     end = time.monotonic() + seconds
     while job.state in WAITING and time.monotonic() < end:
         time.sleep(0.5)
