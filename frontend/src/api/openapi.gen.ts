@@ -672,11 +672,11 @@ export interface paths {
         put?: never;
         /**
          * Place Orders
-         * @description Carry out up to 100 orders, one after the other, and return a result for each.
+         * @description Execute up to 100 orders, one after the other, and return a result for each.
          *
          *     An order that is refused does not prevent the others; the status is 200 as soon as the request
          *     can be read.  With an ``Idempotency-Key``, a repetition of the request creates nothing twice,
-         *     and tries the refused orders again.
+         *     and repeats the refused orders.
          *
          *     Needs the scope `designer`.
          */
@@ -2304,8 +2304,8 @@ export interface paths {
          * Ready
          * @description Report whether the server can process requests; the HTTP status is 503 if it cannot.
          *
-         *     The server writes to its database, and looks how much of its disk is free.  The results count
-         *     for some seconds.
+         *     The server writes to its database, and checks the free space of its disk.  The results are
+         *     cached for some seconds.
          *
          *     Needs no key.
          */
@@ -5496,7 +5496,7 @@ export interface components {
         };
         /**
          * OrdersIn
-         * @description Several orders, each of which is carried out or refused by itself.
+         * @description Several orders, each of which is executed or refused independently.
          */
         OrdersIn: {
             /**

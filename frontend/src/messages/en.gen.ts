@@ -53,7 +53,7 @@ export const TEXTS = {
   },
   "backup.unwritable": {
     "text": "The database cannot be copied to {file}: {reason}.",
-    "hint": "Make room on the disk or choose another folder. The database was not changed."
+    "hint": "Free space on the disk or choose another folder. The database was not changed."
   },
   "bridges.no-room": {
     "text": "The contour at edge {edge} is {length:.1f} mm long, which is too short for {fewest:# bridge|# bridges} of {gap:.2f} mm width. The board requires bridges (uncut gaps that hold a part) at most {spacing:.1f} mm apart, and away from corners and narrow slots.",
@@ -796,11 +796,11 @@ export const TEXTS = {
     "hint": "Name the database with --database."
   },
   "database.newer": {
-    "text": "The database {url} was written by knifetip {writer} (revision {revision}). knifetip {version} knows revisions up to {newest} and would damage it.",
+    "text": "The database {url} was written by knifetip {writer} (revision {revision}). knifetip {version} supports revisions up to {newest} and would damage it.",
     "hint": "Start that version of knifetip or a newer one. To go back to version {version}, restore a backup from before the upgrade."
   },
   "database.newer-unrecorded": {
-    "text": "The database {url} has revision {revision} of a newer or changed knifetip. knifetip {version} knows revisions up to {newest} and would damage it.",
+    "text": "The database {url} has revision {revision} of a newer or changed knifetip. knifetip {version} supports revisions up to {newest} and would damage it.",
     "hint": "Start the version of knifetip that wrote it. To go back to version {version}, restore a backup from before the upgrade."
   },
   "database.no-password": {
@@ -2528,8 +2528,8 @@ export const TEXTS = {
     "hint": "Put a sheet of {board} on the table, then confirm the job again."
   },
   "job.other-phase": {
-    "text": "Job {job} went on in the meantime, so it now waits for something else than the request was for.",
-    "hint": "Look at what the job waits for, then resume it if the machine may go on."
+    "text": "Job {job} continued in the meantime, so the request no longer applies.",
+    "hint": "Check what the job waits for, then resume it if the machine may continue."
   },
   "job.outdated": {
     "text": "The program of job {job} is out of date: {changes:; }.",

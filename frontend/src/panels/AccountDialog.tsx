@@ -33,7 +33,7 @@ import css from "./account.module.css";
 const ROLES: readonly UserRole[] = ["viewer", "designer", "operator", "admin"];
 const SCOPES: readonly AccessScope[] = [...ROLES, "gateway"];
 const PERMITS: Readonly<Record<string, string>> = {
-  viewer: "You can look at drawings, jobs and machines. Changes need another role.",
+  viewer: "You can view drawings, jobs and machines. Changes need another role.",
   designer: "You can upload and change drawings and order jobs. Releasing needs an operator.",
   operator: "You can order, release and control jobs, and operate machines.",
   admin: "You can do everything, and manage the library, users and keys.",
@@ -44,7 +44,7 @@ export function AccountButton() {
   const me = useMe();
   const [opened, setOpened] = useState(false);
   if (me === undefined) return null;
-  const label = me.kind === "local" ? "Account: nobody has to sign in yet" : `Account: ${me.name}`;
+  const label = me.kind === "local" ? "Account: no sign-in needed yet" : `Account: ${me.name}`;
   return (
     <>
       <Tooltip label={label}>

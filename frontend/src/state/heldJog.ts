@@ -15,7 +15,7 @@ export interface JogCommands {
   isAtRest(): boolean;
 }
 
-/** Time between two looks at the state of the machine (ms). */
+/** Time between two checks of the state of the machine (ms). */
 const LOOK = 60;
 /** Looks after which a machine that has taken a move, but reports no motion, counts as at rest. */
 const PATIENT_LOOKS = 8;

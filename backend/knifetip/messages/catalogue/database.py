@@ -51,7 +51,7 @@ MESSAGES: Final[Entries] = {
     ),
     "backup.unwritable": entry(
         "The database cannot be copied to {file}: {reason}.",
-        "Make room on the disk or choose another folder. The database was not changed.",
+        "Free space on the disk or choose another folder. The database was not changed.",
         file="text",
         reason="text",
     ),
@@ -72,7 +72,7 @@ MESSAGES: Final[Entries] = {
     ),
     "database.newer": entry(
         "The database {url} was written by knifetip {writer} (revision {revision}). knifetip "
-        "{version} knows revisions up to {newest} and would damage it.",
+        "{version} supports revisions up to {newest} and would damage it.",
         "Start that version of knifetip or a newer one. To go back to version {version}, restore "
         "a backup from before the upgrade.",
         url="text",
@@ -83,7 +83,7 @@ MESSAGES: Final[Entries] = {
     ),
     "database.newer-unrecorded": entry(
         "The database {url} has revision {revision} of a newer or changed knifetip. knifetip "
-        "{version} knows revisions up to {newest} and would damage it.",
+        "{version} supports revisions up to {newest} and would damage it.",
         "Start the version of knifetip that wrote it. To go back to version {version}, restore "
         "a backup from before the upgrade.",
         url="text",

@@ -231,9 +231,8 @@ MESSAGES: Final[Entries] = {
         given="text",
     ),
     "job.other-phase": entry(
-        "Job {job} went on in the meantime, so it now waits for something else than the request "
-        "was for.",
-        "Look at what the job waits for, then resume it if the machine may go on.",
+        "Job {job} continued in the meantime, so the request no longer applies.",
+        "Check what the job waits for, then resume it if the machine may continue.",
         job="text",
     ),
     "job.outdated": entry(
