@@ -1,6 +1,6 @@
 """open_loop: a controller that takes a program and reports nothing, such as a plotter.
 
-Only a person at the machine can see when it has finished.  When the whole program is handed over,
+Only a person at the machine can see when it has finished.  When the whole program is sent,
 the controller therefore counts as held, and ``resume`` means that a person has seen the end of the
 program.  Until then it can neither be held nor stopped; ``stop`` raises an error that states this.
 The reasons are in docs/decisions/0071.

@@ -70,11 +70,11 @@ class SimulationServer(ABC):
 
     @abstractmethod
     async def _simulate(self) -> None:
-        """Let simulated time pass until cancelled."""
+        """Advance the simulated time until cancelled."""
 
     @abstractmethod
     async def _answer(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        """Answer a client until it hangs up or is hung up on.
+        """Answer a client until either side closes the connection.
 
         The method sets ``_client`` if the client may use the machine.
         """

@@ -1,8 +1,9 @@
-"""supervised: what a driver knows of a controller that it supervises by status reports.
+"""supervised: the state of a controller that a driver supervises by status reports.
 
-A connection records the first failure of the controller and its last report.  The driver shows them
-to the rest of the gateway, with what a person has switched on, and brings the machine into its safe
-state.  This is the same for controllers that receive lines and for those that run whole programs.
+A connection records the first failure of the controller and its last report.  The driver returns
+them to the rest of the gateway, with the outputs that a person has switched on, and brings the
+machine into its safe state.  This is the same for controllers that receive lines and for those that
+run whole programs.
 """
 
 from __future__ import annotations

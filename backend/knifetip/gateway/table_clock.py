@@ -1,4 +1,4 @@
-"""table_clock: lets the simulated time of a table pass with the real time.
+"""table_clock: advances the simulated time of a table with the real time.
 
 A burst of work in the process is caught up only in part, and the event loop is never blocked for
 long.

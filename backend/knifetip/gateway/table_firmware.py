@@ -1,4 +1,4 @@
-"""table_firmware: the build of grbl or grblHAL on a simulated table, and what it states of it."""
+"""table_firmware: the build of grbl or grblHAL on a simulated table, and its reports of itself."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Firmware:
         return ",".join(f"{figures.get(axis, 0.0):.3f}" for axis in self.axes)
 
     def require_axes(self, text: bytes) -> None:
-        """Raise ``LineRefused`` for an axis letter that the controller does not know."""
+        """Raise ``LineRefused`` for an unknown axis letter."""
         if any(letter in text and letter != self.rotary.encode() for letter in (b"A", b"C")):
             raise LineRefused(36 if self.grblhal else 20)
 

@@ -1,6 +1,6 @@
 """table_machine: the machine of a simulated table: its axes, outputs and spindle.
 
-It knows nothing of the protocol; positions and limits of travel are in work coordinates.
+It is independent of the protocol.  Positions and limits of travel are in work coordinates.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""table_trace: records what a simulated table did: positions of its axes, and switched outputs."""
+"""table_trace: records the positions of the axes and the switched outputs of a simulated table."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""exchange: what is known of one controller and of the lines that were sent to it.
+"""exchange: the state of one controller and of the lines that were sent to it.
 
 The tasks that send, receive and supervise share this state.  The first failure is kept as the fault
 of the exchange, and raised in every task that waits for the controller.
@@ -25,7 +25,7 @@ class Exchange:
     name
         Address of the controller, for messages.
     silence
-        Seconds after which the controller counts as silent.
+        Time limit for answers of the controller (s).
     """
 
     def __init__(self, name: str, silence: float) -> None:
@@ -100,7 +100,7 @@ class Exchange:
         await self._changed.wait()
 
     def note_change(self) -> None:
-        """Let the waiting tasks test their conditions again; called after each received line."""
+        """Make the waiting tasks test their conditions again; called after each received line."""
         self._changed.set()
 
     async def _wait_for_change(self, condition: Callable[[], bool]) -> None:

@@ -1,7 +1,7 @@
-"""receiver: what each line that a grbl controller sends means for the exchange with it.
+"""receiver: interpret the lines that a grbl controller sends, and record them in the exchange.
 
 The controller sends ``ok`` and ``error`` for each line, ``ALARM``, status reports and its welcome
-banner.  What contradicts the lines that were sent is recorded as a fault.
+banner.  A line that contradicts the sent lines is recorded as a fault.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _ECHO = re.compile(r"\[echo: ?(.*)\]")
 
 
 class Receiver:
-    """Interprets the received lines of one exchange, and tells the watchdog of them.
+    """Interprets the received lines of one exchange, and reports them to the watchdog.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ class Receiver:
         self._offset: Pose | None = None  # work offset of the last report that contained one
 
     def receive(self, line: str) -> None:
-        """Record what a received line, without line end, means."""
+        """Interpret a received line, without line end, and record the result."""
         if is_from_web_server(line):
             self.web_server = True
         elif line == "ok":

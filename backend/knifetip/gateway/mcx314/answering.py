@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from knifetip.gateway.mcx314.frames import Splitter, pack, unpack
 from knifetip.gateway.mcx314.refusal import Refused
 
-#: Answers that are kept, in case that a request is repeated.
+#: Answers that are kept, in case a request is repeated.
 KEPT = 64
 
 
@@ -25,7 +25,7 @@ class LinkFaults:
 
 
 class Answering:
-    """The end of the link at the board.
+    """The board's end of the link.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ class Answering:
         return 0 < faults.hang_up <= self.requests
 
     def connect(self) -> None:
-        """Forget the rest of an earlier connection."""
+        """Discard the rest of an earlier connection."""
         self._splitter = Splitter()
         self._answers.clear()
 

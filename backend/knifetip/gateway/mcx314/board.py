@@ -146,7 +146,7 @@ class Board:
 
     @property
     def refusals(self) -> list[str]:
-        """What the chip has refused."""
+        """Refusals of the chip."""
         return self._record.refusals
 
     def samples(self) -> F64:
@@ -187,7 +187,7 @@ class Board:
         self._lost.watch(seconds)
 
     def _break(self, refused: ChipRefused) -> None:
-        """Stop at once because the chip has refused what the board has written."""
+        """Stop at once because the chip has refused a write of the board."""
         self.refusals.append(str(refused))
         self.trip("chip")
 

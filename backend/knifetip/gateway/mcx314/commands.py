@@ -1,4 +1,4 @@
-"""commands: what each request of the gateway means for the parts of the board."""
+"""commands: execute the requests of the gateway with the parts of the board."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Commands:
     Parameters
     ----------
     parts, execution, lost
-        The board and what it does.
+        The parts of the board, its execution, and its guard.
     boot
         How often the board was switched on.
     """
@@ -38,7 +38,7 @@ class Commands:
         Refused
             The board refuses the request.
         ChipRefused
-            The chip refuses what the board writes to it.
+            The chip refuses a write of the board.
         """
         command, _, rest = text.partition(" ")
         match command:
@@ -107,7 +107,7 @@ class Commands:
         return f"{axes} " + " ".join(f"{key}={value}" for key, value in fields.items())
 
     def _set_guard(self, rest: str) -> None:
-        """``GUARD lift milliseconds outputs``: what to do when the gateway is gone."""
+        """``GUARD lift milliseconds outputs``: the safe state when the gateway is gone."""
         try:
             lift, patience, outputs = rest.split(" ")
             numbers = [int(number) for number in outputs.split(",") if number != "-"]

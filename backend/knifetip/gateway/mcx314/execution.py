@@ -33,7 +33,7 @@ class BoardState(StrEnum):
 
 
 class Execution:
-    """What the board does now and next.
+    """The present and the next work of the board.
 
     Parameters
     ----------
@@ -104,7 +104,7 @@ class Execution:
             self.holding = True
 
     def abort(self) -> None:
-        """Decelerate to a stop, and then discard everything."""
+        """Decelerate to a stop, and then discard the program and the move."""
         self.discarding = True
         self.holding = False
         self.at_rest.clear()
@@ -157,13 +157,13 @@ class Execution:
     # -- work -------------------------------------------------------------------------------------
 
     def let_pass(self, seconds: float) -> None:
-        """Let time of a dwell pass, unless it is held."""
+        """Advance the time of a dwell, unless it is held."""
         if not self.holding and self.dwell > 0.0:
             left = self.dwell - seconds
             self.dwell = left if left > MOMENT else 0.0
 
     def work(self) -> None:
-        """Complete what has ended, and write what is next."""
+        """Complete the ended pieces, and write the next ones."""
         for piece in self._feeder.completed():
             if piece.completes and self._queue.program is not None and piece.stretch.line:
                 self._queue.complete(piece.stretch.line)

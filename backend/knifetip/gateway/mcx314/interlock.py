@@ -1,4 +1,4 @@
-"""interlock: why the board must not move the machine: an alarm, the button, axes not homed."""
+"""interlock: conditions that prevent motion: an alarm, the button, axes that are not homed."""
 
 from __future__ import annotations
 

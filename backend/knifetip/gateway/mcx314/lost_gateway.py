@@ -11,7 +11,7 @@ from knifetip.gateway.mcx314.parts import Parts
 
 @dataclass(frozen=True, slots=True)
 class Guard:
-    """What the board does when the gateway is gone."""
+    """Settings of the safe state when the gateway is gone."""
 
     patience: float = 0.0  #: s; 0 for nothing
     lift: int = 0  #: least Z in work coordinates (pulses)
@@ -26,7 +26,7 @@ class LostGateway:
     parts
         The parts of the board.
     execution
-        What runs or is held, and is then aborted.
+        Execution that is then aborted.
     """
 
     def __init__(self, parts: Parts, execution: Execution) -> None:

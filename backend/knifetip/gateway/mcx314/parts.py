@@ -1,4 +1,4 @@
-"""parts: what a board that is switched on consists of; execution, guard and commands share it."""
+"""parts: the parts of a board that is switched on; execution, guard and commands share them."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ PRIMED = 64
 
 @dataclass(slots=True)
 class BoardProgram:
-    """The program that the board executes, and how far it is."""
+    """The program that the board executes, and its progress."""
 
     number: int
     lines: int
@@ -44,7 +44,7 @@ class ProgramQueue:
 
     @property
     def free(self) -> int:
-        """Number of lines that the queue has room for."""
+        """Number of free places for lines in the queue."""
         return QUEUE - len(self.items)
 
     @property

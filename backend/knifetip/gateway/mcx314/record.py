@@ -1,4 +1,4 @@
-"""record: what the simulation of a board records, for those who look at it from outside."""
+"""record: the events and positions that the simulation of a board records, for tests and tools."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Switched:
 
 @dataclass(slots=True)
 class Record:
-    """What has happened since the board was made, also before an interruption of the power.
+    """Events since the board was made, also before an interruption of the power.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ class Record:
     interval: float
     switched: list[Switched] = field(default_factory=list)
     starved: int = 0  #: stops in a cut because the queue was empty
-    refusals: list[str] = field(default_factory=list)  #: what the chip has refused
+    refusals: list[str] = field(default_factory=list)  #: refusals of the chip
     _values: array[float] = field(default_factory=lambda: array("d"))
     _sampled: float = 0.0  # time of the last sample
 

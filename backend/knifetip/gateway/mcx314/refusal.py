@@ -1,4 +1,4 @@
-"""refusal: how a request is refused; the parts of the board that check requests raise it."""
+"""refusal: the exception with which parts of the board refuse a request."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def parse_or_refuse(text: str, number: int = 0) -> Instruction:
     Raises
     ------
     Refused
-        It is none.
+        The text is not an instruction.
     """
     try:
         return parse(text)

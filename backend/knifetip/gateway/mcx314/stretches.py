@@ -1,4 +1,4 @@
-"""stretches: which way the axes take for an instruction, or for a move of the board's own."""
+"""stretches: the path of the axes for an instruction, or for a move of the board's own."""
 
 from __future__ import annotations
 

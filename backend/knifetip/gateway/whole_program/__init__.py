@@ -1,5 +1,5 @@
-"""Controllers that run a whole program by themselves and report how far they are.
+"""Controllers that run a whole program by themselves and report their progress.
 
-The drivers of such controllers (``linuxcnc``, ``mcx314``) share how they follow a program by
-reports, how they watch the machine between programs and how they bring it to rest.
+The drivers of such controllers (``linuxcnc``, ``mcx314``) share the code that follows a
+program by reports, polls the machine between programs, and brings it to rest.
 """

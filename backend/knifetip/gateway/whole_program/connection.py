@@ -17,7 +17,7 @@ WATCH = 0.5
 
 
 class Channel(Protocol):
-    """Interface of what a connection exchanges its requests and answers over."""
+    """Interface of the channel over which a connection exchanges requests and answers."""
 
     @property
     def name(self) -> str:
@@ -43,9 +43,9 @@ class ProgramConnection(ABC, Generic[ProgramT]):
     Parameters
     ----------
     channel
-        What requests and answers are exchanged over; not open yet.
+        Channel for requests and answers; not open yet.
     silence
-        Seconds after which the controller counts as silent if a request has no answer.
+        Time limit for the answer to a request (s).
     """
 
     #: Longest time until the machine is at rest after an abort or a lift (s).
@@ -105,12 +105,12 @@ class ProgramConnection(ABC, Generic[ProgramT]):
         await self._channel.close()
 
     def _start_watch(self, title: str) -> None:
-        """Begin to watch the machine, unless it is watched already."""
+        """Begin to poll the machine, unless it is polled already."""
         if self._watching is None:
             self._watching = asyncio.create_task(self._watch(), name=title)
 
     async def _watch(self) -> None:
-        """Request a report from time to time, so that failures are noticed also between jobs."""
+        """Request a report periodically, so that failures are also detected between jobs."""
         while True:
             await asyncio.sleep(WATCH)
             if self.connected and not self.recovering:

@@ -1,4 +1,4 @@
-"""controller: what the drivers of all controllers that run whole programs have in common."""
+"""controller: base class of the drivers of controllers that run whole programs."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class WholeProgramController(SupervisedController[ConnectionT]):
 
     @property
     def alarm(self) -> Message | None:
-        """Why the controller cannot move the machine, with what to do; None if it can."""
+        """Error that prevents motion, with a hint; None if the controller can move the machine."""
         return self._connection.alarm
 
     # -- opening and closing ----------------------------------------------------------------------

@@ -1,6 +1,6 @@
 """recovery: bring a machine whose controller runs whole programs to rest and into its safe state.
 
-What raises Z and switches the outputs off are commands of the controller; its driver sends them.
+The driver of the controller sends the commands that raise Z and switch the outputs off.
 """
 
 from __future__ import annotations
