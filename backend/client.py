@@ -22,7 +22,7 @@ _UV = str(Path(sys.executable).with_name("uv"))
 _SETTINGS = {
     "project_name_override": "knifetip-client",
     "package_name_override": "knifetip_client",
-    # The generator knows neither type; both are text.
+    # The generator supports neither format; both are text.
     "content_type_overrides": {"application/toml": "text/plain", "image/svg+xml": "text/plain"},
 }
 

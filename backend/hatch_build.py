@@ -1,4 +1,4 @@
-"""hatch_build: what a package of knifetip contains besides its modules.
+"""hatch_build: add the licence and the page to a package of knifetip.
 
 The licence lies in the folder above in a clone, and beside this file in a source distribution.  The
 page is built before (`make page`); a package without it is built only if KNIFETIP_WITHOUT_PAGE is

@@ -1,10 +1,10 @@
-"""supply_chain: list what knifetip is made of, and ask for known vulnerabilities in it.
+"""supply_chain: list the components of knifetip, and request their known vulnerabilities.
 
     python backend/supply_chain.py sbom     build/sbom/server.cdx.json and page.cdx.json (CycloneDX)
     python backend/supply_chain.py audit    exits with 0: none known; 1: found; 3: not all answered
 
-The audit asks the advisory services of PyPI and npm, which a closed network may not reach.  A
-service that does not answer, or knows nothing about a package, is not a clean result.
+The audit queries the advisory services of PyPI and npm, which a closed network may not reach.  No
+answer of a service, or no data about a package, is not a clean result.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ ROOT = Path(__file__).resolve().parents[1]
 LOCK = ROOT / "backend" / "requirements.lock"
 SBOM = ROOT / "build" / "sbom"
 _NPM = (sys.executable, str(ROOT / "frontend" / "build.py"), "npm")
-#: A package that every advisory service must know.
+#: A package that every advisory service must contain.
 _PROBE = "pip==26.0"
 
 
@@ -108,7 +108,7 @@ def _audit_python(lock: Path) -> tuple[Status, list[str]]:
 
 
 def audit_server() -> tuple[Status, list[str]]:
-    """Ask for vulnerabilities of the packages of the server, after a question about one package."""
+    """Request the vulnerabilities of the packages of the server, after a check with one package."""
     with tempfile.TemporaryDirectory() as folder:
         probe = Path(folder) / "probe.txt"
         probe.write_text(_PROBE + "\n")
@@ -117,7 +117,7 @@ def audit_server() -> tuple[Status, list[str]]:
 
 
 def audit_page() -> tuple[Status, list[str]]:
-    """Ask for vulnerabilities of the packages of the page."""
+    """Request the vulnerabilities of the packages of the page."""
     done = _run([*_NPM, "audit", "--json", "--package-lock-only", "--omit", "dev"])
     status, lines = judge_page(done.stdout)
     if status is Status.UNREACHED:
@@ -126,7 +126,7 @@ def audit_page() -> tuple[Status, list[str]]:
 
 
 def audit() -> int:
-    """Ask for vulnerabilities and print the results; return the exit code."""
+    """Request the vulnerabilities and print the results; return the exit code."""
     results = {"server": audit_server(), "page": audit_page()}
     for part, (status, lines) in results.items():
         if status is Status.UNREACHED:
@@ -138,7 +138,7 @@ def audit() -> int:
 
 
 def main() -> int:
-    """Do what the command line asks; return the exit code."""
+    """Execute the command of the command line; return the exit code."""
     commands = {"sbom": write_sbom, "audit": audit}
     if len(sys.argv) != 2 or sys.argv[1] not in commands:
         print((__doc__ or "").strip(), file=sys.stderr)

@@ -31,7 +31,7 @@ sys.path.insert(0, str(ROOT))
 from tests.container.run_job import CONFIRMED_BY_HAND, ENDS, Service, drawing  # noqa: E402
 
 PARTS = ("postgres", "api", "worker-1", "worker-2", "table", "gateway")
-_PAUSE = 0.2  # seconds between two looks
+_PAUSE = 0.2  # seconds between two polls
 
 
 def compose_command() -> list[str] | None:
@@ -89,7 +89,7 @@ class Shop:
         return done.stdout
 
     def container(self, part: str) -> Any:
-        """Return what the engine knows about the container of a service."""
+        """Return the engine's description of the container of a service."""
         found = self.run("ps", "--quiet", part).split()
         if not found:
             return {}

@@ -1,4 +1,4 @@
-"""A backup made while jobs are written is one moment of the database, and is restored whole."""
+"""A backup made while jobs are written is a snapshot of the database, and is restored whole."""
 
 from __future__ import annotations
 
@@ -119,7 +119,7 @@ def count_jobs(url: str) -> int:
 def check(
     restored: dict[str, tuple[str, ...]], live: dict[str, tuple[str, ...]], committed: int
 ) -> None:
-    """Check that what was restored is a moment of the live database.
+    """Check that the restored jobs are a snapshot of the live database.
 
     ``committed`` is the number of jobs when the backup began, all of which it must contain.
     """

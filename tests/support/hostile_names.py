@@ -1,4 +1,4 @@
-"""Names that act on what shows them: a page, a log, a terminal, a spreadsheet or a header."""
+"""Names with an effect where they are shown: a page, a log, a terminal, a table or a header."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ HOSTILE_NAMES: Final = {
     "zero-width": "\ufeff\u200e\u200fa",
 }
 
-#: Characters that a terminal or a log obeys.
+#: Characters that a terminal or a log interprets.
 ACTING: Final = frozenset(
     chr(code)
     for first, last in (

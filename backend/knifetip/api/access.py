@@ -76,10 +76,10 @@ class AccountLookup(Protocol):
     """Finds the owners of credentials in the database, and signs users in."""
 
     async def proof(self, facts: RequestFacts, *, used: bool = True) -> Proof:
-        """Return what the database knows about the credentials of a request."""
+        """Return the owner of the credentials of a request, and whether an administrator exists."""
 
     async def sign_in(self, name: str, password: str, address: str) -> str:
-        """Begin a session of a user and return its token, or raise the error why not."""
+        """Begin a session of a user and return its token; raise ``SignInRefused`` if refused."""
 
 
 class NoAccounts:
@@ -156,7 +156,7 @@ class Access:
         refused
             Refusal of the request; None if the request is accepted.
         ways
-            How one can sign in.
+            Ways to sign in to the server.
         """
         if refused is not None and refused.wrong_key:
             await asyncio.sleep(WRONG_KEY_DELAY)

@@ -81,7 +81,7 @@ class Refusal:
 
 @dataclass(frozen=True, slots=True)
 class Proof:
-    """What the database knows about the credentials of a request."""
+    """Owner of the credentials of a request, and whether an administrator exists."""
 
     principal: Principal | None = None  #: owner of the API key or of the session in the request
     closed: bool = False  #: an administrator exists, so that requests of this computer need a key
@@ -105,10 +105,10 @@ def find_access(
     now
         Current time in seconds since 1970, with which the expiry of sign-in sessions is compared.
     proof
-        What the database knows about the credentials of the request.
+        Owner of the credentials of the request, and whether an administrator exists.
     """
     host = parse_authority(facts.host or "")
-    # Probes need no key, and are answered without the database, which knows the keys.
+    # Probes need no key, and are answered without a query of the keys in the database.
     bearer = None if is_probe(facts) else bearer_key(facts.authorization)
     keyed = None if bearer is None else _owner_of_key(rules, bearer, proof)
     if bearer is not None and keyed is None and _is_served(rules, facts, host, proof):
@@ -215,7 +215,7 @@ def _without_key(
     now
         Current time in seconds since 1970, with which the expiry of the session is compared.
     proof
-        What the database knows about the session, and whether an administrator exists.
+        Owner of the session, and whether an administrator exists.
     """
     if is_probe(facts):
         return ANONYMOUS
@@ -234,7 +234,7 @@ def _without_key(
 
 
 def is_probe(facts: RequestFacts) -> bool:
-    """Return whether a request asks whether the server is running, or ready."""
+    """Return whether a request is a health check or a readiness check."""
     return facts.path in OPEN_PATHS and facts.method in _SAFE
 
 
@@ -242,7 +242,7 @@ def _is_listed(rules: AccessRules, facts: RequestFacts, host: Authority) -> bool
     """Return whether the Host header of a request names this server.
 
     The header must contain a loopback name, the local IP address of the connection, or an entry of
-    ``rules.hosts``.  This prevents DNS rebinding: an attacker can let his own domain name refer to
+    ``rules.hosts``.  This prevents DNS rebinding: an attacker can make his own domain name refer to
     this server, but then the Host header contains this domain name, so the request is refused.
 
     Parameters

@@ -19,9 +19,9 @@ from knifetip.jobs.store import Store
 
 T = TypeVar("T")
 
-#: Time after which a change by another process holds here (s).
+#: Time after which a change by another process takes effect in this one (s).
 KEPT: Final = 1.0
-_CREDENTIALS: Final = 4096  # greatest number of remembered credentials
+_CREDENTIALS: Final = 4096  # greatest number of cached credentials
 _AT_ONCE: Final = 2  # sign-ins of one address that may wait for the computation of a hash
 
 
@@ -29,7 +29,7 @@ class Accounts:
     """Users and API keys of a server, for the access control.
 
     It has threads of its own, so that the requests of gateways do not wait for other requests.
-    What it has found is remembered for ``KEPT`` seconds.
+    Results are cached for ``KEPT`` seconds.
     """
 
     def __init__(self) -> None:
@@ -49,12 +49,12 @@ class Accounts:
             pool.shutdown(wait=False, cancel_futures=True)
 
     def forget(self) -> None:
-        """Forget what was found, because users or keys have changed."""
+        """Clear the cache, because users or keys have changed."""
         self._found.clear()
         self._checked = -KEPT
 
     async def proof(self, facts: RequestFacts, *, used: bool = True) -> Proof:
-        """Return what the database knows about the credentials of a request.
+        """Return the owner of the credentials of a request, and whether an administrator exists.
 
         Parameters
         ----------
@@ -87,7 +87,7 @@ class Accounts:
         if len(credential) > 200:
             return None
         now = time.monotonic()
-        # A look-up that is no use is remembered apart, or the next use would not be recorded.
+        # A look-up that is not a use is cached separately, so that the next use is recorded.
         place = credential, used
         found = self._found.get(place)
         if found is None or found[0] <= now:
@@ -137,7 +137,7 @@ class Accounts:
         pause = self._slow_down.pause(account, address, now)
         if pause or self._hashes[address] >= _AT_ONCE:
             raise SignInSlowDown(pause or 1)
-        # Counted before it is known, so that attempts at the same time do not share one free try.
+        # Counted before the result, so that simultaneous attempts do not share one free attempt.
         self._slow_down.failed(account, address, now)
         self._hashes[address] += 1
         try:

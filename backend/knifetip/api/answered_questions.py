@@ -1,7 +1,7 @@
-"""Remember for which orders no question about the drawing is open.
+"""Cache of the orders without an open question about their drawings.
 
 A worker process finds the questions, which takes longer than the storage of the job.  Repeated
-orders of a drawing therefore do without it.
+orders of a drawing therefore need no worker process.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ class AnsweredQuestions:
         self._alone: WeakValueDictionary[str, asyncio.Lock] = WeakValueDictionary()
 
     def __contains__(self, key: str) -> bool:
-        """Return whether no question is open for orders with a key, as far as it is remembered."""
+        """Return whether the cache contains a key, so that no question is open for its orders."""
         with self._lock:
             if key not in self._answered:
                 return False
@@ -32,7 +32,7 @@ class AnsweredQuestions:
             return True
 
     def add(self, key: str) -> None:
-        """Remember that no question is open; the key that was used longest ago is forgotten."""
+        """Add a key to the cache; the least recently used key is removed if the cache is full."""
         with self._lock:
             self._answered[key] = None
             if len(self._answered) > _REMEMBERED:

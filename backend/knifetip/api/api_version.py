@@ -1,7 +1,7 @@
 """Versions of the REST API (ADR 85): requests to ``/api/v1`` are served by the routes of ``/api``.
 
 The routes have paths without a version, ``/api/jobs``.  These paths are an alias of the current
-version.  ``ApiVersion`` is the only place that knows the prefix of a version.
+version.  Only this module contains the prefix of a version.
 """
 
 from __future__ import annotations

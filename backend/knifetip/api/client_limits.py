@@ -28,7 +28,7 @@ _GATEWAY: Final = "/api/gateway/"
 _EVENTS: Final = "/api/events"
 _REMEMBERED: Final = 10_000  # clients whose requests are counted
 _RETRY: Final = 5  # seconds after which a further listener may try again
-# Many clients without an account are of one kind, and are told apart by their addresses.
+# All clients without an account have the same kind; their addresses distinguish them.
 _SHARED: Final = (PrincipalKind.NONE, PrincipalKind.LOCAL)
 
 
@@ -59,7 +59,7 @@ class TokenBuckets:
         self._rate = rate
         self._size = size
         self._clock = clock
-        #: tokens and the time at which they were counted; the client that asked last is last
+        #: tokens and the time at which they were counted; the client of the last request is last
         self._buckets: dict[str, tuple[float, float]] = {}
 
     def take(self, client: str) -> float:
@@ -71,7 +71,7 @@ class TokenBuckets:
         remaining = tokens - 1.0
         self._buckets[client] = tokens if remaining < 0 else remaining, now
         if len(self._buckets) > _REMEMBERED:
-            # Who asked longest ago has the fullest bucket, and loses nothing or little.
+            # The least recent client has the fullest bucket, so it loses no or few tokens.
             del self._buckets[next(iter(self._buckets))]
         return remaining
 

@@ -2,9 +2,9 @@
 
 uvicorn limits neither, and closes idle connections while clients still use them.  A client that
 opens connections and sends nothing, or a byte now and then, would occupy file descriptors until no
-gateway can connect.  Here such connections are closed.  If too many are open, the one that has been
-idle longest makes room for a new one, so that a gateway gets through even if a program at the same
-address holds all places.
+gateway can connect.  This module closes such connections.  If too many are open, the one that has
+been idle longest is closed for a new one, so that a gateway can connect even if a program at the
+same address occupies all places.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class ConnectionLimits:
     answer: float = 60.0  #: seconds after which a client that reads no answer is disconnected
     #: seconds after which a connection without a request is closed.  It is longer than the time for
     #: which clients keep one (5 s of httpx, 60 s of nginx): a request that is sent while the server
-    #: closes its connection gets no answer, and a client cannot know whether it was carried out.
+    #: closes its connection gets no answer, and the client cannot find out whether it was executed.
     idle: float = 75.0
     per_client: int = 256  #: connections of one address, without requests of gateways under way
     total: int = 2048  #: connections of all addresses
@@ -210,7 +210,7 @@ def _close_idle(connections: Iterable[LimitedProtocol]) -> bool:
 
 
 def raise_file_limit(files: int) -> None:
-    """Let this process open so many files and sockets, as far as the system permits it."""
+    """Raise the limit of open files and sockets of this process as far as the system permits."""
     if sys.platform != "win32":
         soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
         wanted = files if hard == resource.RLIM_INFINITY else min(files, hard)

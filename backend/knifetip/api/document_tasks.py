@@ -1,6 +1,6 @@
 """Tasks of the worker processes that make large answers, as gzip data.
 
-The server's own process would hold Python's lock meanwhile, and answer nobody.
+In the server's own process they would hold Python's lock and block all other requests.
 """
 
 from __future__ import annotations

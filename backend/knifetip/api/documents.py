@@ -84,7 +84,7 @@ class Documents:
         key = (document.kind, row.id, version)
         making = self._making.get(key)
         if making is None:
-            # It is made even if this client goes, because others may wait for it.
+            # It is made even if this client disconnects, because others may wait for it.
             call = self._service.work.run(partial(self._make, row.id, document), Client(client))
             making = self._making[key] = asyncio.ensure_future(call)
             making.add_done_callback(lambda _: self._making.pop(key, None))

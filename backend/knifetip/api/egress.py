@@ -1,8 +1,8 @@
-"""Addresses to which the server sends requests: webhooks must not reach into its surroundings.
+"""Addresses to which the server may send requests: webhooks must not reach its own network.
 
 A URL of a webhook is chosen by a person with the scope admin, and its name may resolve to any
 address at any time.  The server therefore resolves the name itself before each request, checks
-every address, and connects to the address that it has checked.
+every address, and connects to the checked address.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Numbers of events that may still appear although greater numbers were read.
 
 PostgreSQL gives an event its number before its transaction is committed, so of two events of two
-servers the one with the greater number may appear first.  A number that was skipped is looked for
+servers the one with the greater number may appear first.  A number that was skipped is queried
 again for some time; that of a transaction that was rolled back never appears.
 """
 
@@ -16,7 +16,7 @@ _MOST: Final = 1000
 
 
 class EventGaps:
-    """The numbers of events that were skipped lately.
+    """The numbers of events that were skipped recently.
 
     Parameters
     ----------

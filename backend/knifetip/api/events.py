@@ -42,11 +42,11 @@ router = ScopedRouter(tags=["events"])
 
 _PROGRESS_POLL = 0.2  # seconds between two queries for progress
 _EVENT_POLL = 1.0  # seconds between two queries for changes made by other servers
-_RECENT = 100  # events among which late ones are looked for when the first client connects
+_RECENT = 100  # events among which late ones are searched when the first client connects
 _REFRESH = 2.0  # seconds between two queries for what queued jobs wait for, without events
 _RETRY = 2000  # milliseconds after which a client connects again
 _BACKLOG = 1000  # unsent messages after which a slow listener is disconnected
-_PERMISSION_POLL = 1.0  # seconds between two looks whether a client may still listen
+_PERMISSION_POLL = 1.0  # seconds between two checks whether a client may still listen
 _MAX_WAITING = 50  # newest jobs whose wait for kernels is reported
 _ACTIVE_STATES = (State.COMPILING.value, State.RUNNING.value, State.HELD.value)
 _log = logging.getLogger("knifetip.api")
@@ -228,7 +228,7 @@ class Stream:
         after
             Number of the event after which changes are yielded; None for only new changes.
         permission
-            Tells whether the client may still listen; if not, the iterator ends.
+            Returns whether the client may still listen; if not, the iterator ends.
         """
         store = self._service.store
         queue: asyncio.Queue[ServerSentEvent | None] = asyncio.Queue(_BACKLOG)
@@ -278,7 +278,7 @@ async def _is_permitted(permission: Callable[[], Awaitable[bool]]) -> bool:
     try:
         return await permission()
     except sqlalchemy.exc.SQLAlchemyError:
-        # Without the database there are no events either; the next look decides.
+        # Without the database there are no events either; the next check decides.
         return True
 
 

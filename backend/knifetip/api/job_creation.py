@@ -1,4 +1,4 @@
-"""Create the job of an order, which all routes that take orders do in the same way."""
+"""Create the job of an order; used by all routes that accept orders."""
 
 from __future__ import annotations
 
@@ -67,8 +67,8 @@ async def create_job(
 ) -> JobOut:
     """Create the job of an order, or find the one that was created under the same key.
 
-    It needs a place in the queue for the worker processes only if nobody knows yet whether
-    questions about the drawing are open.
+    It needs a place in the queue for the worker processes only if it is not
+    known yet whether questions about the drawing are open.
 
     Parameters
     ----------
@@ -130,8 +130,8 @@ def _create_answered(service: Service, order: JobIn, key: RequestKey | None) -> 
 def _is_answered_by_reading(prepared: PreparedOrder) -> bool:
     """Return whether the stored result of the reading shows that no question is open.
 
-    It does if the order is interpreted like the drawing, and makes no choices that the machine must
-    permit.
+    This is the case if the order has the interpretation of the drawing, and no choices that the
+    machine must permit.
     """
     drawing, choices = prepared.drawing, prepared.interpretation.choices
     read_as = interpretation_of(drawing, drawing.overrides)

@@ -1,4 +1,4 @@
-"""Export of a job: one zip file with everything that the server knows about it (ADR 84)."""
+"""Export of a job: one zip file with everything that the server has stored about it (ADR 84)."""
 
 from __future__ import annotations
 

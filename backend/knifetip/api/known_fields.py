@@ -102,7 +102,7 @@ def _inner(
 
 
 async def refuse_unknown(request: Request) -> None:
-    """Raise the error of an invalid request if it has parameters or fields that nothing reads.
+    """Raise the error of an invalid request if it has unknown parameters or fields.
 
     Raises
     ------

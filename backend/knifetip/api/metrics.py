@@ -1,7 +1,7 @@
 """Metrics of a server in the format of Prometheus (ADR 84).
 
-Each server has a registry of its own and tells its own numbers; those of the database are equal on
-all servers.  Labels are bounded: routes by their template, never by the path of a request.
+Each server has a registry of its own and reports its own numbers; those of the database are equal
+on all servers.  Labels are bounded: routes by their template, never by the path of a request.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.measures import Measures, measure
 from knifetip.model.stage import Stage
 
-_MACHINES: Final = 100  # machines that are told apart
+_MACHINES: Final = 100  # machines with a label of their own
 _METHODS: Final = frozenset({"GET", "HEAD", "POST", "PUT", "PATCH", "DELETE", "OPTIONS"})
 _CONTENT: Final = "text/plain; version=0.0.4; charset=utf-8"
 _SECONDS: Final = (0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0, 30.0, 60.0, 120.0)
@@ -66,7 +66,7 @@ class Metrics:
 
 
 class Numbers(Collector):
-    """Numbers that are read when the metrics are asked for.
+    """Numbers that are read when the metrics are requested.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ class Numbers(Collector):
         self._process = process
 
     def describe(self) -> Iterable[Metric]:
-        """Return nothing: the database must not be asked when the collector is registered."""
+        """Return nothing: the database must not be queried when the collector is registered."""
         return ()
 
     def collect(self) -> Iterator[Metric]:
@@ -139,7 +139,7 @@ class CountRequests:
         if scope["type"] != "http":
             await self.app(scope, receive, send)
             return
-        status = 499  # the client has gone before the answer
+        status = 499  # the client has disconnected before the answer
         begun = time.monotonic()
 
         async def send_counted(event: Message) -> None:

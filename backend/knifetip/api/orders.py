@@ -1,4 +1,4 @@
-"""Routes that take a drawing and make a job of it in one request, for ERP systems."""
+"""Routes that accept a drawing and create its job in one request, for ERP systems."""
 
 from __future__ import annotations
 
@@ -166,11 +166,11 @@ def _with_file(service: Service, sent: SentOrder, key: str | None) -> tuple[Draw
 def place_orders(
     service: ServiceDep, principal: PrincipalDep, batch: OrdersIn, key: IdempotencyKey = None
 ) -> list[OrderResult]:
-    """Carry out up to 100 orders, one after the other, and return a result for each.
+    """Execute up to 100 orders, one after the other, and return a result for each.
 
     An order that is refused does not prevent the others; the status is 200 as soon as the request
     can be read.  With an ``Idempotency-Key``, a repetition of the request creates nothing twice,
-    and tries the refused orders again.
+    and repeats the refused orders.
     """
     if any(order.release for order in batch.orders):
         demand(principal, AccessScope.OPERATOR)
@@ -181,7 +181,7 @@ def place_orders(
 
 
 def _result(service: Service, index: int, order: OrderIn, key: str | None) -> OrderResult:
-    """Carry out one of several orders; return its result."""
+    """Execute one of several orders; return its result."""
     drawing: Drawing | None = None
     job: Job | None = None
     problem: Message | None = None

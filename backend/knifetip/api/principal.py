@@ -1,4 +1,4 @@
-"""Principals: who sends a request, and whether its scopes permit the request (ADR 83)."""
+"""Principals: the senders of requests, with the scopes that permit requests (ADR 83)."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from knifetip.jobs.accounts.scopes import ALL_SCOPES, ROLES, AccessScope
 
 
 class PrincipalKind(StrEnum):
-    """How a principal has proved who it is."""
+    """How a principal was authenticated."""
 
     USER = "user"  #: a user who has signed in
     KEY = "key"  #: an API key
     LOCAL = "local"  #: a program on this computer, while no administrator exists
     SERVER_KEY = "server-key"  #: the key with which the server was started
-    NONE = "none"  #: not at all
+    NONE = "none"  #: not authenticated
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +81,7 @@ def principal_of(request: Request) -> Principal:
 
 
 def permission_of(request: Request) -> Callable[[], Awaitable[bool]]:
-    """Return a function that tells whether a long request is still permitted.
+    """Return a function that returns whether a long request is still permitted.
 
     It is no longer permitted after the sign-out of its session, the end of its key, or a change of
     its user.

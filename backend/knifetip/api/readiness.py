@@ -1,4 +1,4 @@
-"""Whether a server can do its work: a real write, free disk space, workers and tables (ADR 84)."""
+"""Readiness of a server: a real write, free disk space, workers and tables (ADR 84)."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from knifetip.jobs.compile_service import CompileService
 from knifetip.jobs.store import Store
 from knifetip.jobs.write_probe import is_disk_full, write_probe
 
-#: Seconds for which the result of a check counts; probes may come each second from many places.
+#: Seconds for which the result of a check is cached; many probes may send requests every second.
 _KEEP: Final = 3.0
-#: Seconds after which an answer of the database is no longer waited for.
+#: Time limit for an answer of the database (s).
 _PATIENCE: Final = 10.0
 _SILENT: Final = 120.0  # seconds without a sweep after which the compile service is stuck
 

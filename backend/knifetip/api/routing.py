@@ -46,7 +46,7 @@ def _declaration(scopes: tuple[AccessScope, ...]) -> Callable[[F], F]:
 
 
 def public(endpoint: F) -> F:
-    """Declare that every sender may use an endpoint, also one that has proved nothing."""
+    """Declare that every sender may use an endpoint, also one that is not authenticated."""
     return _declaration(())(endpoint)
 
 
@@ -95,7 +95,7 @@ class ScopedRoute(APIRoute):
 
 
 def _acting(route: APIRoute, scope: Scope, principal: Principal) -> Acting:
-    """Return the principal of a request with what it does, for events and the audit log."""
+    """Return the principal of a request with its operation, for events and the audit log."""
     values = [str(value) for value in scope.get("path_params", {}).values()]
     kind = scope["path"].removeprefix("/api/").partition("/")[0].removesuffix("s")
     client = scope.get("client")
@@ -134,7 +134,7 @@ def needed_scopes(endpoint: Callable[..., Any]) -> tuple[AccessScope, ...]:
     Raises
     ------
     TypeError
-        The endpoint declares nothing.
+        The endpoint declares no scopes.
     """
     declared: tuple[AccessScope, ...] | None = getattr(endpoint, _DECLARED, None)
     if declared is None:

@@ -104,7 +104,7 @@ def _signature(key: str, expiry: str) -> str:
 
 
 async def given_fields(request: Request) -> dict[str, str] | None:
-    """Return what a request for a sign-in contains: ``key``, or ``name`` and ``password``.
+    """Return the fields of a sign-in request: ``key``, or ``name`` and ``password``.
 
     The result is None if the request is neither a sign-in form nor a URL with a key, and empty if
     the form is too long or contains none of these fields.
@@ -203,7 +203,7 @@ def retry_url(request: Request) -> str:
 
 
 class Ways(NamedTuple):
-    """How one can sign in at a server."""
+    """Ways to sign in to a server."""
 
     password: bool  #: by name and password
     key: bool  #: by the key with which the server was started

@@ -1,7 +1,7 @@
 """Slow down repeated failed sign-ins, for each pair of an account and an address.
 
-Others are not affected: a stranger who guesses the password of a user does not keep the user out,
-who has another address.
+Other addresses are not affected: failed attempts of an attacker do not lock out the user, whose
+address is another.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import Final, NamedTuple
 FREE: Final = 5
 #: Longest pause between two attempts (s).
 LONGEST: Final = 15.0
-#: Failures are forgotten after this time (s).
+#: Failures expire after this time (s).
 FORGOTTEN: Final = 3600.0
 _PAIRS: Final = 10_000
 
@@ -58,5 +58,5 @@ class SlowDown:
             self._failures.popitem(last=False)
 
     def succeeded(self, account: str, address: str) -> None:
-        """Forget the failed sign-ins of an account from an address."""
+        """Clear the failed sign-ins of an account from an address."""
         self._failures.pop((account, address), None)

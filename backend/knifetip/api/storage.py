@@ -1,4 +1,4 @@
-"""Space on the disks of a server: what is free, and what is kept for running jobs (ADR 84)."""
+"""Space on the disks of a server: the free space, and the reserve for running jobs (ADR 84)."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ class KeepSpace:
             try:
                 short = self._storage.shortage()
             except OSError:
-                short = None  # the request finds out itself
+                short = None  # the request itself reports the error
             if short is not None:
                 message = Message("limit.disk-low", free=short[0] >> 20, least=short[1] >> 20)
                 app = problem(507, message, headers={"Connection": "close"})

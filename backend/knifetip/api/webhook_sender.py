@@ -77,7 +77,7 @@ class WebhookSender:
         self._done.clear()
 
     async def _send_due(self) -> float:
-        """Begin to send what is due; return the time until the next query (s)."""
+        """Begin to send the due deliveries; return the time until the next query (s)."""
         while len(self._sending) < _AT_ONCE:
             claimed = await asyncio.to_thread(self._queue.claim, tuple(self._sending))
             if claimed is None:
@@ -134,7 +134,7 @@ async def attempt_delivery(claimed: Claimed, now: float, *, private: bool) -> At
 
 
 def _visible(text: str) -> str:
-    """Return a text of another system without control characters, which a terminal would obey."""
+    """Return a text of another system without control characters, which affect terminals."""
     return "".join(letter if letter.isprintable() else " " for letter in text).strip()
 
 

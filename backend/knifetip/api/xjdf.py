@@ -38,7 +38,7 @@ _ANSWER: Final[dict[int | str, dict[str, Any]]] = {
 
 
 class XjdfQuery(Strict):
-    """What an XJDF document may leave open; values of the document take precedence."""
+    """Defaults for an XJDF document; values of the document take precedence."""
 
     machine: str = Field(
         default="", max_length=200, description="Name of the machine if the document names none"

@@ -14,7 +14,7 @@ from defusedxml.common import DefusedXmlException  # type: ignore[import-untyped
 from knifetip.errors import RequestError
 
 NAMESPACE: Final = "http://www.CIP4.org/JDFSchema_2_0"
-#: Processes that a machine carries out; an order with others is refused.
+#: Processes that a machine can execute; an order with others is refused.
 PROCESSES: Final = ("Cutting", "ShapeCutting", "Creasing")
 
 _DRAWING: Final = re.compile(r"(?:https?://[^/?#]+)?/?api/(?:v\d+/)?drawings/([a-z0-9]{1,32})")
@@ -24,7 +24,7 @@ _WITH_FILE: Final = ("DieLayout", "ShapeDef", "CuttingParams")
 
 @dataclass(frozen=True, slots=True)
 class XjdfOrder:
-    """What an XJDF document orders; empty texts for what it does not state."""
+    """The order in an XJDF document; fields that it does not contain are empty."""
 
     drawing: str  #: id of the uploaded drawing
     external_id: str  #: XJDF/@JobID

@@ -1,4 +1,4 @@
-"""outcomes: report what cleaning did to every drawn edge.
+"""outcomes: report the outcome of cleaning for every drawn edge.
 
 Outcomes and lengths are computed from the assignment of stretches of drawn edges to current edges
 alone, so they always agree with the geometry.

@@ -55,7 +55,7 @@ def _password() -> str:
 
 
 def add_user(name: UserName, role: Role = AccessScope.VIEWER, *, chosen: DatabaseOptions) -> None:
-    """Add a user; the password is asked for, or read from stdin."""
+    """Add a user; the password is read from a prompt or from stdin."""
     password = _password()
     with _opened(chosen.url) as store:
         row = store.users.add(name, password, role, "command line")
@@ -76,7 +76,7 @@ def list_users(as_json: Json = False, *, chosen: DatabaseOptions) -> None:
 
 
 def set_password(name: UserName, *, chosen: DatabaseOptions) -> None:
-    """Set a new password, which is asked for or read from stdin; the user's sessions end."""
+    """Set a new password, read from a prompt or from stdin; the user's sessions end."""
     password = _password()
     with _opened(chosen.url) as store:
         store.users.change(name, password=password)

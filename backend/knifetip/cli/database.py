@@ -1,4 +1,4 @@
-"""knifetip db, backup and restore: migrate a database, copy it to a file, and bring it back.
+"""knifetip db, backup and restore: migrate a database, back it up to a file, and restore it.
 
 db current        print the revision of the tables
 db check          exit with 1 if the tables must be migrated before a server can start
@@ -142,7 +142,7 @@ def _describe(found: Schema) -> str:
 
 
 def _open_existing(chosen: DatabaseOptions) -> Database:
-    """Return a database; an SQLite database is not created by a look at it."""
+    """Return a database; a missing SQLite database is not created."""
     from knifetip.jobs.database import Database
     from knifetip.jobs.database_url import sqlite_file
 

@@ -110,7 +110,7 @@ def _print_version(wanted: bool) -> None:
 
 
 def _common_options() -> list[Any]:
-    """Return the options that stand before the name of a command."""
+    """Return the options that precede the name of a command."""
 
     def options(
         version: Annotated[
@@ -123,7 +123,7 @@ def _common_options() -> list[Any]:
             ),
         ] = False,
     ) -> None:
-        """Typer creates the option from the parameter, whose value nothing else reads."""
+        """Typer creates the option from the parameter, whose value is not used otherwise."""
 
     parsed = typer.Typer(add_completion=False)
     parsed.callback()(options)

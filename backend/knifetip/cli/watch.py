@@ -48,7 +48,7 @@ def watch(
     ],
     server: Server = SERVER,
     interval: Annotated[
-        float, typer.Option(min=0.1, max=3600.0, help="Seconds between two looks at the folder.")
+        float, typer.Option(min=0.1, max=3600.0, help="Seconds between two polls of the folder.")
     ] = 1.0,
     settle: Annotated[
         float,
@@ -94,12 +94,12 @@ def watch(
 
 
 def _look(arrivals: Any, orders: Any, pause: float, interval: float) -> tuple[bool, float]:
-    """Take what is complete and advance all orders once.
+    """Move complete files to ``working`` and advance all orders once.
 
     Returns
     -------
     tuple
-        Whether any drawing is in the folder or on its way, and the time until the next look (s).
+        Whether a drawing is in the folder or being processed, and the time until the next poll (s).
     """
     from knifetip.cli.hot_folder.client import NotNow
 
@@ -118,7 +118,7 @@ def _look(arrivals: Any, orders: Any, pause: float, interval: float) -> tuple[bo
         except NotNow as reason:
             print_stderr(f"the server does not answer: {visible(str(reason))}", "yellow")
             failed = True
-            break  # it would not answer for the others either
+            break  # the requests for the other files would fail too
         except OSError as reason:
             print_stderr(f"{visible(name)}: {visible(str(reason))}", "yellow")
             failed = True
@@ -130,7 +130,7 @@ def _look(arrivals: Any, orders: Any, pause: float, interval: float) -> tuple[bo
 
 
 def visible(text: str) -> str:
-    """Return a text in one line without control characters, which a terminal would obey."""
+    """Return a text in one line without control characters, which affect terminals."""
     return "".join(letter if letter.isprintable() else "\ufffd" for letter in text)
 
 

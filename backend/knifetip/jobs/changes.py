@@ -2,11 +2,12 @@
 
     with changes.subscribed(event.set, RECEIVED): event.wait(changes.poll(1.0))
 
-A change has topics, so that it wakes only those whom it concerns: ``machine_topic`` for the queue
-of a machine, ``RECEIVED`` for jobs that wait for a compile, and ``ALL`` for everybody.
+A change has topics, so that it wakes only the subscribers that it concerns: ``machine_topic`` for
+the queue of a machine, ``RECEIVED`` for jobs that wait for a compile, and ``ALL`` for all
+subscribers.
 
 Changes that other processes make on the same database arrive only while a ``ProcessLink``
-is connected to PostgreSQL.  Otherwise, and in case that a notification is lost, subscribers
+is connected to PostgreSQL.  Otherwise, and in case a notification is lost, subscribers
 query the database at intervals.
 """
 

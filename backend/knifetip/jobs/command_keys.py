@@ -22,7 +22,7 @@ class CommandKeys:
         self._transitions = transitions
 
     def repeated(self, session: Session, id: str, key: RequestKey | None) -> Job | None:
-        """Return the job of a command that was carried out before, or None after storing its key.
+        """Return the job of a command that was executed before, or None after storing its key.
 
         Parameters
         ----------

@@ -1,6 +1,6 @@
 """Hash of everything on which the result of a compile depends.
 
-Two compiles with one key have the same program and verdict, so the second need not be done.
+Two compiles with one key have the same program and verdict, so the second is not needed.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def digest_of(value: object) -> str:
     """
     digest = hashlib.sha256()
     for part in _parts(value):
-        # The length keeps neighbouring parts apart.
+        # The length separates neighbouring parts.
         digest.update(len(part).to_bytes(8, "big") + part)
     return digest.hexdigest()
 

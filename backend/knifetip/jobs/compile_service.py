@@ -147,7 +147,7 @@ class CompileService:
         Raises
         ------
         StoreError
-            A living process with this database has the same name.
+            A running process with this database has the same name.
         """
         role = "server" if self.gateways else "worker"
         self._link = join(self.store.database.url, self.store.changes, self.name, role)
@@ -206,7 +206,7 @@ class CompileService:
             self._queue.stop()
         for thread in self._threads:
             thread.join()
-        # The name is free when nothing is done under it any more.
+        # The name is released when no compile uses it any more.
         if self._link is not None:
             self._link.close()
 

@@ -95,7 +95,7 @@ class Database:
         self._writer = self._engine.execution_options(writes=True)
 
     def schema(self) -> Schema:
-        """Return the revision of the tables, and the newest one that this version knows."""
+        """Return the revision of the tables, and the newest one of this version."""
         with self._engine.connect() as connection:
             return schema.read_schema(connection)
 

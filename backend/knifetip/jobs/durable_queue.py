@@ -1,10 +1,10 @@
 """durable_queue: compiles jobs in durable workflows, for several processes or computers.
 
 A durable workflow is a function call that the library DBOS records in the database and repeats if
-its process, the executor, dies and returns.  A worker takes a job from the table of jobs, as on one
-computer, and compiles it in the workflow "compile-JOB-EPOCH".  The name of the worker is the id of
-the executor.  A compile whose worker has died gets another epoch when the job is taken again, by
-any worker: the repeated workflow then does nothing.
+its process, the executor, has ended unexpectedly and is restarted.  A worker takes a job from the
+table of jobs, as on one computer, and compiles it in the workflow "compile-JOB-EPOCH".  The name of
+the worker is the id of the executor.  A compile whose worker has ended gets another epoch when the
+job is taken again, by any worker: the repeated workflow then does nothing.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class DurableQueue:
         Store that contains the jobs.
     worker
         Name of this process, which is the owner of each job taken and the id of the executor; it
-        must be the same after a restart, and no other living process may have it.
+        must be the same after a restart, and no other running process may have it.
     taken
         Queue that takes the received jobs from the table of jobs.
     """
@@ -111,7 +111,7 @@ class DurableQueue:
     def delete_old_workflows(self, now: datetime) -> int:
         """Delete records of workflows that have no use any more, and return their number.
 
-        These are old ones that have ended, and those whose compile has been lost with their worker.
+        These are old ones that have ended, and those whose compile was lost with its worker.
 
         Parameters
         ----------
@@ -168,7 +168,7 @@ _running: DurableQueue | None = None
 def compile_job(job: str, epoch: int) -> None:
     """Compile a job as a workflow of DBOS.
 
-    DBOS repeats this workflow when the process that executed it has died and returns.
+    DBOS repeats this workflow when the process that executed it ended unexpectedly and restarts.
 
     Parameters
     ----------

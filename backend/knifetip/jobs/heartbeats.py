@@ -1,4 +1,4 @@
-"""What the heartbeat of a gateway changes in its job, and the command that answers it."""
+"""Heartbeats of gateways: the changes that they make to a job, and the commands in return."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class GatewayReport:
     waiting: bool = False  #: nothing was sent to the machine; the gateway waits for ``start``
     position: Sequence[float] | None = None
     seconds_left: float | None = None
-    #: Number of the phase of the run since the claim.  A new phase begins when the machine goes on
+    #: Number of the phase of the run since the claim.  A new phase begins when a machine continues
     #: after a hold, and when the gateway itself begins to wait for the operator: for a new sheet,
     #: for the confirmation of the end, or because its lease has expired.  A request to resume
     #: counts only in the phase in which the operator made it.
@@ -95,7 +95,7 @@ class Heartbeats:
         - ``cancel`` if the operator has requested a cancel;
         - ``hold`` if the operator must first confirm the job, or if the machine is not held
           although the operator must confirm the next sheet;
-        - ``hold`` or ``resume`` if this action is requested and the machine has not carried it out;
+        - ``hold`` or ``resume`` if this action is requested and the machine has not executed it;
         - ``continue`` in all other cases.
 
         Parameters

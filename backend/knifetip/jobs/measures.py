@@ -11,7 +11,7 @@ from knifetip.jobs.database import Database
 from knifetip.jobs.job import ENDED, State
 from knifetip.jobs.tables import Gateway, Job, WebhookDelivery
 
-#: States whose jobs are counted: jobs that have ended are as many as the history is long.
+#: States whose jobs are counted: a count of ended jobs would read the whole history.
 COUNTED: Final = tuple(
     state.value for state in State if state not in ENDED or state is State.INTERRUPTED
 )
@@ -37,7 +37,7 @@ def measure(database: Database, machines: int) -> Measures:
     database
         The database.
     machines
-        Greatest number of machines that are told apart; the jobs of all others count for "other".
+        Greatest number of machines with a row each; the jobs of all others count for "other".
     """
     jobs = (
         sa.select(Job.machine, Job.state, sa.func.count())

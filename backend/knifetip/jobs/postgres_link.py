@@ -1,9 +1,9 @@
-"""A session of PostgreSQL in which a process holds its name and exchanges notifications.
+"""A session of PostgreSQL that reserves the name of a process and exchanges notifications.
 
 Other processes are notified after the commit, by a statement of its own: a transaction with NOTIFY
-holds a lock of the whole database until its commit is on disk, so commits would follow each other.
+holds a lock of the whole database until its commit is on disk, which would serialize commits.
 Changes that are made while a notification is sent share the next one.  A notification that is lost
-with its process or its connection is replaced by the queries at intervals of those who wait.
+with its process or its connection is replaced by the periodic queries of the waiting processes.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ _PATIENCE: Final = 3.0  # seconds in which the session of a process that was kil
 _RETRY: Final = 0.25
 _AGAIN: Final = (0.2, 5.0)  # least and greatest pause before the next connection (s)
 _CHECK: Final = 10.0  # seconds without a notification after which the connection is checked
-# The server notices within 20 s that the computer of a process is gone, and frees the name.
+# The server detects within 20 s that the computer of a process is gone, and frees the name.
 _KEEPALIVE: Final = (("idle", 5), ("interval", 5), ("count", 3))
 
 _log = logging.getLogger("knifetip.jobs")
 
 
 class NameTakenError(Exception):
-    """Another living process has the name."""
+    """Another running process has the name."""
 
 
 class PostgresLink:
@@ -67,7 +67,7 @@ class PostgresLink:
 
     @classmethod
     def try_name(cls, url: str, changes: Changes, name: str) -> PostgresLink | None:
-        """Return a connected link with a name, None if a living process has it.
+        """Return a connected link with a name, None if a running process has it.
 
         Raises
         ------
@@ -81,7 +81,7 @@ class PostgresLink:
                 link._connection = link._connect()
                 break
             except NameTakenError:
-                # The server notices the end of a killed process after a moment.
+                # The server detects the end of a killed process after a moment.
                 if time.monotonic() >= deadline:
                     link._close_sockets()
                     return None
@@ -111,7 +111,7 @@ class PostgresLink:
         self._wake()
 
     def close(self) -> None:
-        """Send what is to be sent, close the session, and give the name back."""
+        """Send pending notifications, close the session, and release the name."""
         self._changes.send = None
         self._stopping.set()
         self._wake()
@@ -123,7 +123,7 @@ class PostgresLink:
         self._wake_writer.close()
 
     def _wake(self) -> None:
-        with suppress(BlockingIOError, OSError):  # it is awake already, or closed
+        with suppress(BlockingIOError, OSError):  # it is woken already, or closed
             self._wake_writer.send(b"\0")
 
     def _connect(self) -> psycopg.Connection:

@@ -1,8 +1,8 @@
 """Links the processes of one database: each has a name of its own, and wakes the others.
 
 The name of a process must be the same after a restart, so that it takes back its compiles at once.
-Two living processes cannot have one name.  ``join`` takes the name for as long as the process
-lives: with a session of PostgreSQL that holds an advisory lock (``postgres_link``), or with a lock
+Two running processes cannot have one name.  ``join`` reserves the name until the process
+ends: with a session of PostgreSQL that holds an advisory lock (``postgres_link``), or with a lock
 on a file beside a SQLite database.
 """
 
@@ -29,14 +29,14 @@ class ProcessLink(Protocol):
 
     @property
     def name(self) -> str:
-        """Name of this process, which no other living process has."""
+        """Name of this process, which no other running process has."""
 
     def close(self) -> None:
-        """Give the name back."""
+        """Release the name."""
 
 
 def join(url: str, changes: Changes, name: str, role: str) -> ProcessLink:
-    """Take a name for this process, and connect it to the other processes of its database.
+    """Reserve a name for this process, and connect it to the other processes of its database.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def join(url: str, changes: Changes, name: str, role: str) -> ProcessLink:
     Raises
     ------
     StoreError
-        A living process has this name.
+        A running process has this name.
     """
     if name:
         link = _try_name(url, changes, name)
@@ -78,7 +78,7 @@ def _try_name(url: str, changes: Changes, name: str) -> ProcessLink | None:
 
 
 def _state_folder(url: str) -> Path:
-    """Return the folder in which processes of a database keep their names."""
+    """Return the folder with the names of the processes of a database."""
     parts = sa.make_url(url)
     if parts.get_backend_name() == "sqlite" and parts.database:
         path = Path(parts.database)
@@ -121,7 +121,7 @@ class FileLink:
 
     @classmethod
     def try_name(cls, database: str, name: str) -> FileLink | None:
-        """Return a link with a name, None if a living process has it.
+        """Return a link with a name, None if a running process has it.
 
         Parameters
         ----------
@@ -149,5 +149,5 @@ class FileLink:
         return self._name
 
     def close(self) -> None:
-        """Give the name back."""
+        """Release the name."""
         self._lock.close()

@@ -26,7 +26,7 @@ _MIGRATING = 0x6B6E_6966  # PostgreSQL's advisory lock of the migration
 
 @dataclass(frozen=True, slots=True)
 class Schema:
-    """Revision of the tables of a database, beside the newest one that this version knows."""
+    """Revision of the tables of a database, beside the newest one of this version."""
 
     revision: str  #: "" if the database is empty
     newest: str
@@ -106,7 +106,7 @@ def require_not_newer(schema: Schema, url: str) -> None:
     Raises
     ------
     StoreError
-        The tables have a revision that this version of knifetip does not know.
+        The tables have a revision that is unknown to this version of knifetip.
     """
     if not schema.is_newer:
         return

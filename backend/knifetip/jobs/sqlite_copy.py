@@ -90,7 +90,7 @@ def require_unused(file: Path) -> None:
     except sqlite3.OperationalError as reason:
         raise StoreError("database.in-use", file=file) from reason
     except sqlite3.DatabaseError:
-        return  # not a database, which may be what is to be replaced
+        return  # not a database; the caller may replace it
 
 
 def _connect(file: Path) -> sqlite3.Connection:

@@ -1,7 +1,7 @@
 """Tables of the store in SQLite or PostgreSQL.
 
 The tables contain drawings, jobs, events of drawings and jobs, profiles, machines, boards and tools
-of users, gateways, the stations of machines with the operations that persons ask for, webhooks, and
+of users, gateways, the stations of machines with the operations that persons request, webhooks, and
 users, API keys, sessions and the audit log.
 Large columns are deferred: a query loads them only if it names them.
 """
@@ -28,7 +28,7 @@ class Base(DeclarativeBase):
 
 
 class DatabaseVersion(Base):
-    """A migration of the database, with the version of knifetip that carried it out."""
+    """A migration of the database, with the version of knifetip that executed it."""
 
     __tablename__ = "database_version"
 
@@ -39,7 +39,7 @@ class DatabaseVersion(Base):
 
 
 class WriteProbe(Base):
-    """One row that health checks change, to find out whether the database can store anything."""
+    """One row that health checks change, to check whether the database can be written to."""
 
     __tablename__ = "write_probe"
 
@@ -289,7 +289,7 @@ class JobDocument(Base):
 
 
 class CommandKey(Base):
-    """The Idempotency-Key of a command that was carried out."""
+    """The Idempotency-Key of a command that was executed."""
 
     __tablename__ = "command_key"
     __table_args__ = (sa.Index("command_key_by_job", "job"),)

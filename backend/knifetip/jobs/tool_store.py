@@ -75,7 +75,7 @@ class ToolStore:
     def worn_stations(self, machine: Machine) -> set[int]:
         """Return the numbers of the stations whose tools are at the end of their lives.
 
-        Only tools with a life are looked at: the use of the others grows with the history.
+        Only tools with a life are read: the use of the others grows with the history.
         """
         with self._db.reading() as session:
             present = _present_lengths(session, machine.name)

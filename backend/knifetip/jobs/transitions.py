@@ -178,7 +178,7 @@ class Transitions:
         message
             Description of the event.
         machine
-            Name of the machine of the job, which limits whom the event wakes; "" to wake all.
+            Name of the machine of the job, which limits who is woken; "" to wake all.
         new_state
             Whether the job was created or came to another state with this event.
         """

@@ -1,7 +1,7 @@
-"""Outbox of webhooks: what an event of a job or drawing sends to other systems.
+"""Outbox of webhooks: the deliveries that an event of a job or drawing sends to other systems.
 
 The deliveries are written in the transaction of the event, so that there is one for each event that
-was committed, and none for others.  ``WebhookQueue`` takes them from here.
+was committed, and none for rolled-back ones.  ``WebhookQueue`` takes them from here.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Queue of pending deliveries of webhooks, for any number of senders on one database.
 
-A sender claims a delivery with a lease, sends it, and stores the result.  If it is killed in
-between, the delivery is sent again when the lease has expired, with the same id: a delivery arrives
-at least once.
+A sender claims a delivery with a lease, sends it, and stores the result.  If it is killed
+before that, the delivery is sent again when the lease has expired, with the same id: a delivery
+arrives at least once.
 
 Order: for one endpoint and one job or drawing, a delivery waits while an earlier one is pending,
 until that has failed ``IN_ORDER`` times; a request that an endpoint never accepts does not block
@@ -34,7 +34,7 @@ JITTER: Final = (0.8, 1.2)
 IN_ORDER: Final = 6
 #: Time for which a sender has a delivery (s); longer than an attempt may take.
 LEASE: Final = 30.0
-#: Status with which an endpoint says that it wants no more deliveries.
+#: Status with which an endpoint refuses all further deliveries.
 GONE: Final = 410
 
 #: As SQL text: SQLite uses a partial index only if the query has its condition literally.
@@ -196,7 +196,7 @@ class WebhookQueue:
                 bury_pending(session, endpoint.serial)
 
     def _endpoint_works(self, session: Session, endpoint: Webhook) -> None:
-        """After an endpoint was unreachable, send at once what waits for its next attempt."""
+        """Make all pending deliveries to an endpoint due, after it was unreachable."""
         if endpoint.failures >= _DOWN:
             session.execute(
                 sa.update(WebhookDelivery)

@@ -1,4 +1,4 @@
-"""A real write to the database, which shows that its disk is not full and that it is no copy."""
+"""A real write to the database: its disk is not full, and it is not a read-only replica."""
 
 from __future__ import annotations
 

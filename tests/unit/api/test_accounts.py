@@ -82,7 +82,7 @@ def test_the_first_administrator_closes_this_computer_to_others(server: LocalCli
 
 def test_an_administrator_of_another_process_closes_it_soon(server: LocalClient) -> None:
     assert server.get("/api/jobs").status_code == 200
-    # As the command line does: this server is not told.
+    # As the command line does: this server is not notified.
     server.service.store.users.add("anna", ADMIN["password"], AccessScope.ADMIN)
     deadline = time.monotonic() + KEPT + 10.0
     while server.get("/api/jobs").status_code == 200:

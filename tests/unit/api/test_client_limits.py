@@ -104,7 +104,7 @@ def test_listeners_beyond_the_limit_are_refused_until_one_leaves(
         for one in threads:
             one.join()
         answered = 0
-        for _ in range(200):  # the server notices a closed connection a moment later
+        for _ in range(200):  # the server detects a closed connection a moment later
             with client.stream("GET", "/api/events") as answer:
                 answered = answer.status_code
             if answered == 200:

@@ -1,4 +1,4 @@
-"""Connections that send too slowly are closed, and idle ones make room for gateways."""
+"""Connections that send too slowly are closed, and idle ones are closed for gateways."""
 
 from __future__ import annotations
 

@@ -129,7 +129,7 @@ def test_changes_at_another_server_end_the_streams_of_their_accounts_only(
 
 def test_a_sign_out_ends_the_streams_of_its_session_only(tmp_path: Path) -> None:
     with visited(f"sqlite:///{tmp_path}/a.sqlite", tmp_path) as visitors:
-        # Nobody was an administrator: then this computer may listen without a session.
+        # There was no administrator: then this computer may listen without a session.
         local = visitors.listen(visitors.with_key())
         visitors.server.service.store.users.add("anna", PASSWORD, AccessScope.ADMIN)
         assert local.ends()
@@ -169,7 +169,7 @@ def test_a_session_ends_although_its_page_listens(tmp_path: Path) -> None:
         with only_session(store) as session:
             session.seen -= session_store.IDLE / 2
             before = session.seen
-        time.sleep(2.5)  # some looks at the session
+        time.sleep(2.5)  # some checks of the session
         with only_session(store) as session:
             assert session.seen == before
             session.seen -= session_store.IDLE

@@ -105,7 +105,7 @@ def test_metrics_need_access(tmp_path: Path) -> None:
     rules = AccessRules(key="correct-horse-battery", hosts=("shop.example",))
     settings = Settings(f"sqlite:///{tmp_path}/a.sqlite", name="test", access=rules)
     with run_server(settings) as client:
-        # A request that does not come from this computer, as far as the server can know.
+        # A request that the server cannot attribute to this computer.
         far = {"Host": "shop.example", "X-Forwarded-For": "192.0.2.7"}
         assert client.get("/metrics", headers=far).status_code == 401
         key = {"Authorization": "Bearer correct-horse-battery"}

@@ -1,4 +1,4 @@
-"""Orders of stored drawings do not wait for worker processes, and ask each question once."""
+"""Orders of stored drawings do not wait for worker processes, and find the questions once."""
 
 from __future__ import annotations
 

@@ -128,7 +128,7 @@ async def test_one_client_does_not_hold_all_threads_or_places() -> None:
         gates[ended].set()
         await begun(ended + 1 + executed)
     await asyncio.gather(*many, *few)
-    # The second client waits for one call, although the first one asked six times before it.
+    # The second client waits for one call, although the first one sent six requests before it.
     assert made == [*["many"] * 3, "few", "few", *["many"] * 6]
     work.close()
 

@@ -1,4 +1,4 @@
-"""Readiness tells the truth: on a full disk the server says so, keeps nothing half, and goes on."""
+"""Readiness: on a full disk the server reports it, stores nothing partially, and continues."""
 
 from __future__ import annotations
 

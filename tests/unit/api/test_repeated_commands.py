@@ -47,7 +47,7 @@ def test_release_and_cancel_without_a_key_are_repeated(client: httpx.Client, rea
             assert (answer.status_code, answer.json()["state"]) == (200, state)
     assert codes(client, ready).count("job.released") == 1
     assert codes(client, ready).count("job.cancelled") == 1
-    # The caller wants the job to be made, and it is not going to be.
+    # The caller requests that the job is made, and it will not be.
     assert send(client, ready, "release").status_code == 409
 
 

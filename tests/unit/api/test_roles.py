@@ -23,7 +23,7 @@ from tests.support.serving.server import (
     upload_drawing,
 )
 
-#: Least role that may send each request, by hand from the decision about accounts.
+#: Least role that may send each request, copied manually from the decision about accounts.
 LEAST = {
     "viewer": """
         list_drawings get_drawing get_edges get_picture get_import_report get_cleaning get_file
@@ -132,7 +132,7 @@ def senders(server: LocalClient, values: dict[str, Any]) -> Iterator[dict[str, h
     assert clients["disabled user"].post("/api/session", json=sent).status_code == 200
     store.users.change("former", active=False)
     store.users.add("spare", PASSWORD, AccessScope.VIEWER)
-    # The server sees within a second that another program has made an administrator.
+    # The server detects within a second that another program has made an administrator.
     deadline = time.monotonic() + 30.0
     while clients["none"].get("/api/jobs").status_code != 401:
         assert time.monotonic() < deadline

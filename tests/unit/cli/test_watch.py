@@ -1,4 +1,4 @@
-"""Hot folder: drawings become jobs, once, whatever happens in between."""
+"""Hot folder: each drawing is ordered exactly once, also after a kill at any step."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def drop(folder: Path, name: str, content: bytes, **sidecar: object) -> None:
 
 
 def run(folder: HotFolder, *names: str) -> None:
-    """Take files and advance them until nothing is on its way."""
+    """Process files until none is left."""
     for name in names:
         folder.take(name)
     for _ in range(100_000):

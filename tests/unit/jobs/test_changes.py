@@ -1,4 +1,4 @@
-"""Changes wake those whom they concern."""
+"""Changes wake the subscribers that they concern."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The key of a compile depends on everything that a compile depends on, and on nothing else."""
+"""The key of a compile depends on the inputs of the compile, and on nothing else."""
 
 from __future__ import annotations
 

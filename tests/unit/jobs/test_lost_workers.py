@@ -62,7 +62,7 @@ def kill_while_compiling(store: Store, worker: str, job: str, lease: float) -> N
     ("worker", "lease"),
     [
         pytest.param("another", 1.0, id="another worker, when the lease expires"),
-        # Its name is enough: the lease of an hour is not waited for.
+        # It is identified by its name, so the lease of an hour need not expire.
         pytest.param("killed", 3600.0, id="the same worker, at once"),
     ],
 )

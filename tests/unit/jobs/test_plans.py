@@ -16,7 +16,7 @@ def test_no_step_reads_a_whole_table(postgresql_url: str) -> None:
         fill(store, 20_000)
         run_round(store, defaultdict(list))
         assert whole_tables(store) == []
-        # The test notices a missing index, here that of equal files.
+        # The test detects a missing index, here that of equal files.
         with store.database.writing() as session:
             session.execute(sa.text("DROP INDEX drawing_by_sha256"))
         assert len(whole_tables(store)) == 1

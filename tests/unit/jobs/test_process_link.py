@@ -90,7 +90,7 @@ def test_default_names_differ_and_remain_after_a_restart(database_url: str) -> N
 @contextmanager
 def linked_store(url: str, name: str) -> Iterator[Store]:
     with migrated_store(url) as store, joined(url, name, store.changes):
-        # The link first wakes everybody.
+        # The link first wakes all subscribers.
         until(lambda: store.changes.connected)
         yield store
 
@@ -127,7 +127,7 @@ def test_a_notification_does_not_come_back_to_its_sender(postgresql_url: str) ->
         with here.changes.subscribed(lambda: calls.append(1), RECEIVED):
             here.changes.notify([RECEIVED])
             assert len(calls) == 1
-            # What comes after it has been received, so it was received too.
+            # A later notification was received, so this one was received too.
             woken = threading.Event()
             with here.changes.subscribed(woken.set, machine_topic("table")):
                 there.changes.notify([machine_topic("table")])

@@ -259,7 +259,7 @@ def test_old_jobs_are_deleted_and_their_statistics_are_kept(
     before = store.statistics.sums(0.0, 1e10, "day", UTC), used(store, machine)
     assert store.history.delete_before(new.ended) == 1
     assert [row.id for row in store.history.search(HistoryFilter(), None, 10)] == [new.id]
-    # The events remain, so that it can be told later who did what.
+    # The events remain, so that the log still contains every action with its user.
     assert [event.state for event in store.events.of_job(old.id)][-1] == "done"
     assert (store.statistics.sums(0.0, 1e10, "day", UTC), used(store, machine)) == before
 

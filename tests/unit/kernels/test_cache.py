@@ -17,7 +17,7 @@ def refuse(*_arguments: object, **_options: object) -> None:
 
 @pytest.fixture
 def _read_only(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let numba find no folder that it can write to."""
+    """Make numba find no writable folder."""
     (Path(__file__).parent / "__pycache__").mkdir(exist_ok=True)
     monkeypatch.setattr("tempfile.TemporaryFile", refuse)
     monkeypatch.setattr("os.makedirs", refuse)
@@ -41,7 +41,7 @@ def test_a_kernel_that_cannot_be_stored_is_used_nevertheless(
 ) -> None:
     cache = KernelCache(adds)
     monkeypatch.setattr(caching.FunctionCache, "save_overload", refuse)
-    cache.save_overload(None, None)  # type: ignore[arg-type]  # not looked at
+    cache.save_overload(None, None)  # type: ignore[arg-type]  # not used
 
     def full(*_arguments: object) -> None:
         raise OSError(errno.ENOSPC, "No space left on device")

@@ -54,7 +54,7 @@ class OrderIn(JobChoices):
 
 
 class OrdersIn(Strict):
-    """Several orders, each of which is carried out or refused by itself."""
+    """Several orders, each of which is executed or refused independently."""
 
     orders: list[OrderIn] = Field(min_length=1, max_length=100, description="The orders")
 

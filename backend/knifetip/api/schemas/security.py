@@ -1,4 +1,4 @@
-"""How the OpenAPI schema describes who may send which request."""
+"""Security schemes and scopes of the operations in the OpenAPI schema."""
 
 from __future__ import annotations
 

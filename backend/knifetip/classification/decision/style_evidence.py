@@ -1,4 +1,4 @@
-"""style_evidence: gather what is known about the styles of a drawing.
+"""style_evidence: gather the evidence about the styles of a drawing.
 
 The evidence are the rules of the profile, shape features, names and colours.
 """

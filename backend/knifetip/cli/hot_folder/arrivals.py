@@ -17,7 +17,7 @@ _SUFFIXES: Final = frozenset(suffix for one in FORMATS for suffix in one.extensi
 
 
 class Stamp(NamedTuple):
-    """Size and time of the last change of a file, which tell whether it is still written."""
+    """Size and time of the last change of a file, which show whether it is still being written."""
 
     size: int  #: bytes
     mtime: int  #: ns
@@ -69,7 +69,7 @@ class Arrivals:
 
     @property
     def is_waiting(self) -> bool:
-        """Whether the last look found a drawing, complete or not."""
+        """Whether the last poll found a drawing, complete or not."""
         return bool(self._seen)
 
     def _drawings(self) -> Iterator[tuple[str, tuple[Stamp, Stamp | None]]]:

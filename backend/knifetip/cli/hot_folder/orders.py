@@ -1,6 +1,6 @@
-"""One file of a hot folder on its way: taken, uploaded, ordered, and put beside its results.
+"""Processing of one file of a hot folder: moved, uploaded, ordered, and put beside its results.
 
-A file is taken by moving it to the folder ``working``.  Before the first request, a record with
+A file is first moved to the folder ``working``.  Before the first request, a record with
 the order and its keys is written there.  After a kill, each step is repeated with the same keys, so
 that nothing is ordered twice, and no file is lost: it is in the folder, in ``working``, ``done`` or
 ``failed`` at every moment.
@@ -41,7 +41,7 @@ _SHOWN: Final = (
 
 @dataclass(slots=True)
 class Record:
-    """What is stored about a file on its way."""
+    """Stored state of a file that is being processed."""
 
     name: str
     key: str  #: from path, time and content of the file
@@ -79,8 +79,8 @@ class HotFolder:
     def take(self, name: str) -> bool:
         """Move a complete file with its sidecar to ``working``; return whether that was possible.
 
-        It is not while a file of the same name is on its way, or while another program has locked
-        the file.
+        It is not possible while a file of the same name is being processed, or while another
+        program has locked the file.
         """
         if os.path.lexists(self._working / name):
             return False
@@ -182,7 +182,7 @@ class HotFolder:
         self._put(record, FAILED, {RESULT: _json(record.fault)})
 
     def _put(self, record: Record, place: str, results: dict[str, bytes]) -> None:
-        """Write the results, then move the drawing beside them, then forget the record."""
+        """Write the results, then move the drawing beside them, then delete the record."""
         folder = self._folder / place
         if not record.target:
             record.target = _free_name(folder, record.name)

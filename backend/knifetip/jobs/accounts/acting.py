@@ -1,4 +1,4 @@
-"""acting: on whose behalf the current request changes the database.
+"""acting: the principal on whose behalf the current request changes the database.
 
 The API sets the acting principal for the time of a request.  Events then name it, and the first
 transaction of the request writes the entry of the audit log, so that both are stored or neither.

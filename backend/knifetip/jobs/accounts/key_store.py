@@ -1,7 +1,7 @@
 """key_store: repository of API keys.
 
 The secret of a key is ``kt_ID_SECRET`` with 256 random bits.  Only its SHA-256 is stored: a secret
-with so many random bits cannot be guessed, so a slow hash has no use here.
+with so many random bits cannot be guessed, so a slow hash is not needed.
 """
 
 from __future__ import annotations

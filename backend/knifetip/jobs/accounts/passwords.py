@@ -13,7 +13,7 @@ from argon2.exceptions import InvalidHashError, VerificationError
 from knifetip.errors import RequestError
 
 SHORTEST: Final = 10
-#: A longer one only costs time.
+#: Limits the time of the hash, which grows with the length of the password.
 LONGEST: Final = 1000
 
 _HASHER: Final = PasswordHasher(

@@ -1,7 +1,7 @@
-"""scopes: what a user or an API key may do.
+"""scopes: the permissions of users and API keys.
 
 Each role contains the scopes of the roles below it: viewer, designer, operator, admin.  The scope
-``gateway`` stands apart, and no role contains it: it permits what a program at a machine needs.
+``gateway`` is in no role: it permits the requests of a program that controls a machine.
 """
 
 from __future__ import annotations

@@ -135,7 +135,7 @@ class UserStore:
     def with_password(self, name: str, password: str) -> UserAccount | None:
         """Return the active user with a name and a password; None if there is none.
 
-        The call takes the same time for a name that no user has.
+        The call takes the same time for an unknown name.
         """
         with self._db.reading() as session:
             row = session.scalar(sa.select(UserAccount).where(UserAccount.name == name.lower()))

@@ -1,4 +1,4 @@
-"""A row that health checks change, to find out whether the database can store anything."""
+"""A row that health checks change, to check whether the database can be written to."""
 
 import sqlalchemy as sa
 from alembic import op
