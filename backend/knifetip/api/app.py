@@ -276,7 +276,9 @@ def status_of(error: errors.KnifetipError) -> int:
 async def _knifetip_problem(request: Request, error: Exception) -> Response:
     assert isinstance(error, errors.KnifetipError)
     status = status_of(error)
-    if isinstance(error, errors.LibraryError) and request.method == "GET":
+    # A name in a body that does not exist has the same status as an id that does not exist.
+    unknown = error.message.code == "library.unknown"
+    if isinstance(error, errors.LibraryError) and (unknown or request.method == "GET"):
         status = 404
     kind = type(error)
     word = re.sub(r"(?<!^)(?=[A-Z])", "-", kind.__name__).lower()

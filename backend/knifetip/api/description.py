@@ -10,11 +10,12 @@ from fastapi.openapi.utils import get_openapi
 from fastapi.responses import JSONResponse
 
 from knifetip.api.api_version import is_versioned, versioned_paths
+from knifetip.api.principal import PrincipalKind, principal_of
 from knifetip.api.problems import PROBLEM
 from knifetip.api.routing import ScopedOperation
 from knifetip.api.schemas.common import Problem
 from knifetip.api.schemas.messages import describe_codes
-from knifetip.api.schemas.security import describe_scopes
+from knifetip.api.schemas.security import describe_scopes, with_open_door
 
 
 class Description:
@@ -36,9 +37,14 @@ class Description:
         return versioned_paths(self.alias())
 
     async def answer(self, request: Request) -> Response:
-        """Return the description with the paths of the prefix that the request has."""
-        chosen = self.versioned if is_versioned(request.scope) else self.alias
-        return JSONResponse(chosen())
+        """Return the description with the paths of the prefix that the request has.
+
+        Keys are described as optional to a caller that needs none.
+        """
+        described = self.versioned() if is_versioned(request.scope) else self.alias()
+        if principal_of(request).kind is PrincipalKind.LOCAL:
+            described = with_open_door(described)
+        return JSONResponse(described)
 
 
 def describe(app: FastAPI, operations: Sequence[ScopedOperation]) -> dict[str, Any]:

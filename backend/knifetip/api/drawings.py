@@ -6,6 +6,7 @@ from typing import Annotated, Any
 
 from fastapi import File, Form, Query, Request, Response, UploadFile
 from fastapi.concurrency import run_in_threadpool
+from pydantic.json_schema import SkipJsonSchema
 
 from knifetip.api.documents import AnswerDep
 from knifetip.api.drawing_documents import (
@@ -85,7 +86,8 @@ def upload_drawing(
     response: Response,
     file: Annotated[UploadFile, File(description="Drawing in DXF, CF2, SVG or PDF")],
     unit: Annotated[
-        Unit | None, Form(description="Unit of the drawing; the unit of the file if it is missing")
+        Unit | SkipJsonSchema[None],
+        Form(description="Unit of the drawing; the unit of the file if it is missing"),
     ] = None,
     profile: Annotated[
         str, Form(max_length=200, description="Name of the classification profile")
@@ -93,7 +95,8 @@ def upload_drawing(
     external_id: Annotated[ExternalId, Form()] = "",
     customer: Annotated[Customer, Form()] = "",
     due: Annotated[
-        MomentIn | None, Form(description="Time at which the order is due, with offset")
+        MomentIn | SkipJsonSchema[None],
+        Form(description="Time at which the order is due, with offset"),
     ] = None,
     notes: Annotated[Notes, Form()] = "",
     metadata: Annotated[

@@ -3,7 +3,7 @@
 import type { components } from "../api/openapi.gen";
 
 export type Message = components["schemas"]["Message"];
-export type Code = components["schemas"]["MessageCode"];
+export type Code = components["schemas"]["Message"]["code"];
 /** Types of the arguments by code; a mapped type, because a search per code exceeds a limit of the compiler. */
 type Arguments = { readonly [M in Message as M["code"]]: M["arguments"] };
 export type ArgumentsOf<C extends Code> = Arguments[C];

@@ -240,7 +240,7 @@ def test_a_drawing_classified_by_a_profile_reports_that_the_profile_changed(
     client.patch(f"/api/drawings/{id}/edges", json={"overrides": [{"type": "cut", "edges": [5]}]})
     assert types(client, id)[4:] == ["perforation", "cut"]
     gone = client.patch(f"/api/drawings/{id}", json={"profile": "changing"})
-    assert gone.status_code == 422
+    assert gone.status_code == 404
     assert "The profile 'changing' does not exist" in gone.json()["detail"]
     # The drawing can still be classified with the former text of the profile.
     kept = {"profile": "changing", "rules": drawing["rules"]}
@@ -292,7 +292,7 @@ def test_a_file_beside_the_library_is_no_profile(client: httpx.Client, tmp_path:
     id = upload_drawing(client, square())["id"]
     for name in (str(path), "../profiles/german", "german.toml"):
         answer = client.patch(f"/api/drawings/{id}", json={"profile": name})
-        assert answer.status_code == 422, name
+        assert answer.status_code == 404, name
         assert "does not exist" in answer.json()["detail"]
 
 

@@ -157,7 +157,7 @@ def test_errors_name_the_element(old: str, new: str, code: str, place: str) -> N
     [
         ('Amount="3"', 'Amount="1000000"', 422),
         ("2030-01-02T04:04:05+01:00", "soon", 422),
-        ("e-flute", "no-such", 422),
+        ("e-flute", "no-such", 404),
         ("d7placeholder", "nosuch", 404),
     ],
 )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import importlib.util
+import json
 import subprocess
 import sys
 import zipfile
@@ -104,3 +105,31 @@ def test_the_wheel_is_typed(wheel: tuple[Path, Path]) -> None:
     names = zipfile.ZipFile(wheel[1]).namelist()
     assert "knifetip_client/py.typed" in names
     assert "knifetip_client/api/webhooks/add_webhook.py" in names
+
+
+def test_the_client_reads_errors_with_codes_of_newer_servers(
+    wheel: tuple[Path, Path], tmp_path: Path
+) -> None:
+    python, client = wheel
+    problem = {
+        "code": "drawing.of-next-year",
+        "arguments": {},
+        "text": "New.",
+        "hint": "",
+        "title": "New",
+        "status": 409,
+        "detail": "New.",
+    }
+    file = tmp_path / "problem.json"
+    file.write_text(json.dumps(problem))
+    words = (
+        "import json, sys; from knifetip_client.models import Problem; "
+        "print(Problem.from_dict(json.load(open(sys.argv[1]))).code)"
+    )
+    ran = subprocess.run(
+        [str(python), "-c", words, str(file)],
+        capture_output=True,
+        text=True,
+        env={"PYTHONPATH": str(client)},
+    )
+    assert (ran.stderr, ran.stdout.strip()) == ("", "drawing.of-next-year")

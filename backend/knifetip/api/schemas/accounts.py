@@ -15,6 +15,14 @@ _NAME = Field(min_length=1, max_length=64, description="Name of the user")
 _PASSWORD = Field(
     min_length=1, max_length=1000, description="Password of at least ten characters", repr=False
 )
+#: The store refuses a shorter one with a message of its own.
+_NEW_PASSWORD = Field(
+    min_length=1,
+    max_length=1000,
+    description="Password of at least ten characters",
+    repr=False,
+    json_schema_extra={"minLength": 10},
+)
 _ROLE = Field(description="What the user may do; each role contains those before it")
 
 
@@ -44,7 +52,7 @@ class PasswordIn(Strict):
     """The present and the new password of the user who sends the request."""
 
     current: Annotated[str, _PASSWORD]
-    new: Annotated[str, _PASSWORD]
+    new: Annotated[str, _NEW_PASSWORD]
 
 
 class UserOut(BaseModel):
@@ -62,7 +70,7 @@ class UserIn(Strict):
     """A new user."""
 
     name: Annotated[str, _NAME]
-    password: Annotated[str, _PASSWORD]
+    password: Annotated[str, _NEW_PASSWORD]
     role: UserRole = _ROLE
 
 
@@ -71,7 +79,7 @@ class UserChangeIn(Strict):
 
     role: UserRole | None = Field(default=None, description="New role; null for no change")
     active: bool | None = Field(default=None, description="Whether the user can sign in")
-    password: Annotated[str | None, _PASSWORD] = None
+    password: Annotated[str | None, _NEW_PASSWORD] = None
 
 
 class KeyOut(BaseModel):

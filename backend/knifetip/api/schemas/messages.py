@@ -18,6 +18,8 @@ from knifetip.messages.entry import Kind
 
 #: Key that marks schemas whose ``code`` is a MessageCode.
 _MARK: Final = "x-message"
+#: Key of the values that a string has at present; newer servers may have more.
+_KNOWN: Final = "x-known-values"
 #: Maximum size of a message in a request, as JSON (characters).
 _LONGEST: Final = 20_000
 _UNION: Final = "#/components/schemas/Message"
@@ -122,9 +124,10 @@ class MessageIn(BaseModel):
 def describe_codes(schemas: dict[str, Any]) -> None:
     """Add the schemas ``MessageCode`` and ``Message`` to an OpenAPI document.
 
-    ``MessageCode`` is the enumeration of all codes; the field ``code`` of messages in responses
-    becomes a reference to it.  ``Message`` is the union of one object per code with the types of
-    its arguments.
+    ``MessageCode`` is a string with the list of all codes in ``x-known-values``; the field ``code``
+    of messages in responses becomes a reference to it.  It is no enumeration, because a client that
+    was generated before a code existed would refuse the response.  ``Message`` is the union of one
+    object per code with the types of its arguments.
 
     Parameters
     ----------
@@ -137,7 +140,11 @@ def describe_codes(schemas: dict[str, Any]) -> None:
                 "$ref": "#/components/schemas/MessageCode",
                 "description": schema["properties"]["code"]["description"],
             }
-    schemas["MessageCode"] = {"type": "string", "enum": list(CODES)}
+    schemas["MessageCode"] = {
+        "type": "string",
+        "description": "Code of a message. Newer servers have further codes.",
+        _KNOWN: list(CODES),
+    }
     schemas["Message"] = {
         "description": "A code with its arguments.",
         "oneOf": [

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import base64
+from typing import Final
 
-from pydantic import BaseModel, Field
+from pydantic import BaseModel, ConfigDict, Field
+from pydantic.config import JsonDict
 
 from knifetip.api.schemas.common import Name, QuestionOut, Strict
 from knifetip.api.schemas.drawings import DrawingSummary, Unit
@@ -37,8 +39,18 @@ class FileIn(Strict):
             raise RequestError("request.not-base64", name=self.name) from reason
 
 
+#: Exactly one of file and drawing; generators of clients disregard it, unlike ``oneOf``.
+_ONE_DRAWING: Final[JsonDict] = {
+    "if": {"required": ["drawing"], "properties": {"drawing": {"type": "string"}}},
+    "then": {"properties": {"file": {"type": "null"}}},
+    "else": {"required": ["file"], "properties": {"file": {"type": "object"}}},
+}
+
+
 class OrderIn(JobChoices):
     """An order: a drawing file or the id of a stored drawing, and the choices for its job."""
+
+    model_config = ConfigDict(json_schema_extra=_ONE_DRAWING)
 
     file: FileIn | None = Field(
         default=None,

@@ -46,3 +46,20 @@ def describe_scopes(described: dict[str, Any], operations: Iterable[ScopedOperat
         sentence = f"Needs the scope {words}." if words else "Needs no key."
         text = operation.get("description", "")
         operation["description"] = f"{text}\n\n{sentence}".strip()
+
+
+def with_open_door(described: dict[str, Any]) -> dict[str, Any]:
+    """Return an OpenAPI description for a caller whose requests need no key.
+
+    That is a program on the computer of the server, while no administrator exists.
+    """
+    paths = {
+        path: {
+            method: {**operation, "security": [*operation["security"], {}]}
+            if operation.get("security")
+            else operation
+            for method, operation in item.items()
+        }
+        for path, item in described["paths"].items()
+    }
+    return {**described, "paths": paths}

@@ -15,7 +15,7 @@ from typing import Final
 
 import sqlalchemy as sa
 
-from knifetip.errors import NoSuchJob, RequestError
+from knifetip.errors import NoSuchJob, RequestError, WrongState
 from knifetip.jobs.accounts.acting import set_subject
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.database import Database, short
@@ -70,7 +70,7 @@ class KeyStore:
         if not title or not scopes:
             raise RequestError("key.incomplete", source=["title", "scopes"])
         if expires is not None and expires <= now:
-            raise RequestError("key.expired-at-once", source=["expires"])
+            raise WrongState("key.expired-at-once", source=["expires"])
         id = new_id()
         secret = f"kt_{id}_{secrets.token_urlsafe(32)}"
         row = ApiKey(

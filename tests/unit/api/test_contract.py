@@ -1,0 +1,77 @@
+"""The REST description is true: who needs a key, and which requests are valid."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import httpx
+import pytest
+from jsonschema_rs import Draft202012Validator
+
+from knifetip.api.app import create_app
+from tests.support.serving.server import square, upload_drawing
+
+pytestmark = pytest.mark.xdist_group("server")
+
+
+def described(client: httpx.Client) -> dict[str, Any]:
+    answer: dict[str, Any] = client.get("/api/v1/openapi.json").json()
+    return answer
+
+
+def operations(api: dict[str, Any]) -> list[dict[str, Any]]:
+    return [operation for path in api["paths"].values() for operation in path.values()]
+
+
+def test_a_key_is_optional_for_a_caller_who_needs_none(client: httpx.Client) -> None:
+    for operation in operations(described(client)):
+        assert not operation["security"] or operation["security"][-1] == {}
+    # Nobody has asked: keys are needed.
+    for operation in operations(create_app().openapi()):
+        assert {} not in operation["security"]
+
+
+@pytest.mark.parametrize(
+    ("order", "valid"),
+    [
+        ({"drawing": "d"}, True),
+        ({"file": {"name": "a.dxf", "content": ""}}, True),
+        ({"file": {"name": "a.dxf", "content": ""}, "drawing": None}, True),
+        ({"file": None, "drawing": "d"}, True),
+        ({}, False),
+        ({"file": None, "drawing": None}, False),
+        ({"file": {"name": "a.dxf", "content": ""}, "drawing": "d"}, False),
+    ],
+)
+def test_an_order_has_exactly_one_drawing(
+    client: httpx.Client, order: dict[str, Any], valid: bool
+) -> None:
+    schemas = described(client)["components"]
+    schema = {"$ref": "#/components/schemas/OrderIn", "components": schemas}
+    whole = {"board": "e-flute", **order}
+    assert Draft202012Validator(schema).is_valid(whole) == valid
+    if not valid:
+        assert client.post("/api/v1/orders", json=whole).status_code == 422
+
+
+def test_parts_of_a_form_are_not_null(client: httpx.Client) -> None:
+    schemas = described(client)["components"]["schemas"]
+    (form,) = (schemas[name] for name in schemas if name.endswith("upload_drawing"))
+    for name in ("unit", "due"):
+        assert form["properties"][name]["type"] == "string"
+        assert name not in form["required"]
+
+
+def test_unknown_names_in_a_body_have_the_status_of_unknown_ids(client: httpx.Client) -> None:
+    drawing = upload_drawing(client, square())["id"]
+    for changed in ({"board": "no"}, {"machine": "no"}, {"profile": "no"}, {"drawing": "no"}):
+        order = {"drawing": drawing, "board": "e-flute", **changed}
+        answer = client.post("/api/v1/jobs", json=order)
+        assert answer.status_code == 404, changed
+
+
+def test_message_codes_are_no_enumeration(client: httpx.Client) -> None:
+    schema = described(client)["components"]["schemas"]["MessageCode"]
+    assert schema["type"] == "string"
+    assert "enum" not in schema
+    assert "drawing.unknown" in schema["x-known-values"]
