@@ -117,10 +117,10 @@ verify.pass-too-deep               checks.groove_check, checks.milling_check
 verify.past-end                    checks.stray_work
 verify.past-open-cut               checks.milling_paths
 verify.past-stop                   checks.stray_work
-verify.perforation-bridge          checks.knife_check
-verify.perforation-cut             checks.knife_check
-verify.perforation-gap             checks.knife_check
-verify.perforation-uneven          checks.knife_check
+verify.perforation-bridge          checks.perforation_check
+verify.perforation-cut             checks.perforation_check
+verify.perforation-gap             checks.perforation_check
+verify.perforation-uneven          checks.perforation_check
 verify.plunge-without-move         checks.check_base
 verify.rapid-in-board              checks.board_move_check
 verify.rapid-near-sheet            checks.board_move_check
