@@ -193,45 +193,57 @@ def apply_change(
     WrongState
         Other requests changed the drawing during each of several attempts.
     """
-    for _ in range(_ATTEMPTS):
+
+    def change_once() -> Drawing:
         row = service.store.drawings.get_with(id, "content", "overrides", "edges")
         check_match(match, row)
         change = decide(row)
         handles = unpack_columns(row.edges)[1]["handles"]
         reading = read_drawing(service, row.name, row.content, change.interpretation, handles)
         final = replace(change.interpretation, overrides=reading.overrides)
-        try:
-            changed = service.store.drawings.change(
-                row.id,
-                row.version,
-                change.event,
-                **drawing_columns(final),
-                summary=reading.summary,
-                edges=reading.edges,
-                import_report=reading.import_report,
-                **change.details,
-            )
-        except StaleRevision:
-            # A request without a revision applies to the newest one: try again.
-            if match is not None and match.strip() != "*":
-                raise
-            continue
-        drawing = drawing_out(service, changed)
-        response.headers["ETag"] = drawing_etag(drawing)
-        return drawing
-    raise WrongState("drawing.changing", drawing=id)
+        return service.store.drawings.change(
+            row.id,
+            row.version,
+            change.event,
+            **drawing_columns(final),
+            summary=reading.summary,
+            edges=reading.edges,
+            import_report=reading.import_report,
+            **change.details,
+        )
+
+    return _change_newest(service, response, id, match, change_once)
 
 
 def change_details(
     service: Service, response: Response, id: str, match: str | None, details: Details
 ) -> DrawingOut:
     """Change details of the order of a drawing, and return its API model; see ``apply_change``."""
-    for _ in range(_ATTEMPTS):
+
+    def change_once() -> Drawing:
         row = service.store.drawings.get(id)
         check_match(match, row)
         event = Message("drawing.details-changed")
+        return service.store.drawings.change(row.id, row.version, event, **details)
+
+    return _change_newest(service, response, id, match, change_once)
+
+
+def _change_newest(
+    service: Service,
+    response: Response,
+    id: str,
+    match: str | None,
+    change_once: Callable[[], Drawing],
+) -> DrawingOut:
+    """Change the newest revision of a drawing, and return its API model; see ``apply_change``.
+
+    ``change_once`` reads the drawing and stores the change; it raises ``StaleRevision`` if another
+    request has changed the drawing in between.
+    """
+    for _ in range(_ATTEMPTS):
         try:
-            changed = service.store.drawings.change(row.id, row.version, event, **details)
+            changed = change_once()
         except StaleRevision:
             # A request without a revision applies to the newest one: try again.
             if match is not None and match.strip() != "*":

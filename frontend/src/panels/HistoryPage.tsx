@@ -32,6 +32,12 @@ const STATES: readonly { value: EndedState; label: string }[] = [
   { value: "refused", label: "Refused" },
 ];
 
+const TEXT_FILTERS = [
+  { field: "drawing", label: "Drawing name", testid: "history-drawing" },
+  { field: "external_id", label: "Order number", testid: "history-order" },
+  { field: "customer", label: "Customer", testid: "history-customer" },
+] as const;
+
 /** Periods that end now, by their length in days. */
 const PERIODS = [
   { value: "", label: "All times" },
@@ -90,28 +96,17 @@ function EndedJobs({ machine }: { machine: string }) {
   return (
     <>
       <div className={css.filters}>
-        <TextInput
-          aria-label="Drawing name"
-          placeholder="Drawing name"
-          leftSection={<IconSearch size={15} aria-hidden />}
-          value={filter.drawing ?? ""}
-          onChange={(event) => change({ drawing: event.currentTarget.value })}
-          data-testid="history-drawing"
-        />
-        <TextInput
-          aria-label="Order number"
-          placeholder="Order number"
-          value={filter.external_id ?? ""}
-          onChange={(event) => change({ external_id: event.currentTarget.value })}
-          data-testid="history-order"
-        />
-        <TextInput
-          aria-label="Customer"
-          placeholder="Customer"
-          value={filter.customer ?? ""}
-          onChange={(event) => change({ customer: event.currentTarget.value })}
-          data-testid="history-customer"
-        />
+        {TEXT_FILTERS.map(({ field, label, testid }) => (
+          <TextInput
+            key={field}
+            aria-label={label}
+            placeholder={label}
+            leftSection={field === "drawing" && <IconSearch size={15} aria-hidden />}
+            value={filter[field] ?? ""}
+            onChange={(event) => change({ [field]: event.currentTarget.value })}
+            data-testid={testid}
+          />
+        ))}
         <Select
           aria-label="Board"
           placeholder="All boards"
