@@ -17,7 +17,8 @@ from knifetip.messages import Message
 class ClaimedJobs:
     """Changes jobs for their gateways.
 
-    Each method raises ``StaleEpoch`` if the job has got another epoch since the caller read it.
+    Each method runs in the transaction of the caller, which ``session`` has begun.  It raises
+    ``StaleEpoch`` if the job has got another epoch since the caller read it.
     """
 
     def __init__(self, database: Database, transitions: Transitions) -> None:
@@ -29,10 +30,8 @@ class ClaimedJobs:
 
         Parameters
         ----------
-        session
-            Session with the transaction of the caller.
-        row
-            The locked job.
+        session, row
+            Session of the transaction, and the locked job.
         changes
             New values of columns, by name of the column.
         """
@@ -46,10 +45,8 @@ class ClaimedJobs:
 
         Parameters
         ----------
-        session
-            Session with the transaction of the caller.
-        row
-            The job.
+        session, row
+            Session of the transaction, and the job.
         goal
             The new state.
         event
@@ -71,14 +68,7 @@ class ClaimedJobs:
         """Move a claimed job to ``running`` and return it.
 
         This method is called after the operator's confirmation, or if the gateway reports that it
-        has already begun to send the program.
-
-        Parameters
-        ----------
-        session
-            Session with the transaction of the caller.
-        row
-            The job.
+        has already begun to send the program.  ``changes`` are new values of further columns.
         """
         confirmed = row.confirmation == Confirmation.GIVEN
         event = Message("job.started" if confirmed else "job.started-unconfirmed")
@@ -90,10 +80,8 @@ class ClaimedJobs:
 
         Parameters
         ----------
-        session
-            Session with the transaction of the caller.
-        row
-            The job.
+        session, row
+            Session of the transaction, and the job.
         actor
             Person or process that returns the job, for the log of events.
         cause

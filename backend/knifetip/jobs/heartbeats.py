@@ -38,7 +38,10 @@ class GatewayReport:
 
 
 class Heartbeats:
-    """Stores the heartbeats of gateways and answers them, each in a transaction of the caller."""
+    """Stores the heartbeats of gateways and answers them.
+
+    Each method runs in the transaction of the caller, which ``session`` has begun.
+    """
 
     def __init__(self, database: Database, transitions: Transitions, claimed: ClaimedJobs) -> None:
         self._db = database
@@ -55,13 +58,6 @@ class Heartbeats:
         - ``wait`` if the operator has confirmed the job but requested a hold; the job is stored as
           ``held`` until the operator resumes it;
         - ``start`` otherwise; the job is stored as ``running``.
-
-        Parameters
-        ----------
-        session
-            Session with the transaction of the caller.
-        row
-            The job that the gateway has claimed.
         """
         renewed: dict[str, Any] = {"lease": self._db.clock() + LEASE}
         if row.requested_action == "cancel":
@@ -100,10 +96,8 @@ class Heartbeats:
 
         Parameters
         ----------
-        session
-            Session with the transaction of the caller.
-        row
-            The job.
+        session, row
+            Session of the transaction, and the job.
         report
             Progress of the job.
         worn

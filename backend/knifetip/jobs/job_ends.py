@@ -27,7 +27,7 @@ class StopPlace:
 
 
 class JobEnds:
-    """Stores the ends of jobs, each in a transaction of the caller."""
+    """Stores the ends of jobs, each in the transaction of the caller."""
 
     def __init__(self, database: Database, transitions: Transitions, claimed: ClaimedJobs) -> None:
         self._db = database
@@ -48,10 +48,9 @@ class JobEnds:
 
         Parameters
         ----------
-        session
-            Session with the transaction of the caller.
-        row
-            The job; its state is ``interrupted`` if the report is late.
+        session, row
+            Session of the transaction, and the job; its state is ``interrupted`` if the report is
+            late.
         goal
             State in which the job ends: ``done``, ``interrupted`` or ``cancelled``.
         cause

@@ -397,15 +397,7 @@ class OperatorStore:
 
 
 def _check_current(session: Session, row: Job) -> None:
-    """Raise ``WrongState`` if the machine or the board of a job has changed since its compile.
-
-    Parameters
-    ----------
-    session
-        Session with the transaction of the caller.
-    row
-        The job.
-    """
+    """Raise ``WrongState`` if the machine or the board of a job has changed since its compile."""
     changes = changes_since_compile(session, [row])
     if changes:
         raise WrongState("job.outdated", job=row.id, changes=changes[row.id])

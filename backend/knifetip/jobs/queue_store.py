@@ -123,10 +123,8 @@ class QueueStore:
 
         Parameters
         ----------
-        session
-            Session with the transaction of the caller.
-        row
-            The job.
+        session, row
+            Session of the transaction, and the job.
         others
             The other waiting jobs of the machine, in their order.
         index
@@ -163,10 +161,8 @@ class QueueStore:
 
         Parameters
         ----------
-        session
-            Session with the transaction of the caller.
-        machine
-            Name of the machine.
+        session, machine
+            Session of the transaction, and name of the machine.
         peers
             Waiting jobs of the machine with equal priority, in their order.
         count

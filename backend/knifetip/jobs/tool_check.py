@@ -56,10 +56,8 @@ class ToolGate:
 
         Parameters
         ----------
-        session
-            Session with the transaction of the caller.
-        row
-            The job.
+        session, row
+            Session with the transaction of the caller, and the job.
         stated
             What the operator states about the tools.
         actor
