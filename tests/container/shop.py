@@ -22,13 +22,14 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-from tests.container.run_job import CONFIRMED_BY_HAND, ENDS, Service, drawing  # noqa: E402
+from tests.container.run_job import CONFIRMED_BY_HAND, ENDS, Service, drawing  # noqa: E402  # after the path
 
 PARTS = ("postgres", "api", "worker-1", "worker-2", "table", "gateway")
 _PAUSE = 0.2  # seconds between two polls
@@ -166,7 +167,7 @@ def start(shop: Shop, report: Callable[[str], None]) -> None:
     shop.run("up", "--detach", "--no-build")
     report("containers started")
     for part in PARTS:
-        wait_until(lambda part=part: shop.is_healthy(part), 180, f"{part} is healthy")  # type: ignore[misc]
+        wait_until(partial(shop.is_healthy, part), 180, f"{part} is healthy")
     report("all parts healthy")
 
 

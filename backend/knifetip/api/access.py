@@ -85,11 +85,11 @@ class AccountLookup(Protocol):
 class NoAccounts:
     """Accounts of a server without a database."""
 
-    async def proof(self, facts: RequestFacts, *, used: bool = True) -> Proof:  # noqa: ARG002
+    async def proof(self, facts: RequestFacts, *, used: bool = True) -> Proof:  # noqa: ARG002  # protocol
         """Return that there are no accounts."""
         return Proof()
 
-    async def sign_in(self, name: str, password: str, address: str) -> str:  # noqa: ARG002
+    async def sign_in(self, name: str, password: str, address: str) -> str:  # noqa: ARG002  # protocol
         """Raise ``SignInRefused``."""
         raise SignInRefused("sign-in.wrong")
 

@@ -217,7 +217,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_exception_handler(Exception, _internal_problem)
 
     # The documented way to customise FastAPI's schema.
-    app.openapi = description.versioned  # type: ignore[method-assign]  # mypy rejects it
+    app.openapi = description.versioned  # type: ignore[method-assign]  # mypy permits no assignment to methods
     return app
 
 

@@ -61,6 +61,7 @@ class LimitedProtocol(H11Protocol):
         self._received = 0  # bytes since the timer was set
         self._last_active = time.monotonic()
 
+    # override: the signature is that of uvicorn, which is narrower than that of asyncio.
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Accept a connection; close an idle one, or refuse this one, if there are too many."""
         super().connection_made(transport)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import asyncio
 import logging
 import time
+from collections.abc import Awaitable
 from datetime import UTC, datetime
 from importlib.metadata import version
 from typing import Final
@@ -65,9 +66,9 @@ class WebhookSender:
                 task.cancel()
             await asyncio.gather(*self._sending.values(), return_exceptions=True)
 
-    async def _wait(self, change: object) -> None:
+    async def _wait(self, change: Awaitable[object]) -> None:
         """Wait for a change in the store or for the end of an attempt."""
-        waiting = asyncio.ensure_future(change)  # type: ignore[call-overload]
+        waiting = asyncio.ensure_future(change)
         done = asyncio.ensure_future(self._done.wait())
         try:
             await asyncio.wait((waiting, done), return_when=asyncio.FIRST_COMPLETED)

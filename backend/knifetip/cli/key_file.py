@@ -65,5 +65,5 @@ class NewKeyFile:
 
     def remove(self) -> None:
         """Remove the file if it did not get its name."""
-        with suppress(FileNotFoundError):
+        with suppress(FileNotFoundError):  # it got its name
             self._part.unlink()

@@ -216,6 +216,7 @@ class Journal:
         """
         unfinished: Unfinished | None = None
         for row in self._rows():
+            # An event with missing or wrong fields is skipped.
             with contextlib.suppress(ValueError, KeyError, TypeError):
                 unfinished = _apply(unfinished, row)
         return unfinished

@@ -65,6 +65,7 @@ class SimulationServer(ABC):
                 self._client = None
             self._clients.discard(task)
             writer.close()
+            # The client may have reset the connection, and ``close`` cancels the task.
             with suppress(OSError, asyncio.CancelledError):
                 await writer.wait_closed()
 

@@ -123,7 +123,7 @@ class PostgresLink:
         self._wake_writer.close()
 
     def _wake(self) -> None:
-        with suppress(BlockingIOError, OSError):  # it is woken already, or closed
+        with suppress(OSError):  # it is woken already, or closed
             self._wake_writer.send(b"\0")
 
     def _connect(self) -> psycopg.Connection:
@@ -176,7 +176,7 @@ class PostgresLink:
             finally:
                 self._changes.connected = False
                 if self._connection is not None:
-                    with suppress(psycopg.Error):
+                    with suppress(psycopg.Error):  # the connection may be lost
                         self._connection.close()
                     self._connection = None
             if self._stopping.wait(pause):
@@ -191,7 +191,7 @@ class PostgresLink:
             while True:
                 ready = {key.fd for key, _ in selector.select(_CHECK)}
                 if self._wake_reader.fileno() in ready:
-                    with suppress(BlockingIOError):
+                    with suppress(BlockingIOError):  # read already
                         self._wake_reader.recv(4096)
                 self._send(connection)
                 if self._stopping.is_set():

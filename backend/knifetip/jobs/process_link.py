@@ -95,7 +95,7 @@ def _stored_suffix(path: Path) -> str:
     If it cannot be created, the suffix is a new one at each start.
     """
     suffix = secrets.token_hex(4)
-    with suppress(OSError):
+    with suppress(OSError):  # a folder that cannot be written to
         path.parent.mkdir(parents=True, exist_ok=True)
         draft = path.with_suffix(f".{suffix}")
         draft.write_text(suffix, "ascii")
@@ -103,7 +103,7 @@ def _stored_suffix(path: Path) -> str:
         with suppress(FileExistsError):
             os.link(draft, path)
         draft.unlink()
-    with suppress(OSError):
+    with suppress(OSError):  # not created, see above
         return path.read_text("ascii") or suffix
     return suffix
 

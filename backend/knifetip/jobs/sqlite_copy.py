@@ -50,7 +50,7 @@ def copy_database(source: Path, target: Path) -> None:
         part.replace(target)
         _sync(target.parent)
     except (OSError, sqlite3.Error) as reason:
-        with suppress(OSError):
+        with suppress(OSError):  # the first error is reported
             part.unlink(missing_ok=True)
         cause = getattr(reason, "strerror", None) or str(reason)
         raise StoreError("backup.unwritable", file=target, reason=cause) from reason

@@ -92,6 +92,7 @@ class _StoredKernel(CompileResultCacheImpl):
     """Converts a compiled kernel to the content of its cache file, and back."""
 
     # The last one, since kernels that it does not contain are compiled again in each process.
+    # RUF012: numba declares the attribute as a list, not as a class variable.
     _locator_classes = [*CompileResultCacheImpl._locator_classes, _ReadOnlyCacheLocator]  # noqa: RUF012
 
     def rebuild(self, target_context: Any, payload: tuple[Any, ...]) -> CompileResult:

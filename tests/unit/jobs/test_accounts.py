@@ -126,6 +126,7 @@ def test_a_session_ends_at_sign_out_and_when_its_user_changes(store: Store) -> N
     )
     for change in changes:
         token = store.sessions.open(user)
+        # arg-type: each change has a type of its own.
         store.users.change("anna", **change)  # type: ignore[arg-type]
         assert store.sessions.find(token) is None, change
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import threading
 from collections import Counter
+from typing import Any
 
 import pytest
 import sqlalchemy as sa
@@ -304,7 +305,9 @@ def test_the_history_is_not_read_for_the_next_delivery(store: Store) -> None:
     engine = store.database._engine
     word = "EXPLAIN QUERY PLAN " if engine.dialect.name == "sqlite" else "EXPLAIN "
 
-    def explain(connection, _cursor, statement, parameters, *_rest):  # type: ignore[no-untyped-def]
+    def explain(
+        connection: Any, _cursor: Any, statement: str, parameters: Any, *_rest: Any
+    ) -> None:
         if statement.startswith("SELECT") and "webhook_delivery" in statement:
             cursor = connection.connection.cursor()
             if engine.dialect.name != "sqlite":

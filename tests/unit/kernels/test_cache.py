@@ -31,7 +31,7 @@ def adds(value: int) -> int:
 @pytest.mark.usefixtures("_read_only")
 def test_kernels_are_looked_for_in_a_folder_that_cannot_be_written_to() -> None:
     with pytest.raises(RuntimeError, match="no locator"):
-        caching.FunctionCache(adds)  # type: ignore[no-untyped-call]
+        caching.FunctionCache(adds)  # type: ignore[no-untyped-call]  # numba has no types
     cache = KernelCache(adds)
     assert Path(cache.cache_path) == Path(__file__).parent / "__pycache__"
 
@@ -48,4 +48,4 @@ def test_a_kernel_that_cannot_be_stored_is_used_nevertheless(
 
     monkeypatch.setattr(caching.FunctionCache, "save_overload", full)
     with pytest.raises(OSError, match="No space"):
-        cache.save_overload(None, None)  # type: ignore[arg-type]
+        cache.save_overload(None, None)  # type: ignore[arg-type]  # not used

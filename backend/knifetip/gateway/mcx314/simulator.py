@@ -59,7 +59,7 @@ class BoardServer(SimulationServer):
             writer.write(self.board.receive(data))
             if self.board.hangs_up:
                 return
-            with suppress(OSError):
+            with suppress(OSError):  # the next read reports the end of the connection
                 await writer.drain()
 
 

@@ -114,7 +114,7 @@ class ProgramConnection(ABC, Generic[ProgramT]):
         while True:
             await asyncio.sleep(WATCH)
             if self.connected and not self.recovering:
-                with suppress(ControllerError):
+                with suppress(ControllerError):  # ``report`` records it as the fault
                     await self.report()
 
     # -- requests ---------------------------------------------------------------------------------
