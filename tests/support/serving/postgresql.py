@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 import shutil
+import signal
 import subprocess
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -22,41 +23,76 @@ def installed_binaries() -> Path | None:
     return next((folder for folder in folders if (folder / "initdb").exists()), None)
 
 
-@contextmanager
-def run_server(binaries: Path) -> Iterator[str]:
-    """Run a server without network address; yield the URL of its database ``postgres``.
+class Cluster:
+    """A PostgreSQL server without network address in a temporary folder.
 
-    The server refuses to run as root, so root runs it as the user ``postgres``, which the
-    package has created.
+    The server refuses to run as root, so root runs it as the user ``postgres``, which the package
+    has created.
+
+    Parameters
+    ----------
+    binaries
+        Folder of ``initdb`` and ``pg_ctl``.
+    environment
+        Further environment variables of the server.
     """
-    as_user = {"user": "postgres", "group": "postgres"} if os.geteuid() == 0 else {}
-    # Not pytest's folder: the user postgres may not enter it, and a socket's path must be short.
-    folder = Path(tempfile.mkdtemp(prefix="knifetip-pg-"))
-    if as_user:
-        shutil.chown(folder, **as_user)
 
-    def run(*command: object) -> None:
+    def __init__(self, binaries: Path, environment: Mapping[str, str] | None = None) -> None:
+        self._binaries = binaries
+        self._environment = {**os.environ, **(environment or {})}
+        self._user = {"user": "postgres", "group": "postgres"} if os.geteuid() == 0 else {}
+        # Not pytest's folder: the user postgres may not enter it, and a socket's path is short.
+        self.folder = Path(tempfile.mkdtemp(prefix="knifetip-pg-"))
+        if self._user:
+            shutil.chown(self.folder, **self._user)
+        self._data = self.folder / "data"
+        self.url = f"postgresql+psycopg://postgres@/postgres?host={self.folder}"
+        self._run("initdb", "-D", self._data, "-A", "trust", "-U", "postgres", "-E", "UTF8")
+
+    def start(self) -> None:
+        """Start the server and wait until it answers."""
+        options = f"-k {self.folder} -c listen_addresses='' -c fsync=off"
+        log = self.folder / "log"
+        self._run("pg_ctl", "-D", self._data, "-o", options, "-l", log, "-w", "start")
+
+    def stop(self) -> None:
+        """Stop the server at once: its next start recovers from the log of transactions."""
+        self._run("pg_ctl", "-D", self._data, "-m", "immediate", "-w", "stop")
+
+    def kill(self) -> None:
+        """Kill the first process of the server; its other processes then end by themselves."""
+        number = int((self._data / "postmaster.pid").read_text().split("\n", 1)[0])
+        os.kill(number, signal.SIGKILL)
+
+    def delete(self) -> None:
+        """Delete the folder of the server, which must not run."""
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    def _run(self, program: str, *arguments: object) -> None:
         subprocess.run(
-            [str(word) for word in command],
-            cwd=folder,
+            [str(self._binaries / program), *map(str, arguments)],
+            cwd=self.folder,
             check=True,
+            env=self._environment,
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             timeout=60,
-            **as_user,  # type: ignore[call-overload]  # mypy cannot match unpacked options
+            **self._user,  # type: ignore[call-overload]  # mypy cannot match unpacked options
         )
 
-    data = folder / "data"
+
+@contextmanager
+def run_server(binaries: Path) -> Iterator[str]:
+    """Run a server without network address; yield the URL of its database ``postgres``."""
+    cluster = Cluster(binaries)
     try:
-        run(binaries / "initdb", "-D", data, "-A", "trust", "-U", "postgres", "-E", "UTF8")
-        options = f"-k {folder} -c listen_addresses='' -c fsync=off"
-        run(binaries / "pg_ctl", "-D", data, "-o", options, "-l", folder / "log", "-w", "start")
+        cluster.start()
         try:
-            yield f"postgresql+psycopg://postgres@/postgres?host={folder}"
+            yield cluster.url
         finally:
-            run(binaries / "pg_ctl", "-D", data, "-m", "immediate", "-w", "stop")
+            cluster.stop()
     finally:
-        shutil.rmtree(folder, ignore_errors=True)
+        cluster.delete()
 
 
 def create_database(server: str, name: str) -> str:

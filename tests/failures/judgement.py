@@ -1,0 +1,100 @@
+"""Compare what a database says about jobs with what the tables did."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Final
+
+from knifetip.jobs.job import State
+from tests.failures.watched_table import Run
+
+_COMMENT: Final = re.compile(rb"\([^)]*\)|^N\d+ *")
+
+
+@dataclass(frozen=True)
+class JobRecord:
+    """What the database says about a job."""
+
+    id: str
+    state: str
+    codes: Counter[str]  #: codes of its events
+    program: bytes
+
+    @property
+    def decisions(self) -> int:
+        """How often the operator decided to make it again, from its first line."""
+        return self.codes["job.requeued"]
+
+    @property
+    def confirmations(self) -> int:
+        """How often the operator confirmed the sheet on the table."""
+        return self.codes["job.confirmed-table"]
+
+
+@dataclass
+class Harm:
+    """What must not happen; each list has a line for each case."""
+
+    lost: list[str] = field(default_factory=list)  #: accepted jobs that are not stored
+    stuck: list[str] = field(default_factory=list)  #: jobs that are not done
+    cut_twice: list[str] = field(default_factory=list)  #: begun again without a decision
+    unconfirmed: list[str] = field(default_factory=list)  #: started without the operator
+    not_carried_out: list[str] = field(default_factory=list)  #: done, but not made to the end
+    heads_down: list[str] = field(default_factory=list)  #: tables that stayed unsafe
+
+    @property
+    def cases(self) -> dict[str, list[str]]:
+        """The lists by name."""
+        return {name: getattr(self, name) for name in self.__dataclass_fields__}
+
+    def __bool__(self) -> bool:
+        return any(self.cases.values())
+
+    def __str__(self) -> str:
+        return ", ".join(f"{name} {len(rows)}" for name, rows in self.cases.items())
+
+
+def judge(
+    accepted: Mapping[str, str], stored: Mapping[str, JobRecord], runs: Sequence[Run], harm: Harm
+) -> None:
+    """Add the cases of harm to jobs.
+
+    Parameters
+    ----------
+    accepted
+        SHA-256 of the drawing of each accepted job by its id; each job has a drawing of its own.
+    stored
+        The jobs of the database by id.
+    runs
+        What the tables carried out.
+    harm
+        Gets the cases.
+    """
+    cuts = [run for run in runs if run.has_cut]
+    for id, sha256 in accepted.items():
+        own = [run for run in cuts if run.is_of(sha256)]
+        if id not in stored:
+            harm.lost.append(id)
+            continue
+        job = stored[id]
+        seen = f"{id} {job.state}: {[len(run.lines) for run in own]} lines; {dict(job.codes)}"
+        if job.state != State.DONE:
+            harm.stuck.append(seen)
+        elif not any(_plain(run.lines) == _plain(job.program.splitlines()) for run in own):
+            harm.not_carried_out.append(seen)
+        if len(own) > 1 + job.decisions:
+            harm.cut_twice.append(seen)
+        if len(own) > job.confirmations:
+            harm.unconfirmed.append(seen)
+    for run in cuts:
+        if not any(run.is_of(sha256) for sha256 in accepted.values()):
+            harm.unconfirmed.append(f"a run without a job: {run.lines[:3]}")
+
+
+def _plain(lines: Iterable[bytes]) -> list[bytes]:
+    """Return program lines without comments, line numbers, spaces and empty lines."""
+    plain = (_COMMENT.sub(b"", line).replace(b" ", b"").strip() for line in lines)
+    return [line for line in plain if line]
