@@ -78,7 +78,7 @@ def recompile_job(
     again when its new program is accepted.  The status is 409 if the job is neither ``ready`` nor
     ``queued``, or if its machine or board was deleted.
     """
-    _check_own(service, principal, id)
+    check_withdrawal(service, principal, id)
     return job_out(service.store, service.store.operators.recompile(id, key))
 
 
@@ -139,7 +139,7 @@ def cancel_job(service: ServiceDep, principal: PrincipalDep, id: JobId, key: Com
     A cancelled job stays as it is; the status is 200.  Designers can cancel the jobs that they have
     ordered, until these are queued.
     """
-    _check_own(service, principal, id)
+    check_withdrawal(service, principal, id)
     return job_out(service.store, service.store.operators.cancel(id, key))
 
 
@@ -164,7 +164,7 @@ def scrap_job(service: ServiceDep, id: JobId, key: CommandKey) -> JobOut:
     return job_out(service.store, service.store.interrupted.scrap(id, key))
 
 
-def _check_own(service: Service, principal: Principal, id: str) -> None:
+def check_withdrawal(service: Service, principal: Principal, id: str) -> None:
     """Raise ``AccessDenied`` unless a principal may withdraw a job.
 
     Operators may do so with all jobs, designers with those that they have ordered and that are not

@@ -14,6 +14,9 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from knifetip import messages
 from knifetip.api.problems import problem
 
+#: Routes whose body may be a package with a drawing.
+_PACKAGES = ("/xjdf", "/xjmf")
+
 
 class TooLarge(Exception):
     """Raised when a request body exceeds its limit."""
@@ -33,7 +36,8 @@ class Limits:
             await self.app(scope, receive, send)
             return
         headers = Request(scope).headers
-        multipart = headers.get("content-type", "").lower().startswith("multipart/form-data")
+        form = headers.get("content-type", "").lower().startswith("multipart/form-data")
+        multipart = form or scope["path"].endswith(_PACKAGES)
         # A multipart form has part headers in addition to the file.
         limit = self.upload + 65536 if multipart else self.body
         refusal = _refusal(limit, multipart)

@@ -1,4 +1,4 @@
-"""Routes for systems of the printing industry: orders in XJDF, states in XJMF (ADR 87)."""
+"""Routes for systems of the printing industry: orders in XJDF, messages in XJMF (ADR 87, 96)."""
 
 from __future__ import annotations
 
@@ -6,22 +6,20 @@ from functools import partial
 from typing import Annotated, Any, Final
 
 from fastapi import Query, Request, Response
-from fastapi.exceptions import RequestValidationError
-from pydantic import Field, ValidationError
+from pydantic import Field
 
-from knifetip.api.job_creation import create_job
 from knifetip.api.parameters import IdempotencyKey, JobId
 from knifetip.api.principal import PrincipalDep
 from knifetip.api.queue import Client
 from knifetip.api.routing import ScopedRouter, requires
-from knifetip.api.schemas.common import Strict
 from knifetip.api.schemas.jobs import JobOut
-from knifetip.api.schemas.orders import JobIn
-from knifetip.api.service import ServiceDep
+from knifetip.api.service import Service, ServiceDep
 from knifetip.api.versions import Body
-from knifetip.api.xjdf_order import read_order
-from knifetip.api.xjdf_status import status_message
-from knifetip.errors import RequestError
+from knifetip.api.xjdf_package import MIME, ZIP_TYPES, Package, open_package
+from knifetip.api.xjdf_placing import XjdfDefaults, place_xjdf
+from knifetip.api.xjdf_status import status_document, status_message
+from knifetip.api.xjmf_commands import Answering, answer_messages
+from knifetip.api.xjmf_messages import read_messages, write_answers
 from knifetip.jobs.accounts.scopes import AccessScope
 
 XJDF: Final = "application/vnd.cip4-xjdf+xml"
@@ -29,27 +27,25 @@ XJMF: Final = "application/vnd.cip4-xjmf+xml"
 
 router = ScopedRouter(tags=["xjdf"])
 
-_BODY: Final[dict[str, Any]] = {
-    "requestBody": {"required": True, "content": {XJDF: {"schema": {"type": "string"}}}}
-}
-_ANSWER: Final[dict[int | str, dict[str, Any]]] = {
-    200: {"content": {XJMF: {"schema": {"type": "string"}}}}
-}
+
+def _body(document: str) -> dict[str, Any]:
+    """Return the OpenAPI schema of a body: a document alone, or a package with it."""
+    package = {"schema": {"type": "string", "format": "binary"}}
+    content = {document: {"schema": {"type": "string"}}, **dict.fromkeys(ZIP_TYPES, package)}
+    return {"requestBody": {"required": True, "content": {**content, MIME: package}}}
 
 
-class XjdfQuery(Strict):
+def _answer(media: str) -> dict[int | str, dict[str, Any]]:
+    return {200: {"content": {media: {"schema": {"type": "string"}}}}}
+
+
+class XjdfQuery(XjdfDefaults):
     """Defaults for an XJDF document; values of the document take precedence."""
 
-    machine: str = Field(
-        default="", max_length=200, description="Name of the machine if the document names none"
-    )
-    board: str = Field(
-        default="", max_length=200, description="Name of the board if the document names none"
-    )
     release: bool = Field(default=False, description="Queue the job when its program is verified")
 
 
-@router.post("/xjdf", status_code=201, openapi_extra=_BODY)
+@router.post("/xjdf", status_code=201, openapi_extra=_body(XJDF))
 @requires(AccessScope.DESIGNER)
 async def order_by_xjdf(
     service: ServiceDep,
@@ -62,35 +58,70 @@ async def order_by_xjdf(
 ) -> JobOut:
     """Create a job from an XJDF document for cutting and creasing.
 
-    ``FileSpec/@URL`` names a drawing that was uploaded, as ``/api/v1/drawings/ID``.  ``machine``
-    and ``board`` are used if the document names none.
+    The body is the document, or a package with the document and its drawing: ZIP with one file
+    ``*.xjdf``, or MIME multipart/related.  ``FileSpec/@URL`` names the drawing in the package, by a
+    relative URL or ``cid:``, or one that was uploaded, as ``/api/v1/drawings/ID``.  ``machine`` and
+    ``board`` are used if the document names none.
     """
     client = Client.of(request)
-    order = await service.orders.run(partial(read_order, content), client)
-    board = order.board or wanted.board
-    if not board:
-        raise RequestError("xjdf.missing", place="ResourceSet[@Name='Media']/Resource/@ExternalID")
-    machine = order.machine or wanted.machine
-    fields = {
-        "drawing": order.drawing,
-        "external_id": order.external_id,
-        "customer": order.customer,
-        "due": order.due or None,
-        "copies": order.copies,
-        "board": board,
-        "release": wanted.release,
-        **({"machine": machine} if machine else {}),
-    }
-    try:
-        job = JobIn.model_validate(fields)
-    except ValidationError as reason:
-        raise RequestValidationError(reason.errors()) from reason
-    return await create_job(service, principal, client, response, job, key)
+    package = await _open(service, request, client, content, "XJDF")
+    return await place_xjdf(
+        service,
+        principal,
+        client,
+        response,
+        package.root,
+        package,
+        wanted,
+        release=wanted.release,
+        key=key,
+    )
 
 
-@router.get("/jobs/{id}/xjmf", response_class=Response, responses=_ANSWER)
+@router.post("/xjmf", response_class=Response, responses=_answer(XJMF), openapi_extra=_body(XJMF))
+@requires(AccessScope.DESIGNER)
+async def answer_xjmf(
+    service: ServiceDep,
+    principal: PrincipalDep,
+    request: Request,
+    content: Body,
+    defaults: Annotated[XjdfDefaults, Query()],
+    key: IdempotencyKey = None,
+) -> Response:
+    """Answer the messages of an XJMF document, each by a response with its ``ReturnCode``.
+
+    Known are ``CommandSubmitQueueEntry``, ``CommandModifyQueueEntry``, ``QueryQueueStatus``,
+    ``QueryStatus`` and ``QueryKnownMessages``.  The body is the document, or a package with the
+    document, its orders in XJDF and their drawings: ZIP with ``root.xjmf``, or multipart/related.
+    The status is 200 as soon as the document can be read.
+    """
+    client = Client.of(request)
+    package = await _open(service, request, client, content, "XJMF")
+    messages = await service.orders.run(partial(read_messages, package.root), client)
+    answering = Answering(service, principal, client, package, defaults, key)
+    answers = [await answer_messages(answering, message) for message in messages]
+    return Response(write_answers(answers, service.store.database.clock()), media_type=XJMF)
+
+
+async def _open(
+    service: Service, request: Request, client: Client, content: bytes, kind: str
+) -> Package:
+    media = request.headers.get("content-type", "")
+    limit = service.settings.upload
+    return await service.orders.run(partial(open_package, content, media, limit, kind), client)
+
+
+@router.get("/jobs/{id}/xjmf", response_class=Response, responses=_answer(XJMF))
 @requires(AccessScope.VIEWER)
 def get_job_status_as_xjmf(service: ServiceDep, id: JobId) -> Response:
     """Get the state of a job as XJMF: a ``SignalStatus`` with one ``JobPhase``."""
     row = service.store.jobs.get(id)
     return Response(status_message(row, service.store.database.clock()), media_type=XJMF)
+
+
+@router.get("/jobs/{id}/xjdf", response_class=Response, responses=_answer(XJDF))
+@requires(AccessScope.VIEWER)
+def get_job_as_xjdf(service: ServiceDep, id: JobId) -> Response:
+    """Get a job as XJDF: what was ordered, its ``NodeInfo/@Status`` and an ``AuditStatus``."""
+    row = service.store.jobs.get(id)
+    return Response(status_document(row, service.store.database.clock()), media_type=XJDF)

@@ -6,14 +6,12 @@ import math
 import re
 from dataclasses import dataclass
 from typing import Final
-from xml.etree.ElementTree import Element, ParseError
+from urllib.parse import urlsplit
+from xml.etree.ElementTree import Element
 
-import defusedxml.ElementTree as ElementTree  # type: ignore[import-untyped]  # has no types
-from defusedxml.common import DefusedXmlException  # type: ignore[import-untyped]  # has no types
-
+from knifetip.api.xjdf_xml import children, parse
 from knifetip.errors import RequestError
 
-NAMESPACE: Final = "http://www.CIP4.org/JDFSchema_2_0"
 #: Processes that a machine can execute; an order with others is refused.
 PROCESSES: Final = ("Cutting", "ShapeCutting", "Creasing")
 
@@ -26,7 +24,8 @@ _WITH_FILE: Final = ("DieLayout", "ShapeDef", "CuttingParams")
 class XjdfOrder:
     """The order in an XJDF document; fields that it does not contain are empty."""
 
-    drawing: str  #: id of the uploaded drawing
+    drawing: str  #: id of an uploaded drawing; "" if the order names a file of its package
+    file: str  #: URL of the drawing in the package: relative, or cid:; "" for an uploaded one
     external_id: str  #: XJDF/@JobID
     customer: str  #: CustomerInfo/@CustomerID
     due: str  #: NodeInfo/@LastEnd, otherwise NodeInfo/@End
@@ -47,23 +46,20 @@ def read_order(content: bytes) -> XjdfOrder:
         The document is not well-formed, declares a document type, is no XJDF, or lacks an element;
         the message names the element.
     """
-    try:
-        root: Element = ElementTree.fromstring(content, forbid_dtd=True)
-    except (ParseError, DefusedXmlException, ValueError, LookupError) as reason:
-        raise RequestError("xjdf.unreadable", reason=str(reason)[:200]) from reason
-    if root.tag != f"{{{NAMESPACE}}}XJDF":
-        raise RequestError("xjdf.not-xjdf", element=root.tag[:100], namespace=NAMESPACE)
+    root = parse(content, "XJDF")
     _check_processes(root)
     nodes = _resources(root, "NodeInfo", "Input")
+    drawing, file = _drawing(root)
     return XjdfOrder(
-        drawing=_drawing(root),
+        drawing=drawing,
+        file=file,
         external_id=_required(root.get("JobID", ""), "XJDF/@JobID"),
         customer=_one(_attributes(root, "CustomerInfo", "CustomerID"), "CustomerInfo/@CustomerID"),
         due=_one(
             [
                 node.get("LastEnd", node.get("End", ""))
                 for resource in nodes
-                for node in _children(resource, "NodeInfo")
+                for node in children(resource, "NodeInfo")
             ],
             "NodeInfo/@LastEnd",
         ),
@@ -85,19 +81,23 @@ def _check_processes(root: Element) -> None:
             raise RequestError("xjdf.bad-value", place="XJDF/@Types", value=process[:100])
 
 
-def _drawing(root: Element) -> str:
+def _drawing(root: Element) -> tuple[str, str]:
+    """Return the id of the ordered drawing, or the URL of its file in the package."""
     urls = [
         file.get("URL", "")
         for name in _WITH_FILE
         for resource in _resources(root, name, "Input")
-        for holder in _children(resource, name)
-        for file in _children(holder, "FileSpec")
+        for holder in children(resource, name)
+        for file in children(holder, "FileSpec")
     ]
     url = _required(_one(urls, "FileSpec/@URL"), "FileSpec/@URL of an input DieLayout")
-    match = _DRAWING.fullmatch(url)
-    if match is None:
+    if match := _DRAWING.fullmatch(url):
+        return match[1], ""
+    parts = urlsplit(url)
+    relative = not parts.scheme and not parts.netloc and not parts.path.startswith("/")
+    if not (relative or parts.scheme == "cid"):
         raise RequestError("xjdf.bad-value", place="FileSpec/@URL", value=url[:200])
-    return match[1]
+    return "", url
 
 
 def _copies(root: Element) -> int:
@@ -106,8 +106,8 @@ def _copies(root: Element) -> int:
         [
             part.get("Amount", "")
             for resource in _resources(root, "Component", "Output")
-            for pool in _children(resource, "AmountPool")
-            for part in _children(pool, "PartAmount")
+            for pool in children(resource, "AmountPool")
+            for part in children(pool, "PartAmount")
         ],
         place,
     )
@@ -127,9 +127,9 @@ def _resources(root: Element, name: str, usage: str) -> list[Element]:
     """Return the resources in all sets with a name; a set without usage counts."""
     return [
         resource
-        for found in _children(root, "ResourceSet")
+        for found in children(root, "ResourceSet")
         if found.get("Name") == name and found.get("Usage", usage) == usage
-        for resource in _children(found, "Resource")
+        for resource in children(found, "Resource")
     ]
 
 
@@ -137,12 +137,8 @@ def _attributes(root: Element, name: str, attribute: str) -> list[str]:
     return [
         element.get(attribute, "")
         for resource in _resources(root, name, "Input")
-        for element in _children(resource, name)
+        for element in children(resource, name)
     ]
-
-
-def _children(element: Element, name: str) -> list[Element]:
-    return element.findall(f"{{{NAMESPACE}}}{name}")
 
 
 def _one(values: list[str], place: str) -> str:

@@ -1885,12 +1885,41 @@ export interface paths {
          * Order By Xjdf
          * @description Create a job from an XJDF document for cutting and creasing.
          *
-         *     ``FileSpec/@URL`` names a drawing that was uploaded, as ``/api/v1/drawings/ID``.  ``machine``
-         *     and ``board`` are used if the document names none.
+         *     The body is the document, or a package with the document and its drawing: ZIP with one file
+         *     ``*.xjdf``, or MIME multipart/related.  ``FileSpec/@URL`` names the drawing in the package, by a
+         *     relative URL or ``cid:``, or one that was uploaded, as ``/api/v1/drawings/ID``.  ``machine`` and
+         *     ``board`` are used if the document names none.
          *
          *     Needs the scope `designer`.
          */
         post: operations["order_by_xjdf"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/xjmf": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Answer Xjmf
+         * @description Answer the messages of an XJMF document, each by a response with its ``ReturnCode``.
+         *
+         *     Known are ``CommandSubmitQueueEntry``, ``CommandModifyQueueEntry``, ``QueryQueueStatus``,
+         *     ``QueryStatus`` and ``QueryKnownMessages``.  The body is the document, or a package with the
+         *     document, its orders in XJDF and their drawings: ZIP with ``root.xjmf``, or multipart/related.
+         *     The status is 200 as soon as the document can be read.
+         *
+         *     Needs the scope `designer`.
+         */
+        post: operations["answer_xjmf"];
         delete?: never;
         options?: never;
         head?: never;
@@ -1911,6 +1940,28 @@ export interface paths {
          *     Needs the scope `viewer`.
          */
         get: operations["get_job_status_as_xjmf"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/xjdf": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Job As Xjdf
+         * @description Get a job as XJDF: what was ordered, its ``NodeInfo/@Status`` and an ``AuditStatus``.
+         *
+         *     Needs the scope `viewer`.
+         */
+        get: operations["get_job_as_xjdf"];
         put?: never;
         post?: never;
         delete?: never;
@@ -15340,6 +15391,13 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "watch.xjdf-fields";
+            arguments: {
+                names: string[];
+                permitted: string[];
+            };
+        } | {
+            /** @constant */
             code: "webhook.bad-url";
             arguments: {
                 reason: string;
@@ -15395,10 +15453,28 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "xjdf.bad-name";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "xjdf.bad-package";
+            arguments: {
+                reason: string;
+            };
+        } | {
+            /** @constant */
             code: "xjdf.bad-value";
             arguments: {
                 place: string;
                 value: string;
+            };
+        } | {
+            /** @constant */
+            code: "xjdf.many-files";
+            arguments: {
+                limit: number;
             };
         } | {
             /** @constant */
@@ -15408,10 +15484,24 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "xjdf.no-file";
+            arguments: {
+                url: string;
+            };
+        } | {
+            /** @constant */
             code: "xjdf.not-xjdf";
             arguments: {
                 element: string;
+                wanted: string;
                 namespace: string;
+            };
+        } | {
+            /** @constant */
+            code: "xjdf.too-large";
+            arguments: {
+                name: string;
+                limit: number;
             };
         } | {
             /** @constant */
@@ -15424,6 +15514,12 @@ export interface components {
             code: "xjdf.unreadable";
             arguments: {
                 reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "xjmf.many-messages";
+            arguments: {
+                limit: number;
             };
         } | {
             /** @constant */
@@ -18673,6 +18769,8 @@ export interface operations {
                 machine?: string;
                 /** @description Name of the board if the document names none */
                 board?: string;
+                /** @description Name of the classification profile */
+                profile?: string;
                 /** @description Queue the job when its program is verified */
                 release?: boolean;
             };
@@ -18686,6 +18784,10 @@ export interface operations {
         requestBody: {
             content: {
                 "application/vnd.cip4-xjdf+xml": string;
+                "application/vnd.cip4-xjdf+zip": string;
+                "application/vnd.cip4-xjmf+zip": string;
+                "application/zip": string;
+                "multipart/related": string;
             };
         };
         responses: {
@@ -18696,6 +18798,53 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["JobOut"];
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    answer_xjmf: {
+        parameters: {
+            query?: {
+                /** @description Name of the machine if the document names none */
+                machine?: string;
+                /** @description Name of the board if the document names none */
+                board?: string;
+                /** @description Name of the classification profile */
+                profile?: string;
+            };
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
+                "Idempotency-Key"?: string | null;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/vnd.cip4-xjmf+xml": string;
+                "application/vnd.cip4-xjdf+zip": string;
+                "application/vnd.cip4-xjmf+zip": string;
+                "application/zip": string;
+                "multipart/related": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/vnd.cip4-xjmf+xml": string;
                 };
             };
             /** @description Error with a hint */
@@ -18728,6 +18877,38 @@ export interface operations {
                 };
                 content: {
                     "application/vnd.cip4-xjmf+xml": string;
+                };
+            };
+            /** @description Error with a hint */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_job_as_xjdf: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Id of the job */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/vnd.cip4-xjdf+xml": string;
                 };
             };
             /** @description Error with a hint */

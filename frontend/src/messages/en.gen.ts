@@ -5087,6 +5087,10 @@ export const TEXTS = {
     "text": "The file with the fields of the order is not a JSON object.",
     "hint": "Write a JSON object with the fields of an order, such as board and copies."
   },
+  "watch.xjdf-fields": {
+    "text": "The file beside the order in XJDF has {names:, }, which the order itself states.",
+    "hint": "Write only {permitted:or} into it."
+  },
   "webhook.bad-url": {
     "text": "The URL of the webhook is not usable: {reason}.",
     "hint": "Give an http or https URL without user name, such as https://erp.example/hooks."
@@ -5123,25 +5127,49 @@ export const TEXTS = {
     "text": "Processing the drawing took longer than {seconds:.0f} s in the stage {stage}.",
     "hint": "Send a smaller drawing, or split the drawing into several drawings."
   },
+  "xjdf.bad-name": {
+    "text": "The package has a file with the name {name!r}, which leads out of the package.",
+    "hint": "Use relative names without .., backslashes, colons and control characters."
+  },
+  "xjdf.bad-package": {
+    "text": "The package cannot be read: {reason}.",
+    "hint": "Send a ZIP file or multipart/related, not encrypted, with one XJDF and the drawing."
+  },
   "xjdf.bad-value": {
     "text": "{place} is {value!r}, which cannot be used.",
     "hint": "Correct the value as the how-to about XJDF describes."
+  },
+  "xjdf.many-files": {
+    "text": "The package has more than {limit} files.",
+    "hint": "Send only the documents of one order and its drawing."
   },
   "xjdf.missing": {
     "text": "The order has no {place}.",
     "hint": "Add it, or give the value as a parameter of the request if there is one."
   },
+  "xjdf.no-file": {
+    "text": "The file {url!r} is not in the package.",
+    "hint": "Send a package that contains it under this name, or upload the drawing and name it as /api/v1/drawings/ID. Files of other servers are not fetched."
+  },
   "xjdf.not-xjdf": {
-    "text": "The root element of the order is {element}.",
-    "hint": "Send an element XJDF of the namespace {namespace}."
+    "text": "The root element of the document is {element}.",
+    "hint": "Send an element {wanted} of the namespace {namespace}."
+  },
+  "xjdf.too-large": {
+    "text": "{name} is larger than {limit} MB.",
+    "hint": "Send a smaller file."
   },
   "xjdf.twice": {
     "text": "The order has several values of {place}.",
     "hint": "Send one order for each of them."
   },
   "xjdf.unreadable": {
-    "text": "The order is not readable as XML: {reason}.",
-    "hint": "Send an XJDF document without a document type declaration."
+    "text": "The document is not readable as XML: {reason}.",
+    "hint": "Send an XJDF or XJMF document without a document type declaration."
+  },
+  "xjmf.many-messages": {
+    "text": "The document has more than {limit} messages.",
+    "hint": "Send several documents."
   },
   "zone.work": {
     "text": "{tool} (station {station}) would touch the keep-out zone {zone} at X {x:.1f}, Y {y:.1f} mm{place}: the tool with its holder needs {reach:.1f} mm around its axis.",

@@ -35,12 +35,13 @@ LEAST = {
         list_machine_versions list_board_versions list_tool_versions
         list_profiles export_profile get_profile change_own_password
         get_program get_machine_definition export_machine get_board_definition export_board
-        get_tool_definition export_tool get_me status get_job_status_as_xjmf get_metrics
+        get_tool_definition export_tool get_me status get_job_status_as_xjmf get_job_as_xjdf
+        get_metrics
     """,
     "designer": """
         upload_drawing change_drawing delete_drawing override_edges order_job accept_shortfalls
         recompile_job cancel_job calibrate keep_profile delete_profile preview_profile
-        learn_from_corrections order_by_xjdf place_order_with_file place_orders
+        learn_from_corrections order_by_xjdf answer_xjmf place_order_with_file place_orders
     """,
     "operator": """
         release_job confirm_job hold_job resume_job finish_job requeue_job scrap_job move_job

@@ -17,6 +17,7 @@ from knifetip.cli.hot_folder.orders import HotFolder
 from knifetip.cli.watch import visible
 from tests.support.command import Command
 from tests.support.serving.server import LocalClient, run_server, square
+from tests.unit.api.test_xjdf_packages import order_for, zipped
 
 DEFAULTS = {"machine": "demo-table", "board": "e-flute"}
 NASTY = "\x1b[31mred\nline<b>.dxf"
@@ -135,6 +136,32 @@ def test_the_same_name_again_replaces_nothing(shop: LocalClient, tmp_path: Path)
     assert (tmp_path / "done" / "tray.dxf").read_bytes() == square()
     assert (tmp_path / "done" / "tray-2.dxf").read_bytes() == square(side=120.0)
     assert result(tmp_path, "done", "tray-2.dxf")["state"] == "ready"
+
+
+def test_an_order_in_xjdf_becomes_a_program_and_a_status(shop: LocalClient, tmp_path: Path) -> None:
+    order = order_for("art/tray.dxf", "PO-xjdf").replace(b"e-flute", b"")
+    package = zipped({"order.xjdf": order, "art/tray.dxf": square(side=83.0)})
+    drop(tmp_path, "order 1.xjdf.zip", package)
+    arrivals = Arrivals(tmp_path, 0.0, Seconds())
+    assert arrivals.complete() == ["order 1.xjdf.zip"]
+    folder = hot_folder(shop, tmp_path)
+    run(folder, "order 1.xjdf.zip")
+    (job,) = jobs_of(shop, "PO-xjdf")
+    assert job["board"] == "e-flute"
+    names = [".job.json", ".ngc", ".picture.svg", ".status.xjdf"]
+    beside = [f"order 1.xjdf.zip{suffix}" for suffix in ("", *names)]
+    assert sorted(os.listdir(tmp_path / "done")) == beside
+    status = (tmp_path / "done" / "order 1.xjdf.zip.status.xjdf").read_text()
+    assert 'JobID="PO-xjdf"' in status
+    assert 'StatusDetails="ready"' in status
+    # The drawing that the order names is missing; a sidecar must not contradict the order.
+    drop(tmp_path, "alone.xjdf", order_for("tray.dxf"))
+    drop(tmp_path, "copies.xjdf.zip", package, copies=2)
+    drop(tmp_path, "bomb.xjdf", b"<!DOCTYPE x [<!ENTITY a 'b'>]><x>&a;</x>")
+    run(folder, "alone.xjdf", "copies.xjdf.zip", "bomb.xjdf")
+    assert "not in the package" in result(tmp_path, "failed", "alone.xjdf")["reason"]
+    assert "copies" in result(tmp_path, "failed", "copies.xjdf.zip")["reason"]
+    assert "not readable" in result(tmp_path, "failed", "bomb.xjdf")["reason"]
 
 
 class Killed(BaseException):

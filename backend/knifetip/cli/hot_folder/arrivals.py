@@ -13,7 +13,10 @@ from knifetip.formats.registry import FORMATS
 #: Suffix of the file with the fields of an order: ``tray.dxf.json`` for ``tray.dxf``.
 SIDECAR: Final = ".json"
 
-_SUFFIXES: Final = frozenset(suffix for one in FORMATS for suffix in one.extensions)
+#: Suffixes of orders in XJDF, alone and in a package with their drawing.
+XJDF: Final = (".xjdf", ".xjdf.zip")
+
+_SUFFIXES: Final = (*XJDF, *(suffix for one in FORMATS for suffix in one.extensions))
 
 
 class Stamp(NamedTuple):
@@ -74,7 +77,7 @@ class Arrivals:
 
     def _drawings(self) -> Iterator[tuple[str, tuple[Stamp, Stamp | None]]]:
         for name in os.listdir(self._folder):
-            if name.startswith((".", "~")) or Path(name).suffix.lower() not in _SUFFIXES:
+            if name.startswith((".", "~")) or not name.lower().endswith(_SUFFIXES):
                 continue
             stamp = _stamp(self._folder / name)
             if stamp is not None:

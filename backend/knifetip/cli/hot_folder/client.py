@@ -62,6 +62,19 @@ class OrderClient:
         """Create a job under an Idempotency-Key; return its id."""
         return str(self._send("POST", "/jobs", json=order, key=key).json()["id"])
 
+    def order_xjdf(self, content: bytes, fields: dict[str, Any], key: str) -> tuple[str, str]:
+        """Create a job from an XJDF document or package; return the ids of job and drawing."""
+        parameters = {
+            name: str(value).lower() if value in (True, False) else value
+            for name, value in fields.items()
+        }
+        job = self._send("POST", "/xjdf", content=content, params=parameters, key=key).json()
+        return str(job["id"]), str(job["drawing"])
+
+    def job_as_xjdf(self, id: str) -> bytes:
+        """Return a job with its state as XJDF."""
+        return self._send("GET", f"/jobs/{quote(id, safe='')}/xjdf").content
+
     def job(self, id: str) -> dict[str, Any]:
         """Return a job as JSON data."""
         return dict(self._send("GET", f"/jobs/{quote(id, safe='')}").json())

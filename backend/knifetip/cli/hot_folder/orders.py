@@ -16,7 +16,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any, Final
 
-from knifetip.cli.hot_folder.arrivals import SIDECAR
+from knifetip.cli.hot_folder.arrivals import SIDECAR, XJDF
 from knifetip.cli.hot_folder.client import OrderClient, Refused
 from knifetip.errors import KnifetipError, RequestError
 from knifetip.messages import printable
@@ -26,11 +26,14 @@ DONE: Final = "done"
 FAILED: Final = "failed"
 RECORD: Final = ".order.json"  #: suffix of the records in ``working``
 RESULT: Final = ".job.json"  #: suffix of the results
+STATUS: Final = ".status.xjdf"  #: suffix of the job as XJDF, for an order in XJDF
 
 #: Fields of a sidecar that belong to the drawing.
 _OF_DRAWING: Final[tuple[str, ...]] = ("unit", "profile")
 #: States of a job in which its program is accepted.
 _ACCEPTED: Final = ("ready", "queued", "running", "held", "done", "interrupted", "continued")
+#: Fields that an order in XJDF may leave open.
+_OF_XJDF: Final = ("machine", "board", "profile", "release")
 _UNFINISHED: Final = ("received", "compiling")
 _LARGEST_SIDECAR: Final = 1 << 20
 _SHOWN: Final = (
@@ -148,6 +151,9 @@ class HotFolder:
         return record
 
     def _order(self, record: Record) -> None:
+        if _is_xjdf(record.name):
+            self._order_xjdf(record)
+            return
         order = dict(record.order)
         of_drawing = {name: str(order.pop(name)) for name in _OF_DRAWING if name in order}
         if not record.drawing:
@@ -159,6 +165,16 @@ class HotFolder:
         record.job = self._client.order({"drawing": record.drawing, **order}, f"{record.key}-job")
         self._save(record)
 
+    def _order_xjdf(self, record: Record) -> None:
+        unknown = [name for name in record.order if name not in _OF_XJDF]
+        if unknown:
+            raise RequestError("watch.xjdf-fields", names=unknown, permitted=_OF_XJDF)
+        content = (self._working / record.name).read_bytes()
+        record.job, record.drawing = self._client.order_xjdf(
+            content, record.order, f"{record.key}-job"
+        )
+        self._save(record)
+
     def _finish(self, record: Record, job: dict[str, Any]) -> None:
         result = {name: job.get(name) for name in _SHOWN}
         results = {RESULT: _json(result)}
@@ -167,6 +183,8 @@ class HotFolder:
             program, disposition = self._client.program(record.job)
             suffix = re.search(r"(\.[A-Za-z0-9]{1,10})\"?$", disposition)
             results[suffix[1] if suffix else ".nc"] = program
+        if _is_xjdf(record.name):
+            results[STATUS] = self._client.job_as_xjdf(record.job)
         results[".picture.svg"] = self._client.picture(record.drawing)
         self._put(record, DONE if accepted else FAILED, results)
 
@@ -203,6 +221,10 @@ class HotFolder:
 
     def _save(self, record: Record) -> None:
         _write(self._working / (record.name + RECORD), _json(asdict(record)))
+
+
+def _is_xjdf(name: str) -> bool:
+    return name.lower().endswith(XJDF)
 
 
 def _sidecar_fields(content: bytes) -> dict[str, Any]:

@@ -23,6 +23,12 @@ MESSAGES: Final[Entries] = {
         "Write only the fields of the order into it.",
         limit="count",
     ),
+    "watch.xjdf-fields": entry(
+        "The file beside the order in XJDF has {names:, }, which the order itself states.",
+        "Write only {permitted:or} into it.",
+        names="texts",
+        permitted="texts",
+    ),
     "watch.no-object": entry(
         "The file with the fields of the order is not a JSON object.",
         "Write a JSON object with the fields of an order, such as board and copies.",

@@ -8,14 +8,15 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "xjdf.unreadable": entry(
-        "The order is not readable as XML: {reason}.",
-        "Send an XJDF document without a document type declaration.",
+        "The document is not readable as XML: {reason}.",
+        "Send an XJDF or XJMF document without a document type declaration.",
         reason="text",
     ),
     "xjdf.not-xjdf": entry(
-        "The root element of the order is {element}.",
-        "Send an element XJDF of the namespace {namespace}.",
+        "The root element of the document is {element}.",
+        "Send an element {wanted} of the namespace {namespace}.",
         element="text",
+        wanted="text",
         namespace="text",
     ),
     "xjdf.missing": entry(
@@ -33,5 +34,37 @@ MESSAGES: Final[Entries] = {
         "Correct the value as the how-to about XJDF describes.",
         place="text",
         value="text",
+    ),
+    "xjdf.bad-name": entry(
+        "The package has a file with the name {name!r}, which leads out of the package.",
+        "Use relative names without .., backslashes, colons and control characters.",
+        name="text",
+    ),
+    "xjdf.bad-package": entry(
+        "The package cannot be read: {reason}.",
+        "Send a ZIP file or multipart/related, not encrypted, with one XJDF and the drawing.",
+        reason="text",
+    ),
+    "xjdf.many-files": entry(
+        "The package has more than {limit} files.",
+        "Send only the documents of one order and its drawing.",
+        limit="count",
+    ),
+    "xjdf.no-file": entry(
+        "The file {url!r} is not in the package.",
+        "Send a package that contains it under this name, or upload the drawing and name it as "
+        "/api/v1/drawings/ID. Files of other servers are not fetched.",
+        url="text",
+    ),
+    "xjdf.too-large": entry(
+        "{name} is larger than {limit} MB.",
+        "Send a smaller file.",
+        name="text",
+        limit="count",
+    ),
+    "xjmf.many-messages": entry(
+        "The document has more than {limit} messages.",
+        "Send several documents.",
+        limit="count",
     ),
 }

@@ -1,0 +1,116 @@
+"""Place an order in XJDF: its drawing is stored if it is in the package, and its job created."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import PurePosixPath
+from urllib.parse import unquote, urlsplit
+
+from fastapi import Response
+from fastapi.exceptions import RequestValidationError
+from pydantic import Field, ValidationError
+
+from knifetip.api.drawing_requests import Upload, drawing_name, store_upload
+from knifetip.api.job_creation import create_job
+from knifetip.api.principal import Principal, demand
+from knifetip.api.queue import Client
+from knifetip.api.schemas.common import Strict
+from knifetip.api.schemas.jobs import JobOut
+from knifetip.api.schemas.order_details import details_columns
+from knifetip.api.schemas.orders import JobIn
+from knifetip.api.service import Service
+from knifetip.api.xjdf_order import XjdfOrder, read_order
+from knifetip.api.xjdf_package import Package
+from knifetip.errors import RequestError
+from knifetip.jobs.accounts.scopes import AccessScope
+
+
+class XjdfDefaults(Strict):
+    """Defaults for an XJDF document; values of the document take precedence."""
+
+    machine: str = Field(
+        default="", max_length=200, description="Name of the machine if the document names none"
+    )
+    board: str = Field(
+        default="", max_length=200, description="Name of the board if the document names none"
+    )
+    profile: str = Field(
+        default="", max_length=200, description="Name of the classification profile"
+    )
+
+
+async def place_xjdf(
+    service: Service,
+    principal: Principal,
+    client: Client,
+    response: Response,
+    document: bytes,
+    package: Package,
+    defaults: XjdfDefaults,
+    *,
+    release: bool,
+    key: str | None,
+) -> JobOut:
+    """Create the job that an XJDF document orders.
+
+    Parameters
+    ----------
+    service, principal, client
+        The server, and the sender of the request.
+    response
+        Gets the header ``Location``.
+    document
+        The XJDF document.
+    package
+        Files to which the document refers.
+    defaults
+        What the document may leave open.
+    release
+        Whether the job is queued when its program is accepted.
+    key
+        Idempotency-Key of the order, None if it has none.
+
+    Raises
+    ------
+    RequestError
+        The document cannot be read, or lacks something.
+    RequestValidationError
+        A value of the document is not permitted.
+    KnifetipError
+        The drawing, the machine or the board is unknown, or the order is not permitted.
+    """
+    order = await service.orders.run(partial(read_order, document), client)
+    job = _job_order(order, defaults, release=release)
+    if release:
+        demand(principal, AccessScope.OPERATOR)
+    if order.file:
+        content = await service.orders.run(partial(package.file, order.file), client)
+        name = drawing_name(PurePosixPath(unquote(urlsplit(order.file).path)).name)
+        profile = defaults.profile or "default"
+        upload = Upload(name, content, profile=profile, details=details_columns(job))
+        drawing = await service.work.run(partial(store_upload, service, upload, key), client)
+        job = job.model_copy(update={"drawing": drawing.id})
+    return await create_job(service, principal, client, response, job, key)
+
+
+def _job_order(order: XjdfOrder, defaults: XjdfDefaults, *, release: bool) -> JobIn:
+    """Return the order of a job that a document contains; its drawing may still be missing."""
+    board = order.board or defaults.board
+    if not board:
+        raise RequestError("xjdf.missing", place="ResourceSet[@Name='Media']/Resource/@ExternalID")
+    machine = order.machine or defaults.machine
+    fields = {
+        "drawing": order.drawing or "-",
+        "external_id": order.external_id,
+        "customer": order.customer,
+        "due": order.due or None,
+        "copies": order.copies,
+        "profile": defaults.profile or None,
+        "board": board,
+        "release": release,
+        **({"machine": machine} if machine else {}),
+    }
+    try:
+        return JobIn.model_validate(fields)
+    except ValidationError as reason:
+        raise RequestValidationError(reason.errors()) from reason

@@ -1,0 +1,302 @@
+"""Carry out the commands and queries of XJMF by the commands to jobs (ADR 96)."""
+
+from __future__ import annotations
+
+from collections.abc import Awaitable, Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
+from typing import Final
+from xml.etree.ElementTree import Element
+
+from fastapi import Response
+from fastapi.exceptions import RequestValidationError
+
+from knifetip.api.job_commands import check_withdrawal
+from knifetip.api.principal import Principal, demand
+from knifetip.api.queue import Client
+from knifetip.api.service import Service
+from knifetip.api.xjdf_package import Package
+from knifetip.api.xjdf_placing import XjdfDefaults, place_xjdf
+from knifetip.api.xjdf_status import NODE_STATUS, device_info, queue_entry
+from knifetip.api.xjmf_messages import ReturnCode, XjmfAnswer, XjmfMessage
+from knifetip.errors import (
+    AccessDenied,
+    KnifetipError,
+    LibraryError,
+    NoSuchJob,
+    RequestError,
+    ServerBusy,
+    WrongState,
+)
+from knifetip.jobs.accounts.scopes import AccessScope
+from knifetip.jobs.job import ENDED, LEASED, OPERATOR, State
+from knifetip.jobs.job_store import JobFilter
+from knifetip.jobs.order_details import DetailsFilter
+from knifetip.jobs.queue_store import WaitingChange
+from knifetip.jobs.tables import Job
+
+_MOST_ENTRIES = 200  # entries of a queue that a response contains
+_OPEN = tuple(state for state in State if state not in ENDED)
+
+
+@dataclass(frozen=True, slots=True)
+class Answering:
+    """What the answers to the messages of one request need."""
+
+    service: Service
+    principal: Principal
+    client: Client
+    package: Package  #: files to which the messages refer
+    defaults: XjdfDefaults
+    key: str | None  #: Idempotency-Key of the request, None if it has none
+
+
+class _Refusal(Exception):
+    """Raised to answer a message with a return code of its own."""
+
+    def __init__(self, code: ReturnCode, *comments: str) -> None:
+        super().__init__(*comments)
+        self.code = code
+        self.comments = comments
+
+
+async def answer_messages(answering: Answering, message: XjmfMessage) -> XjmfAnswer:
+    """Carry out a message and return the response; errors become return codes.
+
+    Parameters
+    ----------
+    answering
+        The server and the sender.
+    message
+        The message.
+    """
+    handler = _HANDLERS.get(message.family + message.name)
+    if handler is None:
+        text = f"{message.family}{message.name} is not supported. QueryKnownMessages lists what is."
+        return XjmfAnswer(message, ReturnCode.NOT_IMPLEMENTED, [text])
+    if message.parameters("Subscription") is not None:
+        text = "Subscriptions are not supported. Use webhooks, or ask again."
+        return XjmfAnswer(message, ReturnCode.SUBSCRIPTION_DENIED, [text])
+    try:
+        return XjmfAnswer(message, content=await handler(answering, message))
+    except _Refusal as reason:
+        return XjmfAnswer(message, reason.code, reason.comments)
+    except RequestValidationError as reason:
+        texts = [f"{'.'.join(map(str, one['loc']))}: {one['msg']}" for one in reason.errors()]
+        return XjmfAnswer(message, ReturnCode.INVALID_PARAMETERS, texts[:10])
+    except KnifetipError as reason:
+        return XjmfAnswer(message, _code_of(reason), [reason.text, *filter(None, [reason.hint])])
+
+
+def _code_of(reason: KnifetipError) -> ReturnCode:
+    """Return the code for an error."""
+    if isinstance(reason, RequestError):
+        return _REQUEST_CODES.get(reason.message.code, ReturnCode.INVALID_PARAMETERS)
+    return next(
+        (code for kind, code in _ERROR_CODES if isinstance(reason, kind)), ReturnCode.INCAPABLE
+    )
+
+
+async def _submit(answering: Answering, message: XjmfMessage) -> list[Element]:
+    """Create the job of an order; without ``Activation`` it is released, as XJMF prescribes."""
+    parameters = _required(message, "QueueSubmissionParams")
+    activation = parameters.get("Activation", "Active")
+    if activation not in ("Active", "Held"):
+        raise _Refusal(
+            ReturnCode.INVALID_PARAMETERS, f"Activation {activation[:40]} is not supported."
+        )
+    document = answering.package.file(parameters.get("URL", ""))
+    key = f"{answering.key}/{message.id}" if answering.key else None
+    job = await place_xjdf(
+        answering.service,
+        answering.principal,
+        answering.client,
+        Response(),
+        document,
+        answering.package,
+        answering.defaults,
+        release=activation == "Active",
+        key=key,
+    )
+    return [queue_entry(answering.service.store.jobs.get(job.id))]
+
+
+async def _modify(answering: Answering, message: XjmfMessage) -> list[Element]:
+    """Change the entries that the filter selects, all or up to the first that cannot be changed."""
+    parameters = _required(message, "ModifyQueueEntryParams")
+    operation = parameters.get("Operation", "")
+    change = _OPERATIONS.get(operation)
+    if change is None:
+        raise _Refusal(
+            ReturnCode.NOT_IMPLEMENTED, f"The operation {operation[:40]} is not supported."
+        )
+    run = answering.service.orders.run
+    rows = await run(partial(_selected, answering, parameters), answering.client)
+    if not rows:
+        raise _Refusal(ReturnCode.UNKNOWN_ENTRY, "The filter selects no entry of the queue.")
+    changed = [
+        await run(partial(_changed, answering, change, operation, row.id), answering.client)
+        for row in rows
+    ]
+    return [queue_entry(row) for row in changed]
+
+
+def _changed(
+    answering: Answering, change: Callable[[Answering, Job], None], operation: str, id: str
+) -> Job:
+    """Change one entry and return it as it is then."""
+    jobs = answering.service.store.jobs
+    row = jobs.get(id)
+    try:
+        change(answering, row)
+    except WrongState as reason:
+        raise _Refusal(
+            _state_code(row, operation), reason.text, *filter(None, [reason.hint])
+        ) from reason
+    return jobs.get(id)
+
+
+def _state_code(row: Job, operation: str) -> ReturnCode:
+    """Return why the state of a job does not permit an operation."""
+    if row.state in ENDED:
+        return ReturnCode.ENDED
+    if operation == "Suspend":
+        return ReturnCode.NOT_RUNNING
+    return ReturnCode.EXECUTING if row.state in LEASED else ReturnCode.ALREADY_SO
+
+
+def _hold(answering: Answering, row: Job) -> None:
+    """Keep a waiting job in the queue, so that no machine claims it."""
+    demand(answering.principal, AccessScope.OPERATOR)
+    if row.on_hold:
+        raise _Refusal(ReturnCode.ALREADY_SO, "The job is already held.")
+    answering.service.store.queues.change(row.id, WaitingChange(on_hold=True), OPERATOR)
+
+
+def _suspend(answering: Answering, row: Job) -> None:
+    """Hold the machine that works on a job."""
+    demand(answering.principal, AccessScope.OPERATOR)
+    answering.service.store.operators.hold(row.id)
+
+
+def _resume(answering: Answering, row: Job) -> None:
+    """Let a job go on: on its machine, in the queue, or to the queue."""
+    demand(answering.principal, AccessScope.OPERATOR)
+    store = answering.service.store
+    if row.state == State.HELD:
+        store.operators.resume(row.id)
+        return
+    if not row.on_hold and row.state != State.READY:
+        code = ReturnCode.ENDED if row.state in ENDED else ReturnCode.ALREADY_SO
+        raise _Refusal(code, f"The job is {row.state}, and not held.")
+    if row.on_hold:
+        store.queues.change(row.id, WaitingChange(on_hold=False), OPERATOR)
+    if row.state == State.READY:
+        store.operators.release(row.id)
+
+
+def _abort(answering: Answering, row: Job) -> None:
+    """Cancel a job; a machine that works on it stops."""
+    check_withdrawal(answering.service, answering.principal, row.id)
+    if row.state == State.CANCELLED:
+        raise _Refusal(ReturnCode.ALREADY_SO, "The job is already cancelled.")
+    answering.service.store.operators.cancel(row.id)
+
+
+def _remove(answering: Answering, row: Job) -> None:
+    """Cancel a job on which no machine works."""
+    if row.state in LEASED:
+        raise _Refusal(ReturnCode.EXECUTING, "The job is on its machine. Abort it instead.")
+    _abort(answering, row)
+
+
+async def _queue_status(answering: Answering, message: XjmfMessage) -> list[Element]:
+    """Return the selected entries; without filter those that have not ended."""
+    parameters = message.parameters("QueueStatusParams")
+    run = answering.service.orders.run
+    rows = await run(partial(_selected, answering, parameters), answering.client)
+    queue = Element("Queue", {"QueueSize": str(len(rows))})
+    queue.extend(queue_entry(row) for row in rows)
+    return [queue]
+
+
+async def _status(answering: Answering, message: XjmfMessage) -> list[Element]:
+    parameters = message.parameters("StatusQuParams")
+    id = "" if parameters is None else parameters.get("QueueEntryID", "")
+    if not id:
+        raise _Refusal(
+            ReturnCode.INSUFFICIENT_PARAMETERS, "StatusQuParams/@QueueEntryID is missing."
+        )
+    get = partial(answering.service.store.jobs.get, id)
+    return [device_info(await answering.service.orders.run(get, answering.client))]
+
+
+async def _known_messages(answering: Answering, message: XjmfMessage) -> list[Element]:
+    del answering, message
+    return [
+        Element("MessageService", {"ResponseModes": "Response", "Type": name})
+        for name in sorted(_HANDLERS)
+    ]
+
+
+def _selected(answering: Answering, parameters: Element | None) -> list[Job]:
+    """Return the jobs that a ``QueueFilter`` selects, newest first.
+
+    Raises
+    ------
+    NoSuchJob
+        An entry that is named by its id does not exist.
+    """
+    filters = [] if parameters is None else list(parameters)
+    attributes = filters[0].attrib if filters else {}
+    jobs = answering.service.store.jobs
+    job = attributes.get("JobID", "")
+    wanted = attributes.get("StatusList", "").split()
+    if "QueueEntryIDs" in attributes:
+        ids = attributes["QueueEntryIDs"].split()[:_MOST_ENTRIES]
+        rows = [row for id in ids if (row := jobs.get(id)) and job in ("", row.external_id)]
+    else:
+        states = () if job or wanted else _OPEN
+        details = JobFilter(DetailsFilter(external_id=job))
+        rows = jobs.search(states, limit=_MOST_ENTRIES, wanted=details)
+        if parameters is not None and not job and "Operation" in parameters.attrib:
+            raise _Refusal(
+                ReturnCode.INSUFFICIENT_PARAMETERS,
+                "QueueFilter needs QueueEntryIDs or JobID.",
+            )
+    if wanted:
+        rows = [row for row in rows if NODE_STATUS[State(row.state)] in wanted]
+    return rows
+
+
+def _required(message: XjmfMessage, name: str) -> Element:
+    found = message.parameters(name)
+    if found is None:
+        raise _Refusal(ReturnCode.INSUFFICIENT_PARAMETERS, f"{name} is missing.")
+    return found
+
+
+_HANDLERS: Final[Mapping[str, Callable[[Answering, XjmfMessage], Awaitable[list[Element]]]]] = {
+    "CommandSubmitQueueEntry": _submit,
+    "CommandModifyQueueEntry": _modify,
+    "QueryQueueStatus": _queue_status,
+    "QueryStatus": _status,
+    "QueryKnownMessages": _known_messages,
+}
+_OPERATIONS: Final[Mapping[str, Callable[[Answering, Job], None]]] = {
+    "Abort": _abort,
+    "Hold": _hold,
+    "Remove": _remove,
+    "Resume": _resume,
+    "Suspend": _suspend,
+}
+_REQUEST_CODES: Final[Mapping[str, ReturnCode]] = {
+    "xjdf.missing": ReturnCode.INSUFFICIENT_PARAMETERS,
+    "xjdf.no-file": ReturnCode.NO_REFERENCED_FILE,
+}
+_ERROR_CODES: Final = (
+    (AccessDenied, ReturnCode.DENIED),
+    (ServerBusy, ReturnCode.BUSY),
+    (NoSuchJob, ReturnCode.UNKNOWN_ENTRY),
+    (LibraryError, ReturnCode.UNKNOWN_DEVICE),
+)
