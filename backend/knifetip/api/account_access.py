@@ -48,7 +48,7 @@ class Accounts:
         for pool in (self._threads, self._hashing):
             pool.shutdown(wait=False, cancel_futures=True)
 
-    def forget(self) -> None:
+    def clear_cache(self) -> None:
         """Clear the cache, because users or keys have changed."""
         self._found.clear()
         self._checked = -KEPT
@@ -182,7 +182,7 @@ class Accounts:
         assert self.store is not None
         store = self.store
         await self._run(self._threads, lambda: store.sessions.close(token))
-        self.forget()
+        self.clear_cache()
 
     @staticmethod
     async def _run(pool: ThreadPoolExecutor, call: Callable[[], T]) -> T:

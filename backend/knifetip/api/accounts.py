@@ -107,7 +107,7 @@ async def change_own_password(
     await accounts.sign_out(present)
     change = service.store.users.change
     await service.threads.claims(change, principal.name, password=sent.new)
-    accounts.forget()
+    accounts.clear_cache()
     token = await accounts.sign_in(principal.name, sent.new, _address(request))
     signin.set_cookie(request, response, signin.user_cookie(request, token))
 
@@ -128,7 +128,7 @@ def create_user(service: ServiceDep, request: Request, sent: UserIn) -> UserOut:
     session too.
     """
     row = service.store.users.add(sent.name, sent.password, AccessScope(sent.role), credited(""))
-    _accounts(request).forget()
+    _accounts(request).clear_cache()
     return _user_out(row)
 
 
@@ -147,7 +147,7 @@ def change_user(
         active=sent.active,
         password=sent.password,
     )
-    _accounts(request).forget()
+    _accounts(request).clear_cache()
     return _user_out(row)
 
 
@@ -172,7 +172,7 @@ def create_key(service: ServiceDep, response: Response, sent: KeyIn) -> NewKeyOu
 def revoke_key(service: ServiceDep, request: Request, id: KeyId) -> None:
     """Revoke an API key: it becomes invalid, and stays in the list."""
     service.store.keys.revoke(id)
-    _accounts(request).forget()
+    _accounts(request).clear_cache()
 
 
 @router.get("/audit")

@@ -54,7 +54,7 @@ test("after a lost connection the open drawing is compared, once", () => {
   end();
 });
 
-test("a stream that breaks makes the page ask whether it is still signed in", () => {
+test("a stream that breaks makes the page check whether it is still signed in", () => {
   queryClient.setQueryData(["me"], { name: "anna" });
   const end = subscribeToEvents(onDrawing);
   expect(isStale("me")).toBe(false);

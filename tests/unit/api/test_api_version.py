@@ -52,7 +52,7 @@ def test_no_other_prefix_is_served(client: httpx.Client, path: str, status: int)
     assert answer.headers["content-type"] == "application/problem+json"
 
 
-def test_the_doors_are_closed_for_a_path_with_a_version(client: httpx.Client) -> None:
+def test_access_control_applies_to_paths_with_a_version(client: httpx.Client) -> None:
     foreign = {"Origin": "https://else.where"}
     assert client.post("/api/v1/jobs", json={}, headers=foreign).status_code == 403
     form = {"Content-Type": "text/plain"}

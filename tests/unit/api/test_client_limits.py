@@ -70,7 +70,7 @@ def test_gateways_and_health_checks_are_not_limited(tmp_path: Path) -> None:
 def listen(client: LocalClient, count: int, use: threading.Barrier) -> list[threading.Thread]:
     """Open streams of events that stay open until ``use`` is passed a second time."""
 
-    def hear() -> None:
+    def listen() -> None:
         with client.stream("GET", "/api/events") as answer:
             assert answer.status_code == 200
             lines = answer.iter_lines()  # closes the connection when it is deleted
@@ -78,7 +78,7 @@ def listen(client: LocalClient, count: int, use: threading.Barrier) -> list[thre
             use.wait(20)
             use.wait(20)
 
-    threads = [threading.Thread(target=hear) for _ in range(count)]
+    threads = [threading.Thread(target=listen) for _ in range(count)]
     for one in threads:
         one.start()
     return threads

@@ -109,7 +109,7 @@ def test_a_connection_that_sends_no_head_is_answered_408_and_closed(tmp_path: Pa
             assert drip(slow, head, 0.1).startswith(b"HTTP/1.1 408 ")
 
 
-def test_an_idle_connection_lives_longer_than_in_the_pools_of_clients(tmp_path: Path) -> None:
+def test_an_idle_connection_is_kept_longer_than_by_pools_of_clients(tmp_path: Path) -> None:
     # httpx keeps a connection for 5 s, nginx for 60 s.  If the server closed it at the same moment,
     # the next request on it would fail without an answer.
     assert ConnectionLimits().idle > 60.0

@@ -41,7 +41,7 @@ class Listener(threading.Thread):
         self.join(SOON)
         return not self.is_alive()
 
-    def hears(self, text: str) -> bool:
+    def receives(self, text: str) -> bool:
         """Return whether a line of the stream contains a text soon."""
         try:
             while text not in self._lines.get(timeout=SOON):
@@ -78,7 +78,7 @@ class Visitors:
         listener = Listener(client)
         self.listeners.append(listener)
         listener.start()
-        assert listener.hears("connected")
+        assert listener.receives("connected")
         return listener
 
 
@@ -122,8 +122,8 @@ def test_changes_at_another_server_end_the_streams_of_their_accounts_only(
             expired.expires = expired.created
         assert [one.ends() for one in (*users[:-1], *programs[:-1])] == [True] * 5
         drawing = upload_drawing(visitors.signed_in("kept"), square())["id"]
-        assert users[-1].hears(drawing)
-        assert programs[-1].hears(drawing)
+        assert users[-1].receives(drawing)
+        assert programs[-1].receives(drawing)
     other.close()
 
 
@@ -137,7 +137,7 @@ def test_a_sign_out_ends_the_streams_of_its_session_only(tmp_path: Path) -> None
         ended, kept = visitors.listen(desk), visitors.listen(tablet)
         assert desk.delete("/api/session").status_code == 204
         assert ended.ends()
-        assert kept.hears(upload_drawing(tablet, square())["id"])
+        assert kept.receives(upload_drawing(tablet, square())["id"])
 
 
 def test_a_waiting_claim_gets_no_job_after_its_key_was_revoked(tmp_path: Path) -> None:

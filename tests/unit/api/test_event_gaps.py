@@ -19,7 +19,7 @@ def store(postgresql_url: str) -> Iterator[Store]:
         yield store
 
 
-def test_a_skipped_number_is_looked_for_until_it_appears_or_is_too_old() -> None:
+def test_a_skipped_number_is_queried_until_it_appears_or_is_too_old() -> None:
     clock = Clock()
     gaps = EventGaps(clock)
     assert gaps.read(3, {4, 7}) == 7

@@ -97,7 +97,7 @@ def set_type(client: httpx.Client, drawing: str, type: str | None) -> None:
     assert client.patch(f"/api/drawings/{drawing}/edges", json=patch).status_code == 200
 
 
-def test_questions_are_asked_again_when_drawing_or_machine_is_another(client: LocalClient) -> None:
+def test_questions_are_found_again_for_another_drawing_or_machine(client: LocalClient) -> None:
     new = upload_drawing(client, square(side=63.0))["id"]
     order = {**BOARD, "drawing": new}
     assert client.post("/api/jobs", json=order).status_code == 201
@@ -120,7 +120,7 @@ def test_an_order_for_a_drawing_without_a_unit_is_a_question(client: httpx.Clien
         assert (answer.status_code, bool(answer.json()["questions"])) == (409, True)
 
 
-def test_only_the_last_answers_are_remembered(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_only_the_last_answers_are_cached(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(answered_questions, "_REMEMBERED", 2)
     answered = AnsweredQuestions()
     answered.add("a")

@@ -179,7 +179,7 @@ def test_compile_threads_that_stopped_are_not_ready(
 
 
 @pytest.mark.parametrize("kind", [errno.ENOSPC, errno.EDQUOT, errno.EACCES])
-def test_a_full_disk_is_told_from_other_errors(kind: int) -> None:
+def test_a_full_disk_is_distinguished_from_other_errors(kind: int) -> None:
     assert is_disk_full(OSError(kind, "text")) == (kind != errno.EACCES)
 
 

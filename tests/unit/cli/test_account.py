@@ -86,7 +86,7 @@ def test_users_are_added_listed_and_changed(account: Account, store: Store) -> N
         (("key", "create", " ", "--scope", "viewer"), "", "title"),
     ],
 )
-def test_a_wrong_command_says_what_is_wrong_and_changes_nothing(
+def test_a_wrong_command_reports_the_error_and_changes_nothing(
     account: Account, store: Store, words: tuple[str, ...], password: str, said: str
 ) -> None:
     account("user", "add", "anna", "--role", "admin")

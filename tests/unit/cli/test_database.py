@@ -63,7 +63,7 @@ def test_check_and_serve_refuse_a_database_of_a_newer_version(
     assert drawings(shop) == 1
 
 
-def test_a_look_at_a_database_does_not_create_it(knifetip: Command, tmp_path: Path) -> None:
+def test_reading_a_missing_database_does_not_create_it(knifetip: Command, tmp_path: Path) -> None:
     for words in (("db", "current"), ("db", "check"), ("backup", tmp_path / "copy")):
         code, _, err = knifetip(*words, "--database", f"sqlite:///{tmp_path}/none.sqlite")
         assert code == 3
@@ -72,7 +72,7 @@ def test_a_look_at_a_database_does_not_create_it(knifetip: Command, tmp_path: Pa
     assert not (tmp_path / "copy").exists()
 
 
-def test_a_backup_replaces_no_file_unasked(knifetip: Command, tmp_path: Path) -> None:
+def test_a_backup_replaces_no_file_without_the_option(knifetip: Command, tmp_path: Path) -> None:
     copy = tmp_path / "copy"
     copy.write_text("mine")
     assert knifetip("backup", copy)[0] == 3

@@ -7,7 +7,7 @@ from collections.abc import Collection
 from knifetip.jobs.changes import ALL, RECEIVED, Changes, machine_topic
 
 
-def test_a_change_calls_those_who_asked_for_its_topic_or_for_all() -> None:
+def test_a_change_calls_the_subscribers_of_its_topic_and_of_all() -> None:
     changes, calls = Changes(), []
     with (
         changes.subscribed(lambda: calls.append("all")),
@@ -33,7 +33,7 @@ def test_only_own_changes_are_sent_to_other_processes() -> None:
     assert sent == [[RECEIVED]]
 
 
-def test_who_is_notified_queries_seldom() -> None:
+def test_a_notified_process_queries_seldom() -> None:
     changes = Changes()
     assert changes.poll(0.5) == 0.5
     changes.connected = True

@@ -77,7 +77,7 @@ def test_a_job_given_back_is_compiled_as_another_attempt(store: Store) -> None:
         queue.stop()
 
 
-def test_the_workflow_of_a_lost_compile_is_deleted_and_that_of_a_living_one_kept(
+def test_the_workflow_of_a_lost_compile_is_deleted_and_that_of_a_running_one_kept(
     store: Store,
 ) -> None:
     began, end = threading.Event(), threading.Event()

@@ -103,7 +103,7 @@ def until(condition: object) -> None:
         time.sleep(0.01)
 
 
-def test_a_change_wakes_those_whom_it_concerns_in_another_process(postgresql_url: str) -> None:
+def test_a_change_wakes_its_subscribers_in_another_process(postgresql_url: str) -> None:
     with linked_store(postgresql_url, "a") as here, linked_store(postgresql_url, "b") as there:
         received, table, router = (threading.Event() for _ in range(3))
         with (

@@ -29,7 +29,7 @@ def adds(value: int) -> int:
 
 
 @pytest.mark.usefixtures("_read_only")
-def test_kernels_are_looked_for_in_a_folder_that_cannot_be_written_to() -> None:
+def test_kernels_are_searched_in_a_folder_that_cannot_be_written_to() -> None:
     with pytest.raises(RuntimeError, match="no locator"):
         caching.FunctionCache(adds)  # type: ignore[no-untyped-call]  # numba has no types
     cache = KernelCache(adds)

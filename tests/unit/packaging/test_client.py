@@ -86,7 +86,7 @@ def test_an_erp_orders_once_and_gets_the_program(
         (square(), ("--board", "no-such", "--number", "PO-4712"), "no-such"),
     ],
 )
-def test_an_erp_is_told_what_is_wrong(
+def test_an_erp_gets_the_reason_of_a_refusal(
     wheel: tuple[Path, Path],
     shop: LocalClient,
     tmp_path: Path,

@@ -42,7 +42,7 @@ def test_the_page_of_licences_lists_every_package_of_the_locks_and_no_other() ->
     assert listed() == server | set(licences.extra_packages()) | page, "run: make licences"
 
 
-def test_another_version_in_a_lock_is_noticed(
+def test_another_version_in_a_lock_is_detected(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     name, version = licences.server_packages()[0]
@@ -76,9 +76,7 @@ def python(**package: object) -> str:
         ("", Status.UNREACHED),
     ],
 )
-def test_the_server_is_clean_only_if_every_package_was_looked_at(
-    output: str, status: object
-) -> None:
+def test_the_server_is_clean_only_if_every_package_was_audited(output: str, status: object) -> None:
     assert supply_chain.judge_python(output)[0] is status
 
 

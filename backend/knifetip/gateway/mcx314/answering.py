@@ -32,14 +32,14 @@ class Answering:
     execute
         Function that executes a request and returns what its answer states; it may raise
         ``Refused``.
-    hear
+    on_request
         Function that is called for each request that arrives, also for a repeated one.
     """
 
-    def __init__(self, execute: Callable[[str], str], hear: Callable[[], None]) -> None:
+    def __init__(self, execute: Callable[[str], str], on_request: Callable[[], None]) -> None:
         self.requests = 0  #: valid requests that have arrived
         self._execute = execute
-        self._hear = hear
+        self._on_request = on_request
         self._splitter = Splitter()
         self._answers: OrderedDict[int, str] = OrderedDict()
 
@@ -67,7 +67,7 @@ class Answering:
         number = self.requests
         if self.hangs_up(faults) or number in faults.ignore or 0 < faults.silent_from <= number:
             return b""
-        self._hear()
+        self._on_request()
         if (answer := self._answers.get(tag)) is None:
             try:
                 answer = " ".join(filter(None, ["OK", self._execute(text)]))

@@ -74,7 +74,7 @@ class Board:
         self._execution = Execution(self._parts)
         self._lost = LostGateway(self._parts, self._execution)
         self._commands = Commands(self._parts, self._execution, self._lost, self.boot)
-        self._answering = Answering(self._execute, self._lost.hear)
+        self._answering = Answering(self._execute, self._lost.record_request)
 
     def reset(self) -> None:
         """Interrupt the power: all outputs are released, and the position is unknown."""

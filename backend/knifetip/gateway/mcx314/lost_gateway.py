@@ -36,7 +36,7 @@ class LostGateway:
         self._execution = execution
         self._silence = 0.0  # real time since the last request (s)
 
-    def hear(self) -> None:
+    def record_request(self) -> None:
         """Record that a request has arrived."""
         self._silence = 0.0
 
