@@ -25,10 +25,10 @@ from knifetip.api.schemas.accounts import (
 )
 from knifetip.api.service import Service, ServiceDep, set_next_page
 from knifetip.errors import RequestError, SignInRefused, WrongState
+from knifetip.jobs.accounts.account_tables import ApiKey, UserAccount
 from knifetip.jobs.accounts.acting import credited
 from knifetip.jobs.accounts.audit_store import AuditFilter
 from knifetip.jobs.accounts.scopes import AccessScope
-from knifetip.jobs.tables import ApiKey, UserAccount
 
 router = ScopedRouter(tags=["accounts"])
 

@@ -22,7 +22,7 @@ from knifetip.api.schemas.webhooks import (
 from knifetip.api.service import ServiceDep, set_next_page
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.store import Store
-from knifetip.jobs.tables import Webhook, WebhookDelivery
+from knifetip.jobs.webhook_tables import Webhook, WebhookDelivery
 
 router = ScopedRouter(prefix="/webhooks", tags=["webhooks"])
 

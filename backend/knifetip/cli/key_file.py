@@ -9,9 +9,9 @@ from contextlib import suppress
 from pathlib import Path
 
 from knifetip.errors import SettingsError
+from knifetip.jobs.accounts.account_tables import ApiKey
 from knifetip.jobs.accounts.key_store import KeyStore
 from knifetip.jobs.accounts.scopes import AccessScope
-from knifetip.jobs.tables import ApiKey
 
 
 def key_in(file: Path, keys: KeyStore, scopes: Collection[AccessScope]) -> ApiKey | None:

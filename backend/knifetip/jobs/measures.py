@@ -9,7 +9,8 @@ import sqlalchemy as sa
 
 from knifetip.jobs.database import Database
 from knifetip.jobs.job import ENDED, State
-from knifetip.jobs.tables import Gateway, Job, WebhookDelivery
+from knifetip.jobs.tables import Gateway, Job
+from knifetip.jobs.webhook_tables import WebhookDelivery
 
 #: States whose jobs are counted: a count of ended jobs would read the whole history.
 COUNTED: Final = tuple(

@@ -1,8 +1,9 @@
 """Tables of the store in SQLite or PostgreSQL.
 
 The tables contain drawings, jobs, events of drawings and jobs, profiles, machines, boards and tools
-of users, gateways, the stations of machines with the operations that persons request, webhooks, and
-users, API keys, sessions and the audit log.
+of users, gateways, and the stations of machines with the operations that persons request.  Those of
+webhooks are in ``webhook_tables``, those of users, keys and the audit log in
+``accounts.account_tables``; the import of ``store`` adds them to the metadata of ``Base``.
 Large columns are deferred: a query loads them only if it names them.
 """
 
@@ -20,7 +21,8 @@ from knifetip.messages import Message
 _RESERVES_TABLE = sa.text(
     "state IN ('running', 'held', 'interrupted') OR (state = 'queued' AND confirmation <> '')"
 )
-_SERIAL = sa.BigInteger().with_variant(sa.Integer(), "sqlite")
+#: Type of serial numbers.
+SERIAL = sa.BigInteger().with_variant(sa.Integer(), "sqlite")
 
 
 class Base(DeclarativeBase):
@@ -32,7 +34,7 @@ class DatabaseVersion(Base):
 
     __tablename__ = "database_version"
 
-    id: Mapped[int] = mapped_column(_SERIAL, primary_key=True, autoincrement=True)
+    id: Mapped[int] = mapped_column(SERIAL, primary_key=True, autoincrement=True)
     version: Mapped[str] = mapped_column(sa.String(64))  #: of knifetip
     revision: Mapped[str] = mapped_column(sa.String(32))  #: of the tables after the migration
     at: Mapped[float] = mapped_column(sa.Double)  #: seconds since 1970
@@ -96,7 +98,7 @@ class Drawing(Base):
         sa.Index("drawing_by_due", "due"),
     )
 
-    serial: Mapped[int] = mapped_column(_SERIAL, primary_key=True, autoincrement=True)
+    serial: Mapped[int] = mapped_column(SERIAL, primary_key=True, autoincrement=True)
     id: Mapped[str] = mapped_column(sa.String(32), unique=True)
     name: Mapped[str] = mapped_column(sa.String(200))
     created: Mapped[float] = mapped_column(sa.Double)
@@ -146,7 +148,7 @@ class Job(Base):
         sa.Index("job_by_due", "due"),
     )
 
-    serial: Mapped[int] = mapped_column(_SERIAL, primary_key=True, autoincrement=True)
+    serial: Mapped[int] = mapped_column(SERIAL, primary_key=True, autoincrement=True)
     id: Mapped[str] = mapped_column(sa.String(32), unique=True)
     state: Mapped[str] = mapped_column(sa.String(16))
     drawing: Mapped[str] = mapped_column(sa.ForeignKey("drawing.id"), index=True)
@@ -246,7 +248,7 @@ class DrawingMetadata(Base):
 
     token: Mapped[str] = mapped_column(sa.String(40), primary_key=True)  #: hash of key and value
     owner: Mapped[int] = mapped_column(
-        _SERIAL, sa.ForeignKey("drawing.serial", ondelete="CASCADE"), primary_key=True
+        SERIAL, sa.ForeignKey("drawing.serial", ondelete="CASCADE"), primary_key=True
     )
 
 
@@ -258,7 +260,7 @@ class JobMetadata(Base):
 
     token: Mapped[str] = mapped_column(sa.String(40), primary_key=True)  #: hash of key and value
     owner: Mapped[int] = mapped_column(
-        _SERIAL, sa.ForeignKey("job.serial", ondelete="CASCADE"), primary_key=True
+        SERIAL, sa.ForeignKey("job.serial", ondelete="CASCADE"), primary_key=True
     )
 
 
@@ -268,7 +270,7 @@ class DrawingDocument(Base):
     __tablename__ = "drawing_document"
 
     owner: Mapped[int] = mapped_column(
-        _SERIAL, sa.ForeignKey("drawing.serial", ondelete="CASCADE"), primary_key=True
+        SERIAL, sa.ForeignKey("drawing.serial", ondelete="CASCADE"), primary_key=True
     )
     kind: Mapped[str] = mapped_column(sa.String(40), primary_key=True)
     version: Mapped[str] = mapped_column(sa.String(200))  #: of the owner and of knifetip
@@ -281,7 +283,7 @@ class JobDocument(Base):
     __tablename__ = "job_document"
 
     owner: Mapped[int] = mapped_column(
-        _SERIAL, sa.ForeignKey("job.serial", ondelete="CASCADE"), primary_key=True
+        SERIAL, sa.ForeignKey("job.serial", ondelete="CASCADE"), primary_key=True
     )
     kind: Mapped[str] = mapped_column(sa.String(40), primary_key=True)
     version: Mapped[str] = mapped_column(sa.String(200))  #: of the owner and of knifetip
@@ -309,7 +311,7 @@ class Event(Base):
         {"sqlite_autoincrement": True},
     )
 
-    id: Mapped[int] = mapped_column(_SERIAL, primary_key=True, autoincrement=True)
+    id: Mapped[int] = mapped_column(SERIAL, primary_key=True, autoincrement=True)
     kind: Mapped[str] = mapped_column(sa.String(8))  #: job or drawing
     subject: Mapped[str] = mapped_column(sa.String(32))
     at: Mapped[float] = mapped_column(sa.Double)
@@ -339,7 +341,7 @@ class MachineRun(Base):
         sa.Index("run_by_machine", "machine", "id"),
     )
 
-    id: Mapped[int] = mapped_column(_SERIAL, primary_key=True, autoincrement=True)
+    id: Mapped[int] = mapped_column(SERIAL, primary_key=True, autoincrement=True)
     job: Mapped[str] = mapped_column(sa.String(32))  #: id of the job
     epoch: Mapped[int]  #: epoch of the gateway's claim
     machine: Mapped[str] = mapped_column(sa.String(200))
@@ -370,7 +372,7 @@ class ToolEvent(Base):
     __tablename__ = "tool_event"
     __table_args__ = (sa.Index("tool_event_by_machine", "machine", "station"),)
 
-    id: Mapped[int] = mapped_column(_SERIAL, primary_key=True, autoincrement=True)
+    id: Mapped[int] = mapped_column(SERIAL, primary_key=True, autoincrement=True)
     machine: Mapped[str] = mapped_column(sa.String(200))
     station: Mapped[int]  #: number of the station
     kind: Mapped[str] = mapped_column(sa.String(8))  #: "changed" (a new tool) or "life"
@@ -414,7 +416,7 @@ class Operation(Base):
     __tablename__ = "operation"
     __table_args__ = (sa.Index("operation_by_state", "machine", "state"),)
 
-    serial: Mapped[int] = mapped_column(_SERIAL, primary_key=True, autoincrement=True)
+    serial: Mapped[int] = mapped_column(SERIAL, primary_key=True, autoincrement=True)
     id: Mapped[str] = mapped_column(sa.String(32), unique=True)
     machine: Mapped[str] = mapped_column(sa.String(200))
     request: Mapped[dict[str, Any]] = mapped_column(sa.JSON)  #: name and arguments
@@ -423,132 +425,3 @@ class Operation(Base):
     asked: Mapped[float] = mapped_column(sa.Double)
     #: when it was given to the gateway, so that it is given only once
     handed: Mapped[float | None] = mapped_column(sa.Double)
-
-
-class Webhook(Base):
-    """An endpoint of another system to which events of jobs and drawings are sent."""
-
-    __tablename__ = "webhook"
-
-    serial: Mapped[int] = mapped_column(_SERIAL, primary_key=True, autoincrement=True)
-    id: Mapped[str] = mapped_column(sa.String(32), unique=True)
-    url: Mapped[str] = mapped_column(sa.String(2000))
-    description: Mapped[str] = mapped_column(sa.String(200))
-    #: types of the events to send, see ``webhook_events.EVENT_TYPES``; empty for all
-    event_types: Mapped[list[str]] = mapped_column(sa.JSON)
-    secret: Mapped[str] = mapped_column(sa.String(100))  #: signs the requests; "whsec_" and base64
-    previous_secret: Mapped[str] = mapped_column(sa.String(100), default="")
-    #: until when requests are also signed with ``previous_secret``
-    previous_until: Mapped[float] = mapped_column(sa.Double, default=0.0)
-    active: Mapped[bool] = mapped_column(default=True)
-    created: Mapped[float] = mapped_column(sa.Double)
-    created_by: Mapped[str] = mapped_column(sa.String(200))
-    #: failed attempts since the last success, for all deliveries together
-    failures: Mapped[int] = mapped_column(default=0)
-    #: nothing is sent before this time, because the last attempt failed
-    resume_at: Mapped[float] = mapped_column(sa.Double, default=0.0)
-
-
-_PENDING = sa.text("state = 'pending'")
-
-
-class WebhookDelivery(Base):
-    """An event that is sent to one endpoint, with the attempts so far."""
-
-    __tablename__ = "webhook_delivery"
-    # The sender reads only pending deliveries, so its queries do not grow with the history.
-    __table_args__ = (
-        sa.Index(
-            "delivery_due",
-            *("webhook", "due", "serial"),
-            sqlite_where=_PENDING,
-            postgresql_where=_PENDING,
-        ),
-        sa.Index(
-            "delivery_of_subject",
-            *("webhook", "subject", "serial"),
-            sqlite_where=_PENDING,
-            postgresql_where=_PENDING,
-        ),
-        sa.Index("delivery_by_webhook", "webhook", "serial"),
-    )
-
-    serial: Mapped[int] = mapped_column(_SERIAL, primary_key=True, autoincrement=True)
-    id: Mapped[str] = mapped_column(sa.String(40), unique=True)  #: the header webhook-id
-    webhook: Mapped[int] = mapped_column(
-        _SERIAL, sa.ForeignKey("webhook.serial", ondelete="CASCADE")
-    )
-    event_type: Mapped[str] = mapped_column(sa.String(40))
-    subject: Mapped[str] = mapped_column(sa.String(32))  #: id of the job or drawing
-    payload: Mapped[str] = mapped_column(sa.Text)  #: the JSON text that is signed and sent
-    created: Mapped[float] = mapped_column(sa.Double)
-    state: Mapped[str] = mapped_column(sa.String(10))  #: see ``webhook_store.DeliveryState``
-    due: Mapped[float] = mapped_column(sa.Double)  #: earliest time of the next attempt
-    lease: Mapped[float] = mapped_column(sa.Double, default=0.0)  #: until when a sender has it
-    tries: Mapped[int] = mapped_column(default=0)  #: attempts since it was created or replayed
-    #: all attempts: time, HTTP status (0 for no answer), duration (s) and fault
-    attempts: Mapped[list[dict[str, Any]]] = mapped_column(sa.JSON)
-
-
-class UserAccount(Base):
-    """A user who can sign in; never deleted, so that events and the audit log name it."""
-
-    __tablename__ = "user_account"
-
-    id: Mapped[str] = mapped_column(sa.String(32), primary_key=True)
-    name: Mapped[str] = mapped_column(sa.String(64), unique=True)  #: in small letters
-    role: Mapped[str] = mapped_column(sa.String(16))  #: see ``accounts.scopes.ROLES``
-    password: Mapped[str] = mapped_column(sa.String(200))  #: Argon2id hash
-    active: Mapped[bool]
-    created: Mapped[float] = mapped_column(sa.Double)
-    created_by: Mapped[str] = mapped_column(sa.String(200))
-    signed_in: Mapped[float | None] = mapped_column(sa.Double)  #: time of the last sign-in
-
-
-class ApiKey(Base):
-    """A key of a program, with its scopes; of its secret only the hash is stored."""
-
-    __tablename__ = "api_key"
-
-    id: Mapped[str] = mapped_column(sa.String(32), primary_key=True)
-    title: Mapped[str] = mapped_column(sa.String(100))  #: what uses the key
-    digest: Mapped[str] = mapped_column(sa.String(64))  #: SHA-256 of the secret
-    scopes: Mapped[list[str]] = mapped_column(sa.JSON)
-    created: Mapped[float] = mapped_column(sa.Double)
-    created_by: Mapped[str] = mapped_column(sa.String(200))
-    expires: Mapped[float | None] = mapped_column(sa.Double)
-    used: Mapped[float | None] = mapped_column(sa.Double)  #: time of the last recorded use
-    revoked: Mapped[float | None] = mapped_column(sa.Double)
-
-
-class BrowserSession(Base):
-    """A session of a user in a browser; of its token only the hash is stored."""
-
-    __tablename__ = "browser_session"
-
-    digest: Mapped[str] = mapped_column(sa.String(64), primary_key=True)  #: SHA-256 of the token
-    user: Mapped[str] = mapped_column(sa.ForeignKey("user_account.id"), index=True)
-    created: Mapped[float] = mapped_column(sa.Double)
-    seen: Mapped[float] = mapped_column(sa.Double)  #: time of the last recorded use
-    expires: Mapped[float] = mapped_column(sa.Double)
-
-
-class AuditEntry(Base):
-    """A request that changed something, or was refused; rows are only appended."""
-
-    __tablename__ = "audit"
-    __table_args__ = (
-        sa.Index("audit_by_time", "at"),
-        sa.Index("audit_by_subject", "subject"),
-        {"sqlite_autoincrement": True},
-    )
-
-    id: Mapped[int] = mapped_column(_SERIAL, primary_key=True, autoincrement=True)
-    at: Mapped[float] = mapped_column(sa.Double)
-    kind: Mapped[str] = mapped_column(sa.String(16))  #: kind of the principal
-    principal: Mapped[str] = mapped_column(sa.String(200))  #: its name
-    action: Mapped[str] = mapped_column(sa.String(80))  #: name of the operation
-    subject_kind: Mapped[str] = mapped_column(sa.String(32))
-    subject: Mapped[str] = mapped_column(sa.String(200))  #: id or name of the changed object
-    outcome: Mapped[str] = mapped_column(sa.String(8))  #: done, refused or failed
-    peer: Mapped[str] = mapped_column(sa.String(80))  #: address of the sender

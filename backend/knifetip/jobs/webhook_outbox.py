@@ -16,8 +16,9 @@ from sqlalchemy.orm import Session
 from knifetip.jobs.changes import WEBHOOK
 from knifetip.jobs.database import note_change
 from knifetip.jobs.job import State
-from knifetip.jobs.tables import Drawing, Event, Job, Webhook, WebhookDelivery
+from knifetip.jobs.tables import Drawing, Event, Job
 from knifetip.jobs.time_text import rfc3339
+from knifetip.jobs.webhook_tables import Webhook, WebhookDelivery
 
 UPDATED: Final = "job.updated"  #: an event of a job that leaves its state as it is
 TEST: Final = "webhook.test"  #: sent on request only, to each endpoint whatever it subscribes to

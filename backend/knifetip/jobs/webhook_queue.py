@@ -20,8 +20,8 @@ import sqlalchemy as sa
 from sqlalchemy.orm import Session, aliased
 
 from knifetip.jobs.database import Database, rows
-from knifetip.jobs.tables import Webhook, WebhookDelivery
 from knifetip.jobs.webhook_outbox import TEST
+from knifetip.jobs.webhook_tables import Webhook, WebhookDelivery
 
 #: Time from each failed attempt to the next one (s); 3.2 days in all.
 DELAYS: Final = (

@@ -15,10 +15,10 @@ from knifetip.errors import NoSuchJob, WrongState
 from knifetip.jobs.changes import WEBHOOK
 from knifetip.jobs.database import Database, rows, short
 from knifetip.jobs.job import new_id
-from knifetip.jobs.tables import Webhook, WebhookDelivery
 from knifetip.jobs.time_text import rfc3339
 from knifetip.jobs.webhook_outbox import TEST, new_delivery
 from knifetip.jobs.webhook_queue import bury_pending
+from knifetip.jobs.webhook_tables import Webhook, WebhookDelivery
 
 #: Greatest number of endpoints; each one is written to in the transaction of every event.
 MAX_WEBHOOKS: Final = 50

@@ -13,9 +13,9 @@ import httpx
 
 from knifetip.api.service import Settings
 from knifetip.jobs.accounts import session_store
+from knifetip.jobs.accounts.account_tables import ApiKey, BrowserSession
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.store import Store
-from knifetip.jobs.tables import ApiKey, BrowserSession
 from tests.support.serving.server import LocalClient, run_server, square, upload_drawing
 
 PASSWORD = "four words of text"

@@ -13,9 +13,10 @@ import sqlalchemy as sa
 from knifetip.errors import NoSuchJob, WrongState
 from knifetip.jobs.job import OPERATOR
 from knifetip.jobs.store import Store
-from knifetip.jobs.tables import Event, Job, WebhookDelivery
+from knifetip.jobs.tables import Event, Job
 from knifetip.jobs.webhook_outbox import EVENT_TYPES
 from knifetip.jobs.webhook_queue import DELAYS, IN_ORDER, LEASE, Attempt, Claimed
+from knifetip.jobs.webhook_tables import WebhookDelivery
 from knifetip.messages import Message
 from tests.support.stored import Clock, add_drawing, add_job
 

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 from sqlalchemy.orm import Session
 
+from knifetip.jobs.accounts.account_tables import AuditEntry
 from knifetip.jobs.job import Actor, ActorKind
-from knifetip.jobs.tables import AuditEntry
 
 #: Outcomes of a request in the audit log.
 DONE, REFUSED, FAILED = "done", "refused", "failed"

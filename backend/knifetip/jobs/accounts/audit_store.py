@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 import sqlalchemy as sa
 
+from knifetip.jobs.accounts.account_tables import AuditEntry
 from knifetip.jobs.accounts.acting import Acting
 from knifetip.jobs.database import Database
-from knifetip.jobs.tables import AuditEntry
 
 
 @dataclass(frozen=True, slots=True)

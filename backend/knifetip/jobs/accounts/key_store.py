@@ -16,11 +16,11 @@ from typing import Final
 import sqlalchemy as sa
 
 from knifetip.errors import NoSuchJob, RequestError, WrongState
+from knifetip.jobs.accounts.account_tables import ApiKey
 from knifetip.jobs.accounts.acting import set_subject
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.database import Database, short
 from knifetip.jobs.job import new_id
-from knifetip.jobs.tables import ApiKey
 from knifetip.messages import printable
 
 #: Shortest time between two records of the use of a key (s).

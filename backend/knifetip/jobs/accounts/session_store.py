@@ -13,8 +13,8 @@ from typing import Final
 
 import sqlalchemy as sa
 
+from knifetip.jobs.accounts.account_tables import BrowserSession, UserAccount
 from knifetip.jobs.database import Database
-from knifetip.jobs.tables import BrowserSession, UserAccount
 
 #: Longest time without a request (s): a shift.
 IDLE: Final = 12 * 3600.0

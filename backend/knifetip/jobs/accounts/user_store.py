@@ -16,11 +16,11 @@ from sqlalchemy.orm import Session
 
 from knifetip.errors import NoSuchJob, RequestError, WrongState
 from knifetip.jobs.accounts import passwords
+from knifetip.jobs.accounts.account_tables import BrowserSession, UserAccount
 from knifetip.jobs.accounts.acting import set_subject
 from knifetip.jobs.accounts.scopes import ROLES, AccessScope
 from knifetip.jobs.database import Database, short
 from knifetip.jobs.job import new_id
-from knifetip.jobs.tables import BrowserSession, UserAccount
 
 _NAME: Final = re.compile(r"[a-z0-9][a-z0-9._@+-]{0,63}")
 

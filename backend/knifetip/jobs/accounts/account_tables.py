@@ -1,0 +1,72 @@
+"""account_tables: tables of users, API keys, sessions of browsers and the audit log."""
+
+from __future__ import annotations
+
+import sqlalchemy as sa
+from sqlalchemy.orm import Mapped, mapped_column
+
+from knifetip.jobs.tables import SERIAL, Base
+
+
+class UserAccount(Base):
+    """A user who can sign in; never deleted, so that events and the audit log name it."""
+
+    __tablename__ = "user_account"
+
+    id: Mapped[str] = mapped_column(sa.String(32), primary_key=True)
+    name: Mapped[str] = mapped_column(sa.String(64), unique=True)  #: in small letters
+    role: Mapped[str] = mapped_column(sa.String(16))  #: see ``accounts.scopes.ROLES``
+    password: Mapped[str] = mapped_column(sa.String(200))  #: Argon2id hash
+    active: Mapped[bool]
+    created: Mapped[float] = mapped_column(sa.Double)
+    created_by: Mapped[str] = mapped_column(sa.String(200))
+    signed_in: Mapped[float | None] = mapped_column(sa.Double)  #: time of the last sign-in
+
+
+class ApiKey(Base):
+    """A key of a program, with its scopes; of its secret only the hash is stored."""
+
+    __tablename__ = "api_key"
+
+    id: Mapped[str] = mapped_column(sa.String(32), primary_key=True)
+    title: Mapped[str] = mapped_column(sa.String(100))  #: what uses the key
+    digest: Mapped[str] = mapped_column(sa.String(64))  #: SHA-256 of the secret
+    scopes: Mapped[list[str]] = mapped_column(sa.JSON)
+    created: Mapped[float] = mapped_column(sa.Double)
+    created_by: Mapped[str] = mapped_column(sa.String(200))
+    expires: Mapped[float | None] = mapped_column(sa.Double)
+    used: Mapped[float | None] = mapped_column(sa.Double)  #: time of the last recorded use
+    revoked: Mapped[float | None] = mapped_column(sa.Double)
+
+
+class BrowserSession(Base):
+    """A session of a user in a browser; of its token only the hash is stored."""
+
+    __tablename__ = "browser_session"
+
+    digest: Mapped[str] = mapped_column(sa.String(64), primary_key=True)  #: SHA-256 of the token
+    user: Mapped[str] = mapped_column(sa.ForeignKey("user_account.id"), index=True)
+    created: Mapped[float] = mapped_column(sa.Double)
+    seen: Mapped[float] = mapped_column(sa.Double)  #: time of the last recorded use
+    expires: Mapped[float] = mapped_column(sa.Double)
+
+
+class AuditEntry(Base):
+    """A request that changed something, or was refused; rows are only appended."""
+
+    __tablename__ = "audit"
+    __table_args__ = (
+        sa.Index("audit_by_time", "at"),
+        sa.Index("audit_by_subject", "subject"),
+        {"sqlite_autoincrement": True},
+    )
+
+    id: Mapped[int] = mapped_column(SERIAL, primary_key=True, autoincrement=True)
+    at: Mapped[float] = mapped_column(sa.Double)
+    kind: Mapped[str] = mapped_column(sa.String(16))  #: kind of the principal
+    principal: Mapped[str] = mapped_column(sa.String(200))  #: its name
+    action: Mapped[str] = mapped_column(sa.String(80))  #: name of the operation
+    subject_kind: Mapped[str] = mapped_column(sa.String(32))
+    subject: Mapped[str] = mapped_column(sa.String(200))  #: id or name of the changed object
+    outcome: Mapped[str] = mapped_column(sa.String(8))  #: done, refused or failed
+    peer: Mapped[str] = mapped_column(sa.String(80))  #: address of the sender
