@@ -1,6 +1,7 @@
 import { afterEach, describe, expect, test, vi } from "vitest";
-import { nextCursor, revisionOf, ServiceError, service } from "./client";
+import { revisionOf, ServiceError, service } from "./client";
 import { parseProblem } from "./errors";
+import { nextCursor } from "./restApi";
 import { retryAfter } from "./transport";
 
 const answers = (body: string, init: ResponseInit) =>

@@ -1,16 +1,13 @@
 /**
- * The REST API as functions.
- *
- * `openapi-fetch` checks paths, parameters and bodies against the generated types. Every failure
- * is a `ServiceError` with the server's problem.
+ * The REST API as functions, except those for webhooks and accounts.
  */
 
-import createClient from "openapi-fetch";
 import type { Edges, Toolpath, VerdictColumns } from "../geometry/records";
 import { edgesOf, toolpathOf, verdictColumnsOf } from "./columns";
 import type { components, paths } from "./openapi.gen";
 import { operatorName } from "./operator";
-import { fetchOnce, fetchWithRetries, OWN_PAGE, upload } from "./transport";
+import { api, byId, dataOf, type Page, pageOf, uncached } from "./restApi";
+import { fetchOnce, upload } from "./transport";
 
 export { type Problem, pageProblem, ServiceError } from "./errors";
 
@@ -57,14 +54,6 @@ export type Activity = Schemas["ActivityOut"];
 export type OperationRequest = Schemas["OperationIn"];
 export type Override = Schemas["Override"];
 export type Profile = Schemas["ProfileOut"];
-/** An endpoint of another system to which events are sent. */
-export type Webhook = Schemas["WebhookOut"];
-export type NewWebhook = Schemas["NewWebhookOut"];
-export type WebhookFields = Required<Schemas["WebhookIn"]>;
-export type WebhookEvent = WebhookFields["event_types"][number];
-export type Delivery = Schemas["DeliveryOut"];
-export type SentDelivery = Schemas["SentDeliveryOut"];
-export type DeliveryState = Delivery["state"];
 export type ProfileDraft = Schemas["ProfileIn"];
 export type Preview = Schemas["PreviewOut"];
 export type Proposal = Schemas["ProposalOut"];
@@ -92,18 +81,10 @@ export interface Neighbours {
 export type Verdict = Schemas["VerdictOut"];
 export type VerdictSummary = Schemas["VerdictSummary"];
 
-/** Commands of the operator for a job. */
 /** Actions without further data, each a route of its own. */
 export type JobCommand = Exclude<Schemas["OperatorAction"], "accept" | "rest">;
 export type Exceptions = Schemas["ExceptionsIn"];
 export type EarlierExceptions = Schemas["EarlierExceptions"];
-
-const api = createClient<paths>({
-  // Request needs an absolute URL; tests have no location.
-  baseUrl: globalThis.location?.origin ?? "http://localhost",
-  fetch: fetchWithRetries,
-  headers: OWN_PAGE,
-});
 
 /** Time (s) after which a request of a person at a machine is given up: it must not arrive late. */
 const PATIENCE = 3;
@@ -113,52 +94,15 @@ const SILENCE = 2;
 /** Options of a request that must arrive now or never. */
 const nowOrNever = () => ({ fetch: fetchOnce, signal: AbortSignal.timeout(PATIENCE * 1000) });
 
-/** JSON is not cached by the browser: a newer server may return more for the same revision. */
-const uncached = (signal?: AbortSignal) => ({ cache: "no-store", signal: signal ?? null }) as const;
 const binary = (signal?: AbortSignal) =>
   ({ parseAs: "arrayBuffer", signal: signal ?? null }) as const;
 
-const byId = (id: string) => ({ path: { id } });
 const byName = (name: string) => ({ path: { name } });
 
 /** Header that applies a change to this revision only. */
 const ifMatch = (revision: number | null) => ({
   header: revision === null ? {} : { "If-Match": `"${revision}"` },
 });
-
-/** A type as `openapi-fetch` infers it: tuples are arrays. */
-type Untupled<T> = T extends readonly (infer E)[]
-  ? Untupled<E>[]
-  : T extends object
-    ? { [K in keyof T]: Untupled<T[K]> }
-    : T;
-
-/** The data of an answer. The transport has raised an error if the server refused the request. */
-async function dataOf<T>(call: Promise<{ data?: NoInfer<Untupled<T>> | undefined }>): Promise<T> {
-  return (await call).data as T;
-}
-
-/** Part of a list, newest first. */
-export interface Page<T> {
-  readonly rows: readonly T[];
-  /** Cursor of the next part; null if this is the last. */
-  readonly next: number | null;
-}
-
-/** Cursor in the Link header of a list; null if there is no next page. */
-export function nextCursor(link: string | null): number | null {
-  const [, address = ""] = /<([^>]*)>\s*;[^,]*\brel="?next"?/.exec(link ?? "") ?? [];
-  if (!address.startsWith("/api/v1/")) return null;
-  const cursor = new URL(address, "http://localhost").searchParams.get("cursor");
-  return cursor === null || cursor === "" ? null : Number(cursor);
-}
-
-async function pageOf<T>(
-  call: Promise<{ data?: NoInfer<Untupled<T>>[] | undefined; response: Response }>,
-): Promise<Page<T>> {
-  const { data = [], response } = await call;
-  return { rows: data as T[], next: nextCursor(response.headers.get("Link")) };
-}
 
 /** Conditions on ended jobs; a condition that is missing or empty is met by all. */
 export interface HistoryFilter {
@@ -444,54 +388,6 @@ export const service = {
   /** Compute the deflection of a cutter from a measured test cut; nothing is stored. */
   calibrate: (board: string, order: CalibrationOrder): Promise<Calibration> =>
     dataOf(api.POST("/api/v1/boards/{name}/deflection", { params: byName(board), body: order })),
-  webhooks: (signal?: AbortSignal): Promise<Webhook[]> =>
-    dataOf(api.GET("/api/v1/webhooks", uncached(signal))),
-  addWebhook: (fields: WebhookFields): Promise<NewWebhook> =>
-    dataOf(api.POST("/api/v1/webhooks", { body: fields })),
-  changeWebhook: (
-    id: string,
-    changes: Partial<WebhookFields & { active: boolean }>,
-  ): Promise<Webhook> =>
-    dataOf(api.PATCH("/api/v1/webhooks/{id}", { params: byId(id), body: changes })),
-  /** Replace the secret; for a time (h) requests are signed with the former one, too. */
-  rotateWebhookSecret: (id: string, overlap_hours: number): Promise<NewWebhook> =>
-    dataOf(
-      api.POST("/api/v1/webhooks/{id}/rotate-secret", {
-        params: byId(id),
-        body: { overlap_hours },
-      }),
-    ),
-  testWebhook: (id: string): Promise<Delivery> =>
-    dataOf(api.POST("/api/v1/webhooks/{id}/test", { params: byId(id) })),
-  deliveries: (
-    webhook: string,
-    state: DeliveryState | null,
-    signal?: AbortSignal,
-    cursor: number | null = null,
-  ): Promise<Page<Delivery>> =>
-    pageOf(
-      api.GET("/api/v1/webhooks/{id}/deliveries", {
-        params: { ...byId(webhook), query: { state, cursor } },
-        ...uncached(signal),
-      }),
-    ),
-  delivery: (webhook: string, delivery: string, signal?: AbortSignal): Promise<SentDelivery> =>
-    dataOf(
-      api.GET("/api/v1/webhooks/{id}/deliveries/{delivery}", {
-        params: { path: { id: webhook, delivery } },
-        ...uncached(signal),
-      }),
-    ),
-  replayDelivery: async (webhook: string, delivery: string): Promise<void> => {
-    await api.POST("/api/v1/webhooks/{id}/deliveries/{delivery}/replay", {
-      params: { path: { id: webhook, delivery } },
-    });
-  },
-  replayDeadLetters: (webhook: string): Promise<Delivery[]> =>
-    dataOf(api.POST("/api/v1/webhooks/{id}/replay", { params: byId(webhook) })),
-  deleteWebhook: async (id: string): Promise<void> => {
-    await api.DELETE("/api/v1/webhooks/{id}", { params: byId(id) });
-  },
   library: (signal?: AbortSignal): Promise<LibraryEntry[]> =>
     dataOf(api.GET("/api/v1/library", uncached(signal))),
   librarySchema: (kind: Shelf, signal?: AbortSignal): Promise<Record<string, unknown>> =>

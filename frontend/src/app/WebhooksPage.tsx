@@ -3,7 +3,7 @@
 import { Button } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
-import { type NewWebhook, service } from "../api/client";
+import { type NewWebhook, webhookService } from "../api/webhooks";
 import { errorText } from "../messages/render";
 import { WebhookCard } from "../panels/WebhookCard";
 import { WebhookForm } from "../panels/WebhookForm";
@@ -62,7 +62,7 @@ export function WebhooksPage() {
             fields={EMPTY}
             label="Add"
             onSend={async (fields) => {
-              const done = await act(async () => setAdded(await service.addWebhook(fields)));
+              const done = await act(async () => setAdded(await webhookService.add(fields)));
               if (done) setAdding(false);
               return done;
             }}

@@ -4,7 +4,7 @@ import { Button, Code, SegmentedControl } from "@mantine/core";
 import { IconChevronDown } from "@tabler/icons-react";
 import { useQuery } from "@tanstack/react-query";
 import { useId, useState } from "react";
-import { type Delivery, type DeliveryState, service } from "../api/client";
+import { type Delivery, type DeliveryState, webhookService } from "../api/webhooks";
 import { errorText } from "../messages/render";
 import { queries, useDeliveries } from "../state/queries";
 import { dateTimeText } from "../state/times";
@@ -46,7 +46,7 @@ export function DeliveryList({ webhook, active, act }: Props) {
         <Button
           variant="default"
           disabled={!active}
-          onClick={() => void act(() => service.replayDeadLetters(webhook))}
+          onClick={() => void act(() => webhookService.replayDeadLetters(webhook))}
           data-testid="replay-all"
         >
           Send all failed again
@@ -65,7 +65,7 @@ export function DeliveryList({ webhook, active, act }: Props) {
             delivery={delivery}
             webhook={webhook}
             active={active}
-            replay={() => void act(() => service.replayDelivery(webhook, delivery.id))}
+            replay={() => void act(() => webhookService.replayDelivery(webhook, delivery.id))}
           />
         ))}
       </ul>

@@ -3,7 +3,7 @@
 import { Button } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
-import { type NewWebhook, service, type Webhook } from "../api/client";
+import { type NewWebhook, type Webhook, webhookService } from "../api/webhooks";
 import { queries } from "../state/queries";
 import { dateTimeText } from "../state/times";
 import { answerText, deliveryText, eventsText, healthText } from "../state/webhooks";
@@ -31,7 +31,7 @@ export function WebhookCard({ webhook, act }: Props) {
   const toggle = (wanted: View) => setView(view === wanted ? "" : wanted);
   const rotate = (overlap: number) => {
     setAsking("");
-    void act(async () => setRotated(await service.rotateWebhookSecret(id, overlap)));
+    void act(async () => setRotated(await webhookService.rotateSecret(id, overlap)));
   };
   return (
     <li className={css.card} data-testid="webhook-row">
@@ -42,7 +42,7 @@ export function WebhookCard({ webhook, act }: Props) {
         <Button
           size="sm"
           disabled={!active}
-          onClick={() => void act(async () => setTest((await service.testWebhook(id)).id))}
+          onClick={() => void act(async () => setTest((await webhookService.test(id)).id))}
           data-testid="webhook-test"
         >
           Send a test
@@ -76,7 +76,7 @@ export function WebhookCard({ webhook, act }: Props) {
         <Button
           size="sm"
           variant="default"
-          onClick={() => void act(() => service.changeWebhook(id, { active: !active }))}
+          onClick={() => void act(() => webhookService.change(id, { active: !active }))}
           data-testid="webhook-switch"
         >
           {active ? "Switch off" : "Switch on"}
@@ -91,7 +91,7 @@ export function WebhookCard({ webhook, act }: Props) {
           label="Save"
           onSend={async ({ url, description, event_types }) => {
             const saved = await act(() =>
-              service.changeWebhook(id, { url, description, event_types }),
+              webhookService.change(id, { url, description, event_types }),
             );
             if (saved) setView("");
             return saved;
@@ -118,7 +118,7 @@ export function WebhookCard({ webhook, act }: Props) {
         }
         onYes={() => {
           setAsking("");
-          void act(() => service.deleteWebhook(id));
+          void act(() => webhookService.delete(id));
         }}
         onNo={() => setAsking("")}
       />

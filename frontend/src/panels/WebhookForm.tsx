@@ -2,7 +2,7 @@
 
 import { Button, MultiSelect, TextInput } from "@mantine/core";
 import { useState } from "react";
-import type { WebhookEvent, WebhookFields } from "../api/client";
+import type { WebhookEvent, WebhookFields } from "../api/webhooks";
 import { EVENT_LABELS } from "../state/webhooks";
 import css from "./webhooks.module.css";
 

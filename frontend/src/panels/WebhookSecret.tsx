@@ -2,7 +2,7 @@
 
 import { Button, Code, CopyButton, Modal, Select } from "@mantine/core";
 import { useState } from "react";
-import type { NewWebhook } from "../api/client";
+import type { NewWebhook } from "../api/webhooks";
 import { dateTimeText } from "../state/times";
 import css from "./webhooks.module.css";
 

@@ -9,17 +9,17 @@ import {
   useQuery,
 } from "@tanstack/react-query";
 import {
-  type DeliveryState,
   type DrawingSummary,
   type HistoryFilter,
   type ImportReportRow,
   type Job,
-  type Page,
   type Shelf,
   type Station,
   service,
 } from "../api/client";
 import { openEventStream } from "../api/events";
+import type { Page } from "../api/restApi";
+import { type DeliveryState, webhookService } from "../api/webhooks";
 import { buildTimeline } from "../geometry/timeline";
 import { hasProgram, isFinal } from "./jobs";
 import { hasChanged } from "./queue";
@@ -168,14 +168,15 @@ export const queries = {
   webhooks: () =>
     queryOptions({
       queryKey: ["webhooks"],
-      queryFn: ({ signal }) => service.webhooks(signal),
+      queryFn: ({ signal }) => webhookService.list(signal),
       // Deliveries send no event to the page.
       refetchInterval: 3000,
     }),
   deliveries: (webhook: string, state: DeliveryState | null) =>
     infiniteQueryOptions({
       queryKey: ["deliveries", webhook, state],
-      queryFn: ({ signal, pageParam }) => service.deliveries(webhook, state, signal, pageParam),
+      queryFn: ({ signal, pageParam }) =>
+        webhookService.deliveries(webhook, state, signal, pageParam),
       initialPageParam: null as number | null,
       getNextPageParam,
       refetchInterval: 3000,
@@ -183,7 +184,7 @@ export const queries = {
   delivery: (webhook: string, delivery: string) =>
     queryOptions({
       queryKey: ["delivery", webhook, delivery],
-      queryFn: ({ signal }) => service.delivery(webhook, delivery, signal),
+      queryFn: ({ signal }) => webhookService.delivery(webhook, delivery, signal),
       refetchInterval: ({ state }) => (state.data?.state === "pending" ? 1000 : false),
       staleTime: 0,
     }),

@@ -1,6 +1,6 @@
 /** Texts about webhooks and their deliveries. */
 
-import type { Delivery, DeliveryState, Webhook, WebhookEvent } from "../api/client";
+import type { Delivery, DeliveryState, Webhook, WebhookEvent } from "../api/webhooks";
 import { queries, queryClient } from "./queries";
 import { dateTimeText } from "./times";
 
