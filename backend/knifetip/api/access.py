@@ -94,15 +94,29 @@ class NoAccounts:
         raise SignInRefused("sign-in.wrong")
 
 
+class ProviderSignIn(Protocol):
+    """Signs users in at a provider, such as one of OpenID Connect."""
+
+    title: str  #: name of the provider on the sign-in page
+
+    async def answer(self, request: Request, ways: signin.Ways) -> Response | None:
+        """Return the response to a request of a sign-in; None if it is another request."""
+
+
 class Access:
     """ASGI middleware that applies the access rules to every request."""
 
     def __init__(
-        self, app: ASGIApp, rules: AccessRules, accounts: AccountLookup | None = None
+        self,
+        app: ASGIApp,
+        rules: AccessRules,
+        accounts: AccountLookup | None = None,
+        provider: ProviderSignIn | None = None,
     ) -> None:
         self.app = app
         self.rules = rules
         self._accounts = accounts or NoAccounts()
+        self._provider = provider
         self._cookie = signin.cookie_name(rules.key)
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -127,7 +141,8 @@ class Access:
             state["principal"] = found
             state["permission"] = partial(self._is_permitted, facts, found)
         answer: Response | None = None
-        ways = signin.Ways(proof.closed, bool(self.rules.key))
+        title = "" if self._provider is None else self._provider.title
+        ways = signin.Ways(proof.closed, bool(self.rules.key), title)
         if any(ways) and (refused is None or refused.status == 401):
             answer = await self._sign_in(Request(scope, receive), facts, refused, ways)
         elif refused is not None:
@@ -161,6 +176,10 @@ class Access:
         if refused is not None and refused.wrong_key:
             await asyncio.sleep(WRONG_KEY_DELAY)
             return _problem(refused)
+        if self._provider is not None:
+            answer = await self._provider.answer(request, ways)
+            if answer is not None:
+                return answer
         fields = await signin.given_fields(request)
         if fields is not None and "name" in fields:
             return await self._sign_in_user(request, fields, ways)

@@ -14,6 +14,7 @@ from knifetip.api.principal import Principal, PrincipalKind
 from knifetip.api.slow_down import SlowDown
 from knifetip.errors import SignInRefused, SignInSlowDown
 from knifetip.jobs.accounts.acting import DONE, REFUSED, Acting
+from knifetip.jobs.accounts.provider_users import ProviderUser
 from knifetip.jobs.accounts.scopes import AccessScope, scopes_of
 from knifetip.jobs.store import Store
 
@@ -168,6 +169,43 @@ class Accounts:
         )
         token = None if user is None else self.store.sessions.open(user)
         self.store.audit.write(acting, REFUSED if token is None else DONE)
+        return token
+
+    async def sign_in_at_provider(self, who: ProviderUser, address: str) -> str:
+        """Begin a session of a user of a provider and return its token.
+
+        Parameters
+        ----------
+        who
+            What the provider has said about the user.
+        address
+            Address of the sender.
+
+        Raises
+        ------
+        SignInRefused
+            The attempt was used before, or the user has no role or is disabled.
+        WrongState
+            The user is the last administrator and would have another role.
+        """
+        token = await self._run(self._threads, lambda: self._open_provider_session(who, address))
+        self.clear_cache()
+        return token
+
+    def _open_provider_session(self, who: ProviderUser, address: str) -> str:
+        assert self.store is not None
+        user = self.store.provider_users.signed_in(who)
+        token = self.store.sessions.open(user)
+        acting = Acting(
+            kind=PrincipalKind.USER,
+            name=user.name,
+            id="",
+            action="sign_in",
+            subject_kind="user",
+            subject=user.name,
+            peer=address,
+        )
+        self.store.audit.write(acting, DONE)
         return token
 
     async def user_of(self, token: str) -> Principal:

@@ -40,7 +40,7 @@ from knifetip.api import (
     webhooks,
     xjdf,
 )
-from knifetip.api.access import Access
+from knifetip.api.access import Access, ProviderSignIn
 from knifetip.api.account_access import Accounts
 from knifetip.api.api_version import ApiVersion
 from knifetip.api.client_limits import Clients, LimitClients
@@ -202,7 +202,9 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_middleware(Limits, upload=chosen.upload, body=chosen.body)
     app.add_middleware(KeepSpace, storage=storage)
     app.add_middleware(LimitClients, clients=clients)
-    app.add_middleware(Access, rules=chosen.access, accounts=access)
+    app.add_middleware(
+        Access, rules=chosen.access, accounts=access, provider=_provider(chosen, access)
+    )
     app.add_middleware(SecurityHeaders)
     app.add_middleware(CountRequests, metrics=metrics, templates=route_templates(app.routes))
     app.add_middleware(ApiVersion)
@@ -219,6 +221,14 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     # The documented way to customise FastAPI's schema.
     app.openapi = description.versioned  # type: ignore[method-assign]  # mypy permits no assignment to methods
     return app
+
+
+def _provider(settings: Settings, accounts: Accounts) -> ProviderSignIn | None:
+    if settings.oidc is None:
+        return None
+    from knifetip.api.oidc.sign_in import OidcSignIn  # authlib is optional
+
+    return OidcSignIn(settings.oidc, accounts.sign_in_at_provider)
 
 
 _health_router = ScopedRouter(tags=["health"])

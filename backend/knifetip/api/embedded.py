@@ -34,6 +34,7 @@ from knifetip.api.app import create_app
 from knifetip.api.client_limits import ClientLimits
 from knifetip.api.connections import ConnectionLimits, limited_protocol, raise_file_limit
 from knifetip.api.drawing_requests import Upload, store_upload
+from knifetip.api.oidc.settings import OidcSettings
 from knifetip.api.service import MEGABYTE, Service, Settings
 from knifetip.errors import KnifetipError, StoreError
 from knifetip.gateway import claim, simulator
@@ -83,6 +84,7 @@ class Access:
     key: str = ""  #: without a key only this computer is served
     key_file: Path | None = None  #: created with a random key if it does not exist
     hosts: tuple[str, ...] = ()  #: NAME or NAME:PORT accepted in the Host header
+    oidc: OidcSettings | None = None  #: provider at which users can sign in
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,6 +167,7 @@ def serve(
             archive=parts.archive,
             webhook_private=parts.webhook_private,
             access=rules,
+            oidc=access.oidc,
             upload=limits.upload,
             least_free=limits.least_free,
             clients=limits.clients,

@@ -16,6 +16,7 @@ from fastapi import Depends, Request, Response
 from knifetip.api.access_rules import AccessRules
 from knifetip.api.answered_questions import AnsweredQuestions
 from knifetip.api.client_limits import ClientLimits
+from knifetip.api.oidc.settings import OidcSettings
 from knifetip.api.queue import WAITING, WorkQueue, is_client_gone
 from knifetip.api.threads import GatewayThreads
 from knifetip.errors import LibraryError, WrongState
@@ -49,6 +50,7 @@ class Settings:
     page: Path = Path(__file__).parent / "page"  #: folder of the built page
     least_free: int = 256 * MEGABYTE  #: bytes that must remain free on the disk of the database
     access: AccessRules = field(default_factory=AccessRules)  #: access rules
+    oidc: OidcSettings | None = None  #: provider at which users can sign in
     clients: ClientLimits = field(default_factory=ClientLimits)  #: limits of each client
 
 

@@ -21,6 +21,7 @@ from starlette.requests import Request
 from knifetip.jobs.accounts.session_store import LIFETIME as USER_LIFETIME
 
 PATH = "/sign-in"
+OIDC_PATH = "/sign-in/oidc"  #: begins a sign-in at the provider
 LIFETIME = 30 * 24 * 3600  #: lifetime of a session (s)
 _PORT: Final = re.compile(r":([0-9]{1,5})$")
 _PORTS: Final = {"http": 80, "https": 443}
@@ -58,6 +59,7 @@ _KEY_FORM = """<form method="post" action="{path}">
 <button style="font: inherit; padding: 0.4rem 1rem">{button}</button>
 </form>
 <p>The key, or a link with it, is in the server's start log.</p>"""
+_PROVIDER_LINK = """<p><a href="{path}">Sign in with {title}</a></p>"""
 _AGAIN = "again"  # query parameter of the second attempt
 
 
@@ -173,10 +175,15 @@ def set_cookie(request: Request, answer: Response, cookie: Cookie) -> None:
 
 
 def welcome(request: Request, cookie: Cookie) -> Response:
-    """Return a page that sets the session cookie and then loads the same URL without the key."""
+    """Return a page that sets the session cookie and then loads the same URL without the key.
+
+    After a sign-in at a provider it loads the page of the server.
+    """
     # Not a redirect: after a link from another site a browser would follow it without the cookie.
-    path = "/" if request.method == "POST" else "/" + request.url.path.lstrip("/")
-    rest = urlencode([pair for pair in request.query_params.multi_items() if pair[0] != "key"])
+    path, rest = "/", ""
+    if request.method != "POST" and not request.url.path.startswith(OIDC_PATH):
+        path = "/" + request.url.path.lstrip("/")
+        rest = urlencode([pair for pair in request.query_params.multi_items() if pair[0] != "key"])
     url = f"{path}?{rest}" if rest else path
     refresh = _refresh(url)
     answer = HTMLResponse(
@@ -207,6 +214,7 @@ class Ways(NamedTuple):
 
     password: bool  #: by name and password
     key: bool  #: by the key with which the server was started
+    provider: str = ""  #: name of the provider of OpenID Connect; empty for none
 
 
 def sign_in_page(ways: Ways, fault: str = "", *, again: str = "") -> Response:
@@ -222,6 +230,8 @@ def sign_in_page(ways: Ways, fault: str = "", *, again: str = "") -> Response:
         URL that the browser loads first, before it shows the form; "" for none.
     """
     forms = []
+    if ways.provider:
+        forms.append(_PROVIDER_LINK.format(path=OIDC_PATH, title=html.escape(ways.provider)))
     if ways.password:
         forms.append(_PASSWORD_FORM.format(path=PATH, style=_STYLE))
     if ways.key:

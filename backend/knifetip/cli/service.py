@@ -17,6 +17,7 @@ import typer
 from knifetip.cli.access_key import KeyOptions
 from knifetip.cli.database_options import DatabaseOptions
 from knifetip.cli.log_options import LogOptions
+from knifetip.cli.oidc_options import OidcOptions
 from knifetip.cli.options import expand
 from knifetip.cli.terminal import print_stderr
 from knifetip.errors import StaleVersion, StoreError
@@ -231,6 +232,7 @@ def serve(
     storage: DatabaseOptions,
     parts: PartOptions,
     access: AccessOptions,
+    oidc: OidcOptions,
     limits: LimitOptions,
     log: LogOptions,
 ) -> None:
@@ -258,7 +260,9 @@ def serve(
             parts.keep_drawings,
             parts.archive,
         ),
-        embedded.Access(access.key, access.key_file, tuple(access.allow_host or ())),
+        embedded.Access(
+            access.key, access.key_file, tuple(access.allow_host or ()), oidc.settings()
+        ),
         print_stderr,
         name,
         embedded.ServerLimits(

@@ -12,6 +12,7 @@ from collections.abc import Callable
 
 from knifetip.jobs.accounts.audit_store import AuditStore
 from knifetip.jobs.accounts.key_store import KeyStore
+from knifetip.jobs.accounts.provider_users import ProviderUsers
 from knifetip.jobs.accounts.session_store import SessionStore
 from knifetip.jobs.accounts.user_store import UserStore
 from knifetip.jobs.changes import Changes
@@ -76,6 +77,7 @@ class Store:
         self.stations = StationStore(self.database)
         self.history = HistoryStore(self.database)
         self.users = UserStore(self.database)
+        self.provider_users = ProviderUsers(self.database, self.users)
         self.keys = KeyStore(self.database)
         self.sessions = SessionStore(self.database)
         self.audit = AuditStore(self.database)

@@ -7047,6 +7047,12 @@ export interface components {
              */
             name: string;
             /**
+             * Kind
+             * @description How the user signs in: with a password, or at a provider of OpenID Connect, which also says the role
+             * @enum {string}
+             */
+            kind: "password" | "oidc";
+            /**
              * Role
              * @description What the user may do; each role contains those before it
              * @enum {string}
@@ -12367,6 +12373,79 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "oidc.bad-role";
+            arguments: {
+                pair: string;
+                roles: string[];
+            };
+        } | {
+            /** @constant */
+            code: "oidc.bad-token";
+            arguments: {
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "oidc.bad-url";
+            arguments: {
+                url: string;
+            };
+        } | {
+            /** @constant */
+            code: "oidc.code-refused";
+            arguments: {
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "oidc.declined";
+            arguments: {
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "oidc.disabled";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "oidc.no-client";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "oidc.no-issuer";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "oidc.no-role";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "oidc.no-roles";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "oidc.not-begun";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "oidc.not-installed";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "oidc.unreachable";
+            arguments: {
+                issuer: string;
+            };
+        } | {
+            /** @constant */
+            code: "oidc.used";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "operation.bad-feed";
             arguments: {
                 feed: number;
@@ -14447,6 +14526,12 @@ export interface components {
             arguments: {
                 unit: string;
                 known: string[];
+            };
+        } | {
+            /** @constant */
+            code: "user.at-provider";
+            arguments: {
+                name: string;
             };
         } | {
             /** @constant */

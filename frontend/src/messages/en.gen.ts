@@ -3143,6 +3143,62 @@ export const TEXTS = {
     "text": "The offset curve at a distance of {radius:g} mm from path {path} is not closed, because the contour touches itself at ({x:.4f}, {y:.4f}) mm in segments {one} and {two}.",
     "hint": "Trim the two segments at their intersection, or move one of the segments."
   },
+  "oidc.bad-role": {
+    "text": "{pair} maps no value of the provider to a role.",
+    "hint": "Write VALUE=ROLE, with one of {roles:or} as role."
+  },
+  "oidc.bad-token": {
+    "text": "The sign-in was refused because the token of the provider is wrong: {reason}.",
+    "hint": "Sign in again. If this repeats, let an administrator compare issuer, client id and clocks of provider and server."
+  },
+  "oidc.bad-url": {
+    "text": "{url} is not a URL of HTTPS.",
+    "hint": "Give a URL that begins with https://; http:// is permitted for this computer only."
+  },
+  "oidc.code-refused": {
+    "text": "The provider has refused the sign-in: {reason}.",
+    "hint": "Sign in again. If this repeats, let an administrator check client id, secret and redirect URL of this server at the provider."
+  },
+  "oidc.declined": {
+    "text": "The provider has not signed you in: {reason}.",
+    "hint": "Sign in again, or ask the administrator of the provider whether you may use this server."
+  },
+  "oidc.disabled": {
+    "text": "The user {name} is disabled.",
+    "hint": "An administrator can enable the user with `knifetip user enable`."
+  },
+  "oidc.no-client": {
+    "text": "The name of this server at the provider is missing.",
+    "hint": "Give it with --oidc-client-id."
+  },
+  "oidc.no-issuer": {
+    "text": "There are options for OpenID Connect, but no provider.",
+    "hint": "Give its URL with --oidc-issuer."
+  },
+  "oidc.no-role": {
+    "text": "{name} has no role at this server.",
+    "hint": "Ask the administrator of the provider for one of the roles or groups that this server knows (--oidc-role)."
+  },
+  "oidc.no-roles": {
+    "text": "No role of the provider is mapped, so that nobody could sign in.",
+    "hint": "Give at least one --oidc-role VALUE=ROLE, such as shop-admins=admin."
+  },
+  "oidc.not-begun": {
+    "text": "This sign-in was not begun in this browser, is too old, or was finished already.",
+    "hint": "Sign in again, and permit cookies of this server."
+  },
+  "oidc.not-installed": {
+    "text": "Sign-in by OpenID Connect needs authlib, which is not installed.",
+    "hint": "Install it with `pip install 'knifetip[oidc]'`."
+  },
+  "oidc.unreachable": {
+    "text": "The provider {issuer} does not answer as it should.",
+    "hint": "Try again in a minute; the log of the server has the reason."
+  },
+  "oidc.used": {
+    "text": "This sign-in was used already.",
+    "hint": "Sign in again."
+  },
   "operation.bad-feed": {
     "text": "A feed of {feed:g} per minute is not possible on this axis.",
     "hint": "Give a feed greater than 0 and not greater than {fastest:g} per minute."
@@ -4518,6 +4574,10 @@ export const TEXTS = {
   "unit.unsupported": {
     "text": "{unit!r} is not a supported unit of length.",
     "hint": "Choose one of {known:or}."
+  },
+  "user.at-provider": {
+    "text": "{name} signs in at a provider and has no password here.",
+    "hint": "Change the password at the provider."
   },
   "user.bad-name": {
     "text": "{name} is not permitted as the name of a user.",

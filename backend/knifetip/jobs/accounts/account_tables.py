@@ -12,15 +12,29 @@ class UserAccount(Base):
     """A user who can sign in; never deleted, so that events and the audit log name it."""
 
     __tablename__ = "user_account"
+    __table_args__ = (sa.Index("user_account_by_subject", "subject", unique=True),)
 
     id: Mapped[str] = mapped_column(sa.String(32), primary_key=True)
     name: Mapped[str] = mapped_column(sa.String(64), unique=True)  #: in small letters
+    #: password: signs in with a password; oidc: at a provider of OpenID Connect
+    kind: Mapped[str] = mapped_column(sa.String(16), default="password")
+    #: hash of issuer and identifier of a user of a provider; None for others
+    subject: Mapped[str | None] = mapped_column(sa.String(64), default=None)
     role: Mapped[str] = mapped_column(sa.String(16))  #: see ``accounts.scopes.ROLES``
-    password: Mapped[str] = mapped_column(sa.String(200))  #: Argon2id hash
+    password: Mapped[str] = mapped_column(sa.String(200))  #: Argon2id hash; empty for none
     active: Mapped[bool]
     created: Mapped[float] = mapped_column(sa.Double)
     created_by: Mapped[str] = mapped_column(sa.String(200))
     signed_in: Mapped[float | None] = mapped_column(sa.Double)  #: time of the last sign-in
+
+
+class UsedSignIn(Base):
+    """A sign-in at a provider that was finished, so that it cannot be repeated."""
+
+    __tablename__ = "used_sign_in"
+
+    digest: Mapped[str] = mapped_column(sa.String(64), primary_key=True)
+    at: Mapped[float] = mapped_column(sa.Double)
 
 
 class ApiKey(Base):

@@ -122,15 +122,27 @@ class UserStore:
         with self._db.writing() as session:
             row = _find(session, name)
             set_subject(session, "user", row.name)
+            if row.kind == "oidc" and hashed is not None:
+                raise WrongState("user.at-provider", name=row.name)
             was_admin = _is_admin(row)
             row.role = row.role if role is None else role.value
             row.active = row.active if active is None else active
             row.password = row.password if hashed is None else hashed
-            session.flush()
-            if was_admin and not _is_admin(row) and not _active_admins(session):
-                raise WrongState("user.last-admin", name=row.name)
-            session.execute(sa.delete(BrowserSession).where(BrowserSession.user == row.id))
+            _end_sessions(session, row, was_admin)
             return row
+
+    @staticmethod
+    def set_role(session: Session, row: UserAccount, role: AccessScope) -> None:
+        """Set the role of a user in a transaction, and end the sessions of the user.
+
+        Raises
+        ------
+        WrongState
+            The user is the last active administrator and would no longer be one.
+        """
+        was_admin = _is_admin(row)
+        row.role = role.value
+        _end_sessions(session, row, was_admin)
 
     def with_password(self, name: str, password: str) -> UserAccount | None:
         """Return the active user with a name and a password; None if there is none.
@@ -155,6 +167,14 @@ class UserStore:
         with self._db.reading() as session:
             query = sa.select(UserAccount.id).where(UserAccount.name == name.lower())
             return session.scalar(query) is not None
+
+
+def _end_sessions(session: Session, row: UserAccount, was_admin: bool) -> None:
+    """End the sessions of a changed user, unless there would be no active administrator."""
+    session.flush()
+    if was_admin and not _is_admin(row) and not _active_admins(session):
+        raise WrongState("user.last-admin", name=row.name)
+    session.execute(sa.delete(BrowserSession).where(BrowserSession.user == row.id))
 
 
 def _find(session: Session, name: str) -> UserAccount:

@@ -20,6 +20,74 @@ MESSAGES: Final[Entries] = {
         "List the keys with `knifetip key list`.",
         id="text",
     ),
+    "oidc.bad-role": entry(
+        "{pair} maps no value of the provider to a role.",
+        "Write VALUE=ROLE, with one of {roles:or} as role.",
+        pair="text",
+        roles="texts",
+    ),
+    "oidc.bad-token": entry(
+        "The sign-in was refused because the token of the provider is wrong: {reason}.",
+        "Sign in again. If this repeats, let an administrator compare issuer, client id and clocks "
+        "of provider and server.",
+        reason="text",
+    ),
+    "oidc.bad-url": entry(
+        "{url} is not a URL of HTTPS.",
+        "Give a URL that begins with https://; http:// is permitted for this computer only.",
+        url="text",
+    ),
+    "oidc.code-refused": entry(
+        "The provider has refused the sign-in: {reason}.",
+        "Sign in again. If this repeats, let an administrator check client id, secret and redirect "
+        "URL of this server at the provider.",
+        reason="text",
+    ),
+    "oidc.declined": entry(
+        "The provider has not signed you in: {reason}.",
+        "Sign in again, or ask the administrator of the provider whether you may use this server.",
+        reason="text",
+    ),
+    "oidc.disabled": entry(
+        "The user {name} is disabled.",
+        "An administrator can enable the user with `knifetip user enable`.",
+        name="text",
+    ),
+    "oidc.no-client": entry(
+        "The name of this server at the provider is missing.",
+        "Give it with --oidc-client-id.",
+    ),
+    "oidc.no-issuer": entry(
+        "There are options for OpenID Connect, but no provider.",
+        "Give its URL with --oidc-issuer.",
+    ),
+    "oidc.no-role": entry(
+        "{name} has no role at this server.",
+        "Ask the administrator of the provider for one of the roles or groups that this server "
+        "knows (--oidc-role).",
+        name="text",
+    ),
+    "oidc.no-roles": entry(
+        "No role of the provider is mapped, so that nobody could sign in.",
+        "Give at least one --oidc-role VALUE=ROLE, such as shop-admins=admin.",
+    ),
+    "oidc.not-begun": entry(
+        "This sign-in was not begun in this browser, is too old, or was finished already.",
+        "Sign in again, and permit cookies of this server.",
+    ),
+    "oidc.not-installed": entry(
+        "Sign-in by OpenID Connect needs authlib, which is not installed.",
+        "Install it with `pip install 'knifetip[oidc]'`.",
+    ),
+    "oidc.unreachable": entry(
+        "The provider {issuer} does not answer as it should.",
+        "Try again in a minute; the log of the server has the reason.",
+        issuer="text",
+    ),
+    "oidc.used": entry(
+        "This sign-in was used already.",
+        "Sign in again.",
+    ),
     "sign-in.slow-down": entry(
         "Too many sign-ins failed for this name.",
         "Wait {seconds} s, then try again.",
@@ -28,6 +96,11 @@ MESSAGES: Final[Entries] = {
     "sign-in.wrong": entry(
         "The name or the password is wrong.",
         "Check both; an administrator can set a new password.",
+    ),
+    "user.at-provider": entry(
+        "{name} signs in at a provider and has no password here.",
+        "Change the password at the provider.",
+        name="text",
     ),
     "user.bad-name": entry(
         "{name} is not permitted as the name of a user.",
