@@ -29,7 +29,7 @@
     │   ├── ControllerReset       the controller was reset during a job
     │   ├── ControllerSilent      the controller does not answer
     │   ├── NoSuchController      no controller can ever be reached at the address
-    │   └── OperationExpired      an operation of a person was not carried out in time
+    │   └── OperationExpired      an operation of a person was not executed in time
     ├── RequestError              a valid request that cannot be applied
     ├── AccessDenied              the sender of a request lacks the scope that it needs
     ├── SignInRefused             a wrong name or password
@@ -260,7 +260,7 @@ class NoSuchController(ControllerError):
 
 
 class OperationExpired(ControllerError):
-    """An operation of a person at the machine was not carried out in time, and was dropped."""
+    """An operation of a person at the machine was not executed in time, and was dropped."""
 
 
 class RequestError(KnifetipError):

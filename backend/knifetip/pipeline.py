@@ -355,7 +355,7 @@ def verify(
 
 
 def check_choices(choices: Choices, machine: Machine) -> None:
-    """Raise an error if a machine cannot carry out the user's choices for a job.
+    """Raise an error if a machine cannot satisfy the user's choices for a job.
 
     Raises
     ------

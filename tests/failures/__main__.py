@@ -5,7 +5,7 @@
 Kills servers, workers, gateways and the database, cuts the network between gateways and servers
 (as root, in network namespaces) and steps clocks by an hour (with a C compiler), while an operator
 works at simulated tables.  Exits with 1 if a job was lost, cut twice, started without the operator,
-stuck, or done without being carried out, or if a head stayed down.
+stuck, or done without being executed, or if a head stayed down.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from tests.failures.shop import Shop
 
 
 def main() -> int:
-    """Run a campaign and print what it found."""
+    """Run a campaign and print its findings."""
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--kills", type=int, default=200)
     options.add_argument("--tables", type=int, default=2)

@@ -1,4 +1,4 @@
-"""Kill, cut and step clocks of a shop that works, then look whether anything is lost or harmed."""
+"""Kill processes, cut networks and step clocks of a running shop, then check its jobs."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ KILL: Final = "kill"
 
 @dataclass
 class Findings:
-    """What a campaign has done and found."""
+    """Faults and findings of a campaign."""
 
     faults: Counter[str] = field(default_factory=Counter)
     jobs: int = 0
@@ -77,7 +77,7 @@ class Campaign:
     def run(
         self, faults: Sequence[str], pause: tuple[float, float], settle: float = 240.0
     ) -> Findings:
-        """Do harm; then let all jobs end, and look.
+        """Cause faults; then wait until all jobs end, and check them.
 
         Parameters
         ----------
@@ -193,7 +193,7 @@ class Campaign:
             store.close()
 
     def _examine(self, operator: Operator) -> None:
-        """Compare what the database says with what the tables did."""
+        """Compare the database with the records of the tables."""
         store = Store(self._shop.database)
         stored = {
             row.id: JobRecord(

@@ -1,4 +1,4 @@
-"""Compare what a database says about jobs with what the tables did."""
+"""Compare the jobs in a database with the records of the tables."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _COMMENT: Final = re.compile(rb"\([^)]*\)|^N\d+ *")
 
 @dataclass(frozen=True)
 class JobRecord:
-    """What the database says about a job."""
+    """A job, as the database stores it."""
 
     id: str
     state: str
@@ -36,7 +36,7 @@ class JobRecord:
 
 @dataclass
 class Harm:
-    """What must not happen; each list has a line for each case."""
+    """Violations; each list has a line for each case."""
 
     lost: list[str] = field(default_factory=list)  #: accepted jobs that are not stored
     stuck: list[str] = field(default_factory=list)  #: jobs that are not done
@@ -69,7 +69,7 @@ def judge(
     stored
         The jobs of the database by id.
     runs
-        What the tables carried out.
+        Programs that the tables executed.
     harm
         Gets the cases.
     """

@@ -37,7 +37,7 @@ class Network:
 
     @classmethod
     def make(cls, number: int) -> Network:
-        """Make a namespace; ``number`` tells those of one campaign apart (0 … 60)."""
+        """Make a namespace; ``number`` identifies it in one campaign (0 … 60)."""
         tag = f"{os.getpid() % 100_000}{number}"
         name = f"kt{tag}"
         _ip("netns", "add", name)

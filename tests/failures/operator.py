@@ -15,7 +15,7 @@ from tests.support.serving.server import square
 from tests.support.writers import dxf_text as text
 
 _ACTIVE: Final = ("received", "compiling", "ready", "queued", "running", "held", "interrupted")
-_LOOK: Final = 0.3  # seconds between two looks
+_LOOK: Final = 0.3  # seconds between two polls
 
 
 class Operator(threading.Thread):
@@ -50,7 +50,7 @@ class Operator(threading.Thread):
         self._end = threading.Event()
 
     def run(self) -> None:
-        """Look at the shop again and again until ``close`` is called."""
+        """Poll the shop until ``close`` is called."""
         try:
             while not self._end.wait(_LOOK):
                 self._look()

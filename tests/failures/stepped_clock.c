@@ -1,6 +1,6 @@
 /* Clocks of a process that can be stepped: the time of day has an offset in seconds, which the first
    bytes of the file $STEPPED_CLOCK contain as a double.  Clocks of durations stay as they are, as
-   when somebody sets the clock of a computer.  libfaketime is not used: with it every
+   when a user sets the clock of a computer.  libfaketime is not used: with it every
    clock_nanosleep() to an absolute time fails, and so every time.sleep() of Python. */
 #define _GNU_SOURCE
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-"""A simulated table that records which program lines it carried out, and for which drawing."""
+"""A simulated table that records which program lines it executed, and for which drawing."""
 
 from __future__ import annotations
 

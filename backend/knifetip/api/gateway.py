@@ -221,7 +221,7 @@ async def report_station(
         watched = await threads.reports(stations.is_watched, station.machine)
         poll = changes.poll(_OPERATION_POLL if watched else _IDLE_POLL)
         while True:
-            # A disconnected gateway would never carry out the operation.
+            # A disconnected gateway would never execute the operation.
             gone = service.stopping.is_set() or await request.is_disconnected()
             asked = [] if gone else await threads.reports(stations.hand_out, station.machine)
             remaining = began + station.wait - time.monotonic()

@@ -77,7 +77,7 @@ async def ask_for_operation(
     """Ask for an operation of a machine, such as unlock, home or jog; the machine does it at once.
 
     It is refused with status 409 while a job is running or held on the machine.  It expires 3 s
-    after it was asked for, and is never carried out later.  The emergency stop of the machine does
+    after the request, and is never executed later.  The emergency stop of the machine does
     not depend on this route.
     """
     await _check_machine(service, name)

@@ -109,7 +109,7 @@ class ZipPackage:
 
     def _read(self, name: str, limit: int) -> bytes:
         try:
-            # The size in the directory may be wrong: what is decompressed is counted.
+            # The size in the directory may be wrong: the decompressed bytes are counted.
             with self._zip.open(self._entries[name]) as file:
                 content = file.read(limit + 1)
         except _ZIP_FAULTS as reason:
@@ -174,7 +174,7 @@ def open_package(content: bytes, media: str, limit: int, kind: str) -> Package:
     limit
         Largest size of a file (bytes).
     kind
-        Document that is wanted: XJDF or XJMF.
+        Expected document: XJDF or XJMF.
 
     Raises
     ------
@@ -190,7 +190,7 @@ def open_package(content: bytes, media: str, limit: int, kind: str) -> Package:
 
 
 def _safe_name(name: str) -> str:
-    """Return the name of a file in a package, or raise ``RequestError`` if it leads out of it."""
+    """Return the name of a file in a package; raise ``RequestError`` for a path outside of it."""
     path = PurePosixPath(name)
     if (
         path.is_absolute()

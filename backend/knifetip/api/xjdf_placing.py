@@ -64,7 +64,7 @@ async def place_xjdf(
     package
         Files to which the document refers.
     defaults
-        What the document may leave open.
+        Defaults for the document.
     release
         Whether the job is queued when its program is accepted.
     key
@@ -73,7 +73,7 @@ async def place_xjdf(
     Raises
     ------
     RequestError
-        The document cannot be read, or lacks something.
+        The document cannot be read, or a required value is missing.
     RequestValidationError
         A value of the document is not permitted.
     KnifetipError

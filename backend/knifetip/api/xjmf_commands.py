@@ -1,4 +1,4 @@
-"""Carry out the commands and queries of XJMF by the commands to jobs (ADR 96)."""
+"""Execute the commands and queries of XJMF as commands to jobs (ADR 96)."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ _OPEN = tuple(state for state in State if state not in ENDED)
 
 @dataclass(frozen=True, slots=True)
 class Answering:
-    """What the answers to the messages of one request need."""
+    """Context of the messages of one request: the server, the sender and the package."""
 
     service: Service
     principal: Principal
@@ -61,7 +61,7 @@ class _Refusal(Exception):
 
 
 async def answer_messages(answering: Answering, message: XjmfMessage) -> XjmfAnswer:
-    """Carry out a message and return the response; errors become return codes.
+    """Execute a message and return the response; errors become return codes.
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ async def answer_messages(answering: Answering, message: XjmfMessage) -> XjmfAns
         text = f"{message.family}{message.name} is not supported. QueryKnownMessages lists what is."
         return XjmfAnswer(message, ReturnCode.NOT_IMPLEMENTED, [text])
     if message.parameters("Subscription") is not None:
-        text = "Subscriptions are not supported. Use webhooks, or ask again."
+        text = "Subscriptions are not supported. Use webhooks, or repeat the query."
         return XjmfAnswer(message, ReturnCode.SUBSCRIPTION_DENIED, [text])
     try:
         return XjmfAnswer(message, content=await handler(answering, message))
@@ -180,7 +180,7 @@ def _suspend(answering: Answering, row: Job) -> None:
 
 
 def _resume(answering: Answering, row: Job) -> None:
-    """Let a job go on: on its machine, in the queue, or to the queue."""
+    """Resume a job on its machine, end its hold in the queue, or release it."""
     demand(answering.principal, AccessScope.OPERATOR)
     store = answering.service.store
     if row.state == State.HELD:

@@ -60,7 +60,7 @@ class XjmfAnswer:
 
     message: XjmfMessage
     code: ReturnCode = ReturnCode.SUCCESS
-    comments: Sequence[str] = ()  #: why it failed, and what can be done
+    comments: Sequence[str] = ()  #: reason of the failure, and a hint
     content: Sequence[Element] = field(default_factory=list)  #: elements after the notification
 
 

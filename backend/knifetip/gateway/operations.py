@@ -20,7 +20,7 @@ from knifetip.gateway.motion import Limits
 from knifetip.messages import Message
 from knifetip.model.machine import Machine, Station
 
-#: Seconds after which an operation that was not carried out yet expires.
+#: Seconds after which an operation that was not executed yet expires.
 EXPIRY = 3.0
 #: Letters of the axes of a head, in the order of a pose.
 AXES = "XYZC"
@@ -49,7 +49,7 @@ class OperationName(StrEnum):
 
 #: Operations that run a program above the board while a job waits (``station``).
 RUNS = frozenset({OperationName.DRY_RUN, OperationName.FRAME, OperationName.TOOL_CHECK})
-#: Operations that change such a run, and are carried out while it uses the machine.
+#: Operations that change such a run, and are executed while it uses the machine.
 OF_RUNS = frozenset({OperationName.HOLD, OperationName.RESUME, OperationName.STOP_JOG})
 #: Operations that an alarm does not prevent.
 _IN_ALARM = frozenset({OperationName.UNLOCK, OperationName.HOME})
@@ -260,7 +260,7 @@ async def perform(
 async def require_possible(
     operation: Operation, controller: OperableController, machine: Machine
 ) -> None:
-    """Raise ``ControllerError`` if a machine cannot carry out an operation now.
+    """Raise ``ControllerError`` if a machine cannot execute an operation now.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""station: reports the machine to the server, and carries out operations of the person at it.
+"""station: reports the machine to the server, and executes operations of the person at it.
 
 The reports go on while a job runs, and while the controller is locked by an alarm.  The server
 answers a report with the operations that a person has asked for:
@@ -7,7 +7,7 @@ answers a report with the operations that a person has asked for:
 - An operation that is older than ``operations.EXPIRY`` before it is sent to the controller is
   dropped.  Its age at the server travels as a duration; the gateway adds the time since then by its
   own monotonic clock.
-- Operations are carried out one after another, except ``stop_jog``: it does not wait, and cancels
+- Operations are executed one after another, except ``stop_jog``: it does not wait, and cancels
   the operations that do.
 - Without an answer of the server for ``operations.EXPIRY`` a running jog or dry run is stopped,
   and a spindle that was switched on by hand is switched off, because the person can no
@@ -73,7 +73,7 @@ class _Pending:
 
 
 class MachineStation:
-    """Reports the state of one machine, and carries out the operations of the person at it.
+    """Reports the state of one machine, and executes the operations of the person at it.
 
     Parameters
     ----------
@@ -97,7 +97,7 @@ class MachineStation:
         self._wake = asyncio.Event()  # an operation has ended
 
     async def run(self) -> None:
-        """Report and carry out operations until cancelled."""
+        """Report and execute operations until cancelled."""
         interval, complaint = WATCHED_INTERVAL, ""
         self._answered = _now()
         try:
@@ -178,7 +178,7 @@ class MachineStation:
     # -- operations -----------------------------------------------------------------------------
 
     def _begin(self, pending: _Pending) -> None:
-        """Start a task that carries out an operation."""
+        """Start a task that executes an operation."""
         stops = pending.request.operation.name is OperationName.STOP_JOG
         if stops:
             self._cancelled += 1

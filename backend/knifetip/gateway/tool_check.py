@@ -86,7 +86,7 @@ class CheckedPoint:
 
 
 class ToolCheck(DryRun):
-    """A tool check that the machine carries out for a person.
+    """A tool check that the machine executes for a person.
 
     Parameters
     ----------

@@ -78,7 +78,7 @@ def _apply_request(row: Job, state: State, allowed: set[OperatorAction]) -> None
     """Change the allowed actions of a job on a table according to the operator's last request.
 
     If a cancel was requested, hold and resume are removed.  If a hold was requested that the
-    machine has not carried out, resume is allowed; if a resume was requested, hold is allowed.
+    machine has not executed, resume is allowed; if a resume was requested, hold is allowed.
     Resume is removed if the operator must first confirm the job.
 
     Parameters
@@ -93,7 +93,7 @@ def _apply_request(row: Job, state: State, allowed: set[OperatorAction]) -> None
     if row.requested_action == OperatorAction.CANCEL:
         allowed -= {OperatorAction.HOLD, OperatorAction.RESUME}
         return
-    # A request that the machine has not carried out can be replaced by the opposite one.
+    # A request that the machine has not executed can be replaced by the opposite one.
     if state is State.HELD and row.requested_action == OperatorAction.RESUME:
         allowed.add(OperatorAction.HOLD)
     if state is State.RUNNING and (

@@ -270,7 +270,7 @@ class OperatorStore:
     def hold(self, id: str, key: RequestKey | None = None) -> Job:
         """Store an operator's request to hold a job, and return the job.
 
-        The gateway of the job carries out the request.  The job becomes ``held`` when the machine
+        The gateway of the job executes the request.  The job becomes ``held`` when the machine
         has stopped.
 
         Raises
@@ -283,7 +283,7 @@ class OperatorStore:
     def resume(self, id: str, phase: int | None = None, key: RequestKey | None = None) -> Job:
         """Store an operator's request to resume a job, and return the job.
 
-        The gateway of the job carries out the request.  Between two copies, the request also
+        The gateway of the job executes the request.  Between two copies, the request also
         confirms that a new sheet is on the table.
 
         Parameters

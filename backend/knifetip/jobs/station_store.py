@@ -2,7 +2,7 @@
 
 The gateway of a machine reports the state of its controller.  A person at the machine asks for
 operations, such as unlocking the controller.  The gateway fetches each operation once.  An
-operation that is not fetched within ``EXPIRY`` seconds expires: it is never carried out late.
+operation that is not fetched within ``EXPIRY`` seconds expires: it is never executed late.
 """
 
 from __future__ import annotations

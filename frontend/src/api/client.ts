@@ -50,7 +50,7 @@ export type Station = StationPaths["get"]["responses"]["200"]["content"]["applic
 export type Operation = Schemas["OperationOut"];
 /** What a machine does above the board for a person, while a job waits. */
 export type Activity = Schemas["ActivityOut"];
-/** What a person at a machine asks of it between two jobs. */
+/** What a person at a machine requests between two jobs. */
 export type OperationRequest = Schemas["OperationIn"];
 export type Override = Schemas["Override"];
 export type Profile = Schemas["ProfileOut"];

@@ -1014,7 +1014,7 @@ export interface paths {
          * @description Ask for an operation of a machine, such as unlock, home or jog; the machine does it at once.
          *
          *     It is refused with status 409 while a job is running or held on the machine.  It expires 3 s
-         *     after it was asked for, and is never carried out later.  The emergency stop of the machine does
+         *     after the request, and is never executed later.  The emergency stop of the machine does
          *     not depend on this route.
          *
          *     Needs the scope `operator`.
@@ -2557,7 +2557,7 @@ export interface components {
         };
         /**
          * AskedOut
-         * @description An operation that the gateway shall carry out now.
+         * @description An operation that the gateway shall execute now.
          */
         AskedOut: {
             /**
@@ -2567,7 +2567,7 @@ export interface components {
             id: string;
             /**
              * Age
-             * @description Time from the request of the person to this answer (s); the gateway drops an operation that is older than 3 s before it is carried out
+             * @description Time from the request of the person to this answer (s); the gateway drops an operation that is older than 3 s before it is executed
              */
             age: number;
             /**
@@ -4729,7 +4729,7 @@ export interface components {
             tools: components["schemas"]["JobTool"][];
             /**
              * Requested Action
-             * @description Action that the operator requested and that the machine has not carried out yet; empty for none
+             * @description Action that the operator requested and that the machine has not executed yet; empty for none
              * @default
              * @enum {string}
              */
@@ -5397,7 +5397,7 @@ export interface components {
             id: string;
             /**
              * State
-             * @description waiting: not carried out yet. done: the controller has accepted it. refused: the machine did not do it. expired: it was not begun within 3 s and will not be carried out, or its result was not reported
+             * @description waiting: not executed yet. done: the controller has accepted it. refused: the machine did not do it. expired: it was not begun within 3 s and will not be executed, or its result was not reported
              * @enum {string}
              */
             state: "waiting" | "done" | "refused" | "expired";
@@ -6313,12 +6313,12 @@ export interface components {
         Stage: "prepare" | "read" | "classify" | "store" | "clean" | "plan" | "compensate" | "sequence" | "process" | "verify" | "done";
         /**
          * StationAnswer
-         * @description Response to the report of a gateway on its machine: the operations to carry out now.
+         * @description Response to the report of a gateway on its machine: the operations to execute now.
          */
         StationAnswer: {
             /**
              * Operations
-             * @description Operations to carry out now, oldest first; each is sent only once
+             * @description Operations to execute now, oldest first; each is sent only once
              */
             operations: components["schemas"]["AskedOut"][];
             /**

@@ -3208,7 +3208,7 @@ export const TEXTS = {
     "hint": "Jog a shorter distance, or in the other direction."
   },
   "operation.expired": {
-    "text": "The operation was not carried out within {seconds:g} s and was dropped. Nothing was sent to the machine.",
+    "text": "The operation was not executed within {seconds:g} s and was dropped. Nothing was sent to the machine.",
     "hint": "Check the connection of the gateway to the server and to the machine, then try again."
   },
   "operation.gateway-absent": {
@@ -3276,7 +3276,7 @@ export const TEXTS = {
     "hint": "Use the controls of the machine itself. To see the path without work, raise or remove the tool, or draw the program with a pen."
   },
   "operation.unsupported": {
-    "text": "{name} cannot carry out the operation {request}.",
+    "text": "{name} cannot execute the operation {request}.",
     "hint": "Carry it out at the machine."
   },
   "override.ambiguous": {

@@ -299,7 +299,7 @@ function Controls({ job }: { job: Job }) {
             color={colour}
             variant={variant}
             disabled={busy}
-            // Requested, but not carried out by the machine yet.
+            // Requested, but not executed by the machine yet.
             loading={job.requested_action === word}
             onClick={() => send(word)}
             data-testid={testId}

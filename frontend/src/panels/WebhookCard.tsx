@@ -15,7 +15,7 @@ import css from "./webhooks.module.css";
 
 interface Props {
   readonly webhook: Webhook;
-  /** Carries out a request and shows its error; returns whether it succeeded. */
+  /** Executes a request and shows its error; returns whether it succeeded. */
   readonly act: (action: () => Promise<unknown>) => Promise<boolean>;
 }
 

@@ -75,7 +75,7 @@ test("an older action does not replace the report of a newer one", async () => {
   expect(last()).toMatchObject({ label: "Stop", state: "done" });
 });
 
-test("a stop that the machine does not carry out points to the emergency stop", async () => {
+test("a stop that the machine does not execute points to the emergency stop", async () => {
   const asked = job({ requested_action: "cancel" });
   queryClient.setQueryData(queries.job("j").queryKey, asked);
   vi.spyOn(service, "command").mockResolvedValue(asked);
@@ -105,7 +105,7 @@ test("a job is resumed in the phase that the person has seen", async () => {
   await result;
 });
 
-test("a command is carried out when the job has changed, not when it was taken", () => {
+test("a command is executed when the job has changed, not when it was taken", () => {
   expect(isCarriedOut("hold", job({ requested_action: "hold" }))).toBe(false);
   expect(isCarriedOut("hold", job({ state: "held", requested_action: "" }))).toBe(true);
   expect(isCarriedOut("confirm", job({ state: "queued", requested_action: "" }))).toBe(false);

@@ -47,7 +47,7 @@ const SOON = 150;
 const LATER = 600;
 /** Time (ms) after which an operation is asked for less often. */
 const EARLY = 4000;
-/** Time (s) in which a machine carries out a command of a job, or something is wrong. */
+/** Time (s) in which a machine executes a command of a job, or something is wrong. */
 const PROMPT = 3;
 
 /** A failure as an outcome: what the server refused, or that nothing arrived. */
@@ -95,7 +95,7 @@ export async function reportAction(label: string, action: () => Promise<void>): 
   }
 }
 
-/** Whether the machine has carried out a command of a job. */
+/** Whether the machine has executed a command of a job. */
 export function isCarriedOut(word: JobCommand, job: Job): boolean {
   if (job.requested_action !== "") return false;
   if (word === "hold") return job.state !== "running";

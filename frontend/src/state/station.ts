@@ -72,7 +72,7 @@ export function moves(station: Station | undefined, job: Job | undefined): boole
   return (
     MOVING.has(station?.state ?? "") ||
     (job?.state === "running" && job.waiting_for === "") ||
-    // Taken, but not carried out yet.
+    // Taken, but not executed yet.
     job?.requested_action === "resume"
   );
 }

@@ -26,7 +26,7 @@ def operations(api: dict[str, Any]) -> list[dict[str, Any]]:
 def test_a_key_is_optional_for_a_caller_who_needs_none(client: httpx.Client) -> None:
     for operation in operations(described(client)):
         assert not operation["security"] or operation["security"][-1] == {}
-    # Nobody has asked: keys are needed.
+    # There was no request yet: keys are needed.
     for operation in operations(create_app().openapi()):
         assert {} not in operation["security"]
 

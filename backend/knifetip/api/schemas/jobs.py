@@ -226,7 +226,7 @@ class JobOut(OrderDetailsOut):
     )
     requested_action: Literal["", "hold", "resume", "cancel"] = Field(
         default="",
-        description="Action that the operator requested and that the machine has not carried out "
+        description="Action that the operator requested and that the machine has not executed "
         "yet; empty for none",
     )
     stage: Stage | Literal[""] = Field(

@@ -215,9 +215,9 @@ class OperationOut(BaseModel):
 
     id: str = Field(description="Id of the operation")
     state: Literal["waiting", "done", "refused", "expired"] = Field(
-        description=f"waiting: not carried out yet. done: the controller has accepted it. refused: "
+        description=f"waiting: not executed yet. done: the controller has accepted it. refused: "
         f"the machine did not do it. expired: it was not begun within {EXPIRY:g} s and will not be "
-        "carried out, or its result was not reported"
+        "executed, or its result was not reported"
     )
     message: MessageOut | None = Field(
         description="Reason, if the operation was refused or has expired; else null"
@@ -271,12 +271,12 @@ class StationIn(Strict):
 
 
 class AskedOut(BaseModel):
-    """An operation that the gateway shall carry out now."""
+    """An operation that the gateway shall execute now."""
 
     id: str = Field(description="Id of the operation")
     age: float = Field(
         description="Time from the request of the person to this answer (s); the gateway drops an "
-        f"operation that is older than {EXPIRY:g} s before it is carried out"
+        f"operation that is older than {EXPIRY:g} s before it is executed"
     )
     operation: str = Field(description="Name of the operation")
     axis: str | None = Field(default=None, description="Axis of a jog")
@@ -300,10 +300,10 @@ class AskedOut(BaseModel):
 
 
 class StationAnswer(BaseModel):
-    """Response to the report of a gateway on its machine: the operations to carry out now."""
+    """Response to the report of a gateway on its machine: the operations to execute now."""
 
     operations: list[AskedOut] = Field(
-        description="Operations to carry out now, oldest first; each is sent only once"
+        description="Operations to execute now, oldest first; each is sent only once"
     )
     waited: float = Field(description="Time that the server waited before this answer (s)")
     watched: bool = Field(

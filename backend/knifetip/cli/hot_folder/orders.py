@@ -32,7 +32,7 @@ STATUS: Final = ".status.xjdf"  #: suffix of the job as XJDF, for an order in XJ
 _OF_DRAWING: Final[tuple[str, ...]] = ("unit", "profile")
 #: States of a job in which its program is accepted.
 _ACCEPTED: Final = ("ready", "queued", "running", "held", "done", "interrupted", "continued")
-#: Fields that an order in XJDF may leave open.
+#: Optional fields of an order in XJDF.
 _OF_XJDF: Final = ("machine", "board", "profile", "release")
 _UNFINISHED: Final = ("received", "compiling")
 _LARGEST_SIDECAR: Final = 1 << 20

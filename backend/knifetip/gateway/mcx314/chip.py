@@ -82,7 +82,7 @@ class Chip:
         Raises
         ------
         ChipRefused
-            The word is a command that the chip cannot carry out now.
+            The word is a command that the chip cannot execute now.
         """
         if not 0 <= word <= 0xFFFF:
             raise ChipRefused(f"{word} is not a word of 16 bits")

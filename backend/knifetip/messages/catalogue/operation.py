@@ -23,7 +23,7 @@ MESSAGES: Final[Entries] = {
         high="number",
     ),
     "operation.expired": entry(
-        "The operation was not carried out within {seconds:g} s and was dropped. Nothing was sent "
+        "The operation was not executed within {seconds:g} s and was dropped. Nothing was sent "
         "to the machine.",
         "Check the connection of the gateway to the server and to the machine, then try again.",
         seconds="number",
@@ -117,7 +117,7 @@ MESSAGES: Final[Entries] = {
         request="text",
     ),
     "operation.unsupported": entry(
-        "{name} cannot carry out the operation {request}.",
+        "{name} cannot execute the operation {request}.",
         "Carry it out at the machine.",
         name="text",
         request="text",
