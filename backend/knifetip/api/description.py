@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, Final
 
 from fastapi import FastAPI, Request, Response
 from fastapi.openapi.utils import get_openapi
 from fastapi.responses import JSONResponse
 
 from knifetip.api.api_version import is_versioned, versioned_paths
+from knifetip.api.documented_errors import document_errors
+from knifetip.api.examples import Examples, library_name
 from knifetip.api.principal import PrincipalKind, principal_of
-from knifetip.api.problems import PROBLEM
 from knifetip.api.routing import ScopedOperation
 from knifetip.api.schemas.common import Problem
 from knifetip.api.schemas.messages import describe_codes
 from knifetip.api.schemas.security import describe_scopes, with_open_door
+
+_JSON: Final = "application/json"
 
 
 class Description:
@@ -82,16 +85,28 @@ def describe(app: FastAPI, operations: Sequence[ScopedOperation]) -> dict[str, A
     schemas["Problem"] = own
     describe_codes(schemas)
     _mark_binary(described)
-    answer = {
-        "description": "Error with a hint",
-        "content": {PROBLEM: {"schema": {"$ref": "#/components/schemas/Problem"}}},
-    }
-    for path in described["paths"].values():
-        for operation in path.values():
-            operation["responses"].pop("422", None)
-            operation["responses"]["default"] = answer
+    document_errors(described)
+    _add_examples(described)
     describe_scopes(described, operations)
     return described
+
+
+def _add_examples(described: dict[str, Any]) -> None:
+    """Add an example of its JSON to each request and each answer."""
+    examples = Examples(described["components"]["schemas"])
+    for path, item in described["paths"].items():
+        name = library_name(path)
+        for operation in item.values():
+            for parameter in operation.get("parameters", ()):
+                if name is not None and (parameter["in"], parameter["name"]) == ("path", "name"):
+                    parameter["example"] = name
+            body = operation.get("requestBody", {}).get("content", {}).get(_JSON)
+            if body is not None and "schema" in body:
+                body["example"] = examples.of_request(body["schema"])
+            for status, response in operation["responses"].items():
+                answer = response.get("content", {}).get(_JSON)
+                if status.startswith("2") and answer is not None and "schema" in answer:
+                    answer["example"] = examples.of_answer(answer["schema"])
 
 
 def _mark_binary(part: Any) -> None:

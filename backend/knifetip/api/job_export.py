@@ -6,7 +6,7 @@ import io
 import zipfile
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 from fastapi import Request, Response
 from pydantic import TypeAdapter
@@ -15,7 +15,7 @@ from knifetip.api.job_models import job_events, job_out
 from knifetip.api.parameters import JobId
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.jobs import JobEvent
-from knifetip.api.service import BINARY, ServiceDep, bytes_response, file_name
+from knifetip.api.service import ServiceDep, bytes_response, file_name
 from knifetip.api.verdict_model import verdict_out
 from knifetip.errors import WrongState
 from knifetip.jobs.accounts.scopes import AccessScope
@@ -23,6 +23,9 @@ from knifetip.jobs.store import Store
 
 router = ScopedRouter(prefix="/jobs", tags=["jobs"])
 
+_ZIP: Final[dict[str, Any]] = {
+    "content": {"application/zip": {"schema": {"type": "string", "format": "binary"}}}
+}
 # Files of a zip have a time; without one the same job gives the same bytes.
 _TIME: Final = (1980, 1, 1, 0, 0, 0)
 
@@ -75,7 +78,7 @@ def archive_jobs(store: Store, folder: Path, ids: Sequence[str]) -> None:
         part.replace(folder / f"{id}.zip")
 
 
-@router.get("/{id}/export", response_class=Response, responses={200: BINARY})
+@router.get("/{id}/export", response_class=Response, responses={200: _ZIP})
 @requires(AccessScope.VIEWER)
 def export_job(service: ServiceDep, request: Request, id: JobId) -> Response:
     """Download a zip file with the job: JSON, events, drawing, program and verdict."""

@@ -15660,11 +15660,103 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "external_id": "PO-4711",
+                     *         "customer": "Carton Works",
+                     *         "due": "2030-01-02T03:04:05.123Z",
+                     *         "notes": "Two samples for the customer",
+                     *         "metadata": {},
+                     *         "id": "5p256sc8xs7q",
+                     *         "revision": 1,
+                     *         "name": "tray.dxf",
+                     *         "created": "2030-01-02T03:04:05.123Z",
+                     *         "unit": "mm",
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "segments": 1,
+                     *         "questions": 1
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["DrawingSummary"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -15696,11 +15788,277 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "revision": 1,
+                     *       "name": "tray.dxf",
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "unit": "mm",
+                     *       "unit_given": "mm",
+                     *       "evidence": "text",
+                     *       "evidence_message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "unit_finding": {
+                     *         "stated": "mm",
+                     *         "ranking": [
+                     *           "mm"
+                     *         ],
+                     *         "evidence": [
+                     *           {
+                     *             "code": "job.unknown",
+                     *             "arguments": {
+                     *               "job": "5p256sc8xs7q"
+                     *             },
+                     *             "text": "Job 5p256sc8xs7q does not exist.",
+                     *             "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *             "unit": "mm",
+                     *             "weight": 12.5
+                     *           }
+                     *         ],
+                     *         "warnings": [
+                     *           {
+                     *             "code": "job.unknown",
+                     *             "arguments": {
+                     *               "job": "5p256sc8xs7q"
+                     *             },
+                     *             "text": "Job 5p256sc8xs7q does not exist.",
+                     *             "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *           }
+                     *         ]
+                     *       },
+                     *       "profile": "default",
+                     *       "profile_state": "current",
+                     *       "rules": "text",
+                     *       "segments": 1,
+                     *       "length": 12.5,
+                     *       "bounds": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "width": 12.5,
+                     *       "height": 12.5,
+                     *       "counts": [
+                     *         {
+                     *           "type": "unclassified",
+                     *           "edges": 1,
+                     *           "length": 12.5
+                     *         }
+                     *       ],
+                     *       "layers": [
+                     *         {
+                     *           "name": "tray.dxf",
+                     *           "colour": 1,
+                     *           "edges": 1,
+                     *           "length": 12.5,
+                     *           "types": [
+                     *             "unclassified"
+                     *           ]
+                     *         }
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "overrides": 1,
+                     *       "import_report": {
+                     *         "kept": 1,
+                     *         "merged": 1,
+                     *         "dropped": 1,
+                     *         "rows": [
+                     *           {
+                     *             "handle": "2A",
+                     *             "kind": "LINE",
+                     *             "layer": "CUT",
+                     *             "outcome": "kept",
+                     *             "reason": {
+                     *               "code": "job.unknown",
+                     *               "arguments": {
+                     *                 "job": "5p256sc8xs7q"
+                     *               },
+                     *               "text": "Job 5p256sc8xs7q does not exist.",
+                     *               "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *             },
+                     *             "length": 12.5,
+                     *             "text": "text",
+                     *             "place": [
+                     *               12.5
+                     *             ],
+                     *             "box": [
+                     *               12.5
+                     *             ]
+                     *           }
+                     *         ]
+                     *       },
+                     *       "report": {
+                     *         "drawn": 12.5,
+                     *         "kept": 12.5,
+                     *         "merged": 12.5,
+                     *         "dropped": 12.5,
+                     *         "groups": [
+                     *           {
+                     *             "outcome": "kept",
+                     *             "reason": {
+                     *               "code": "job.unknown",
+                     *               "arguments": {
+                     *                 "job": "5p256sc8xs7q"
+                     *               },
+                     *               "text": "Job 5p256sc8xs7q does not exist.",
+                     *               "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *             },
+                     *             "what": "edges",
+                     *             "kinds": [
+                     *               "text"
+                     *             ],
+                     *             "count": 1,
+                     *             "length": 12.5
+                     *           }
+                     *         ]
+                     *       }
+                     *     }
+                     */
                     "application/json": components["schemas"]["DrawingOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large`, `drawing.upload-too-large`, `request.upload-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `error.in-file`, `reading.crashed`, `request.key-reused` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -15731,6 +16089,164 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "revision": 1,
+                     *       "name": "tray.dxf",
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "unit": "mm",
+                     *       "unit_given": "mm",
+                     *       "evidence": "text",
+                     *       "evidence_message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "unit_finding": {
+                     *         "stated": "mm",
+                     *         "ranking": [
+                     *           "mm"
+                     *         ],
+                     *         "evidence": [
+                     *           {
+                     *             "code": "job.unknown",
+                     *             "arguments": {
+                     *               "job": "5p256sc8xs7q"
+                     *             },
+                     *             "text": "Job 5p256sc8xs7q does not exist.",
+                     *             "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *             "unit": "mm",
+                     *             "weight": 12.5
+                     *           }
+                     *         ],
+                     *         "warnings": [
+                     *           {
+                     *             "code": "job.unknown",
+                     *             "arguments": {
+                     *               "job": "5p256sc8xs7q"
+                     *             },
+                     *             "text": "Job 5p256sc8xs7q does not exist.",
+                     *             "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *           }
+                     *         ]
+                     *       },
+                     *       "profile": "default",
+                     *       "profile_state": "current",
+                     *       "rules": "text",
+                     *       "segments": 1,
+                     *       "length": 12.5,
+                     *       "bounds": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "width": 12.5,
+                     *       "height": 12.5,
+                     *       "counts": [
+                     *         {
+                     *           "type": "unclassified",
+                     *           "edges": 1,
+                     *           "length": 12.5
+                     *         }
+                     *       ],
+                     *       "layers": [
+                     *         {
+                     *           "name": "tray.dxf",
+                     *           "colour": 1,
+                     *           "edges": 1,
+                     *           "length": 12.5,
+                     *           "types": [
+                     *             "unclassified"
+                     *           ]
+                     *         }
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "overrides": 1,
+                     *       "import_report": {
+                     *         "kept": 1,
+                     *         "merged": 1,
+                     *         "dropped": 1,
+                     *         "rows": [
+                     *           {
+                     *             "handle": "2A",
+                     *             "kind": "LINE",
+                     *             "layer": "CUT",
+                     *             "outcome": "kept",
+                     *             "reason": {
+                     *               "code": "job.unknown",
+                     *               "arguments": {
+                     *                 "job": "5p256sc8xs7q"
+                     *               },
+                     *               "text": "Job 5p256sc8xs7q does not exist.",
+                     *               "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *             },
+                     *             "length": 12.5,
+                     *             "text": "text",
+                     *             "place": [
+                     *               12.5
+                     *             ],
+                     *             "box": [
+                     *               12.5
+                     *             ]
+                     *           }
+                     *         ]
+                     *       },
+                     *       "report": {
+                     *         "drawn": 12.5,
+                     *         "kept": 12.5,
+                     *         "merged": 12.5,
+                     *         "dropped": 12.5,
+                     *         "groups": [
+                     *           {
+                     *             "outcome": "kept",
+                     *             "reason": {
+                     *               "code": "job.unknown",
+                     *               "arguments": {
+                     *                 "job": "5p256sc8xs7q"
+                     *               },
+                     *               "text": "Job 5p256sc8xs7q does not exist.",
+                     *               "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *             },
+                     *             "what": "edges",
+                     *             "kinds": [
+                     *               "text"
+                     *             ],
+                     *             "count": 1,
+                     *             "length": 12.5
+                     *           }
+                     *         ]
+                     *       }
+                     *     }
+                     */
                     "application/json": components["schemas"]["DrawingOut"];
                 };
             };
@@ -15741,8 +16257,89 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `drawing.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -15771,8 +16368,125 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `drawing.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `drawing.in-use` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -15797,6 +16511,12 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "external_id": "PO-4711",
+                 *       "notes": "Two samples"
+                 *     }
+                 */
                 "application/json": components["schemas"]["DrawingPatch"];
             };
         };
@@ -15807,11 +16527,295 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "revision": 1,
+                     *       "name": "tray.dxf",
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "unit": "mm",
+                     *       "unit_given": "mm",
+                     *       "evidence": "text",
+                     *       "evidence_message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "unit_finding": {
+                     *         "stated": "mm",
+                     *         "ranking": [
+                     *           "mm"
+                     *         ],
+                     *         "evidence": [
+                     *           {
+                     *             "code": "job.unknown",
+                     *             "arguments": {
+                     *               "job": "5p256sc8xs7q"
+                     *             },
+                     *             "text": "Job 5p256sc8xs7q does not exist.",
+                     *             "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *             "unit": "mm",
+                     *             "weight": 12.5
+                     *           }
+                     *         ],
+                     *         "warnings": [
+                     *           {
+                     *             "code": "job.unknown",
+                     *             "arguments": {
+                     *               "job": "5p256sc8xs7q"
+                     *             },
+                     *             "text": "Job 5p256sc8xs7q does not exist.",
+                     *             "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *           }
+                     *         ]
+                     *       },
+                     *       "profile": "default",
+                     *       "profile_state": "current",
+                     *       "rules": "text",
+                     *       "segments": 1,
+                     *       "length": 12.5,
+                     *       "bounds": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "width": 12.5,
+                     *       "height": 12.5,
+                     *       "counts": [
+                     *         {
+                     *           "type": "unclassified",
+                     *           "edges": 1,
+                     *           "length": 12.5
+                     *         }
+                     *       ],
+                     *       "layers": [
+                     *         {
+                     *           "name": "tray.dxf",
+                     *           "colour": 1,
+                     *           "edges": 1,
+                     *           "length": 12.5,
+                     *           "types": [
+                     *             "unclassified"
+                     *           ]
+                     *         }
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "overrides": 1,
+                     *       "import_report": {
+                     *         "kept": 1,
+                     *         "merged": 1,
+                     *         "dropped": 1,
+                     *         "rows": [
+                     *           {
+                     *             "handle": "2A",
+                     *             "kind": "LINE",
+                     *             "layer": "CUT",
+                     *             "outcome": "kept",
+                     *             "reason": {
+                     *               "code": "job.unknown",
+                     *               "arguments": {
+                     *                 "job": "5p256sc8xs7q"
+                     *               },
+                     *               "text": "Job 5p256sc8xs7q does not exist.",
+                     *               "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *             },
+                     *             "length": 12.5,
+                     *             "text": "text",
+                     *             "place": [
+                     *               12.5
+                     *             ],
+                     *             "box": [
+                     *               12.5
+                     *             ]
+                     *           }
+                     *         ]
+                     *       },
+                     *       "report": {
+                     *         "drawn": 12.5,
+                     *         "kept": 12.5,
+                     *         "merged": 12.5,
+                     *         "dropped": 12.5,
+                     *         "groups": [
+                     *           {
+                     *             "outcome": "kept",
+                     *             "reason": {
+                     *               "code": "job.unknown",
+                     *               "arguments": {
+                     *                 "job": "5p256sc8xs7q"
+                     *               },
+                     *               "text": "Job 5p256sc8xs7q does not exist.",
+                     *               "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *             },
+                     *             "what": "edges",
+                     *             "kinds": [
+                     *               "text"
+                     *             ],
+                     *             "count": 1,
+                     *             "length": 12.5
+                     *           }
+                     *         ]
+                     *       }
+                     *     }
+                     */
                     "application/json": components["schemas"]["DrawingOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `drawing.unknown`, `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `drawing.changing`, `profile.shipped` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Precondition Failed: `drawing.stale` */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `error.in-file`, `library.large-integer`, `library.unknown-file`, `profile.bad-name`, `profile.nested-too-deep`, `profile.not-toml`, `profile.too-long`, `reading.crashed` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -15845,6 +16849,37 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "edges": [
+                     *         {
+                     *           "row": 1,
+                     *           "handle": "2A",
+                     *           "layer": "CUT",
+                     *           "colour": 1,
+                     *           "linetype": "CONTINUOUS",
+                     *           "type": "unclassified",
+                     *           "rule": "text",
+                     *           "confidence": 12.5,
+                     *           "alternatives": [
+                     *             "unclassified"
+                     *           ],
+                     *           "outcome": "kept",
+                     *           "reason": "The customer accepts it",
+                     *           "length": 12.5,
+                     *           "start": [
+                     *             12.5,
+                     *             12.5
+                     *           ],
+                     *           "end": [
+                     *             12.5,
+                     *             12.5
+                     *           ],
+                     *           "bulge": 12.5
+                     *         }
+                     *       ]
+                     *     }
+                     */
                     "application/json": components["schemas"]["EdgesOut"];
                     "application/octet-stream": string;
                 };
@@ -15856,8 +16891,89 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `drawing.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -15882,6 +16998,19 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "overrides": [
+                 *         {
+                 *           "type": "crease",
+                 *           "edges": [
+                 *             0,
+                 *             1
+                 *           ]
+                 *         }
+                 *       ]
+                 *     }
+                 */
                 "application/json": components["schemas"]["EdgesPatch"];
             };
         };
@@ -15892,11 +17021,295 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "revision": 1,
+                     *       "name": "tray.dxf",
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "unit": "mm",
+                     *       "unit_given": "mm",
+                     *       "evidence": "text",
+                     *       "evidence_message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "unit_finding": {
+                     *         "stated": "mm",
+                     *         "ranking": [
+                     *           "mm"
+                     *         ],
+                     *         "evidence": [
+                     *           {
+                     *             "code": "job.unknown",
+                     *             "arguments": {
+                     *               "job": "5p256sc8xs7q"
+                     *             },
+                     *             "text": "Job 5p256sc8xs7q does not exist.",
+                     *             "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *             "unit": "mm",
+                     *             "weight": 12.5
+                     *           }
+                     *         ],
+                     *         "warnings": [
+                     *           {
+                     *             "code": "job.unknown",
+                     *             "arguments": {
+                     *               "job": "5p256sc8xs7q"
+                     *             },
+                     *             "text": "Job 5p256sc8xs7q does not exist.",
+                     *             "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *           }
+                     *         ]
+                     *       },
+                     *       "profile": "default",
+                     *       "profile_state": "current",
+                     *       "rules": "text",
+                     *       "segments": 1,
+                     *       "length": 12.5,
+                     *       "bounds": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "width": 12.5,
+                     *       "height": 12.5,
+                     *       "counts": [
+                     *         {
+                     *           "type": "unclassified",
+                     *           "edges": 1,
+                     *           "length": 12.5
+                     *         }
+                     *       ],
+                     *       "layers": [
+                     *         {
+                     *           "name": "tray.dxf",
+                     *           "colour": 1,
+                     *           "edges": 1,
+                     *           "length": 12.5,
+                     *           "types": [
+                     *             "unclassified"
+                     *           ]
+                     *         }
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "overrides": 1,
+                     *       "import_report": {
+                     *         "kept": 1,
+                     *         "merged": 1,
+                     *         "dropped": 1,
+                     *         "rows": [
+                     *           {
+                     *             "handle": "2A",
+                     *             "kind": "LINE",
+                     *             "layer": "CUT",
+                     *             "outcome": "kept",
+                     *             "reason": {
+                     *               "code": "job.unknown",
+                     *               "arguments": {
+                     *                 "job": "5p256sc8xs7q"
+                     *               },
+                     *               "text": "Job 5p256sc8xs7q does not exist.",
+                     *               "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *             },
+                     *             "length": 12.5,
+                     *             "text": "text",
+                     *             "place": [
+                     *               12.5
+                     *             ],
+                     *             "box": [
+                     *               12.5
+                     *             ]
+                     *           }
+                     *         ]
+                     *       },
+                     *       "report": {
+                     *         "drawn": 12.5,
+                     *         "kept": 12.5,
+                     *         "merged": 12.5,
+                     *         "dropped": 12.5,
+                     *         "groups": [
+                     *           {
+                     *             "outcome": "kept",
+                     *             "reason": {
+                     *               "code": "job.unknown",
+                     *               "arguments": {
+                     *                 "job": "5p256sc8xs7q"
+                     *               },
+                     *               "text": "Job 5p256sc8xs7q does not exist.",
+                     *               "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *             },
+                     *             "what": "edges",
+                     *             "kinds": [
+                     *               "text"
+                     *             ],
+                     *             "count": 1,
+                     *             "length": 12.5
+                     *           }
+                     *         ]
+                     *       }
+                     *     }
+                     */
                     "application/json": components["schemas"]["DrawingOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `drawing.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `drawing.changing` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Precondition Failed: `drawing.stale` */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `error.in-file`, `override.ambiguous`, `override.no-edges-there`, `override.no-such-edge`, `override.no-such-handle`, `reading.crashed` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -15937,8 +17350,89 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `drawing.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -15972,6 +17466,37 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "kept": 1,
+                     *       "merged": 1,
+                     *       "dropped": 1,
+                     *       "rows": [
+                     *         {
+                     *           "handle": "2A",
+                     *           "kind": "LINE",
+                     *           "layer": "CUT",
+                     *           "outcome": "kept",
+                     *           "reason": {
+                     *             "code": "job.unknown",
+                     *             "arguments": {
+                     *               "job": "5p256sc8xs7q"
+                     *             },
+                     *             "text": "Job 5p256sc8xs7q does not exist.",
+                     *             "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *           },
+                     *           "length": 12.5,
+                     *           "text": "text",
+                     *           "place": [
+                     *             12.5
+                     *           ],
+                     *           "box": [
+                     *             12.5
+                     *           ]
+                     *         }
+                     *       ]
+                     *     }
+                     */
                     "application/json": components["schemas"]["ImportReportOut"];
                 };
             };
@@ -15982,8 +17507,89 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `drawing.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16014,6 +17620,47 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "lengths": {
+                     *         "drawn": 12.5,
+                     *         "kept": 12.5,
+                     *         "merged": 12.5,
+                     *         "dropped": 12.5,
+                     *         "added": 12.5,
+                     *         "worked": 12.5,
+                     *         "no_work": 12.5
+                     *       },
+                     *       "edges": {
+                     *         "kept": 1,
+                     *         "merged": 1,
+                     *         "dropped": 1
+                     *       },
+                     *       "moved": 12.5,
+                     *       "off": 12.5,
+                     *       "rows": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "row": 1,
+                     *           "handle": "2A",
+                     *           "outcome": "kept",
+                     *           "reason": "moved",
+                     *           "into": 1,
+                     *           "kept": 12.5,
+                     *           "merged": 12.5,
+                     *           "dropped": 12.5,
+                     *           "added": 12.5,
+                     *           "moved": 12.5,
+                     *           "off": 12.5
+                     *         }
+                     *       ]
+                     *     }
+                     */
                     "application/json": components["schemas"]["CleaningOut"];
                 };
             };
@@ -16024,8 +17671,89 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `drawing.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `drawing.unit-for-cleaning` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16065,8 +17793,98 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `drawing.unknown`, `store.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `store.no-column` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16114,11 +17932,229 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "external_id": "PO-4711",
+                     *         "customer": "Carton Works",
+                     *         "due": "2030-01-02T03:04:05.123Z",
+                     *         "notes": "Two samples for the customer",
+                     *         "metadata": {},
+                     *         "id": "5p256sc8xs7q",
+                     *         "state": "received",
+                     *         "actions": [
+                     *           "accept"
+                     *         ],
+                     *         "message": {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *         },
+                     *         "reason": "The customer accepts it",
+                     *         "hint": "text",
+                     *         "source": [
+                     *           "text"
+                     *         ],
+                     *         "questions": [
+                     *           {
+                     *             "code": "job.unknown",
+                     *             "arguments": {
+                     *               "job": "5p256sc8xs7q"
+                     *             },
+                     *             "text": "Job 5p256sc8xs7q does not exist.",
+                     *             "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *             "kind": "unit",
+                     *             "choices": [
+                     *               "text"
+                     *             ],
+                     *             "edges": [
+                     *               1
+                     *             ],
+                     *             "layer": "CUT",
+                     *             "colour": 1
+                     *           }
+                     *         ],
+                     *         "drawing": "5p256sc8xs7q",
+                     *         "drawing_name": "tray.dxf",
+                     *         "machine": "demo-table",
+                     *         "machine_version": 1,
+                     *         "board": "e-flute",
+                     *         "board_version": 1,
+                     *         "profile": "default",
+                     *         "resumes": "text",
+                     *         "is_rest": false,
+                     *         "copies": 1,
+                     *         "copies_done": 1,
+                     *         "program_of": "text",
+                     *         "remaining_copies": 0,
+                     *         "priority": 1,
+                     *         "created": "2030-01-02T03:04:05.123Z",
+                     *         "updated": "2030-01-02T03:04:05.123Z",
+                     *         "waiting_for": "",
+                     *         "queue_position": 1,
+                     *         "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *         "no_estimate": "",
+                     *         "on_hold": false,
+                     *         "ended": "2030-01-02T03:04:05.123Z",
+                     *         "tools": [
+                     *           {
+                     *             "station": 1,
+                     *             "name": "tray.dxf",
+                     *             "kind": "LINE"
+                     *           }
+                     *         ],
+                     *         "requested_action": "",
+                     *         "stage": "prepare",
+                     *         "progress": 12.5,
+                     *         "line": 1,
+                     *         "lines": 1,
+                     *         "phase": 0,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "stopped_at": {
+                     *           "line": 1,
+                     *           "position": [
+                     *             12.5,
+                     *             12.5,
+                     *             12.5,
+                     *             12.5
+                     *           ],
+                     *           "station": 1
+                     *         },
+                     *         "seconds": 12.5,
+                     *         "seconds_left": 12.5,
+                     *         "corners": {
+                     *           "type": "auto",
+                     *           "k": 0.5,
+                     *           "interference": "trim",
+                     *           "at": [
+                     *             {
+                     *               "x": 12.5,
+                     *               "y": 12.5,
+                     *               "type": "auto",
+                     *               "k": 0.5
+                     *             }
+                     *           ]
+                     *         },
+                     *         "sheet": {
+                     *           "width": 12.5,
+                     *           "height": 12.5,
+                     *           "margin": 0
+                     *         },
+                     *         "lift": "clearance",
+                     *         "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *         "verdict": {
+                     *           "accepted": true,
+                     *           "tolerance": 12.5,
+                     *           "deviation": 12.5,
+                     *           "path_deviation": 0,
+                     *           "blending": 0,
+                     *           "fit_error": 0,
+                     *           "overcut": 12.5,
+                     *           "uncut": 12.5,
+                     *           "uncut_total": 0,
+                     *           "setback_total": 0,
+                     *           "unreached": 0,
+                     *           "unreached_places": 0,
+                     *           "unreached_length": 0,
+                     *           "unreached_distance": 0,
+                     *           "slit_length": 0,
+                     *           "slit_places": 0,
+                     *           "faults": 0,
+                     *           "shortfalls": 0,
+                     *           "exceptions": 0,
+                     *           "seconds": 12.5,
+                     *           "seconds_retracted": 12.5
+                     *         },
+                     *         "mend": "text",
+                     *         "wish": ""
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["JobOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16140,6 +18176,16 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "drawing": "5p256sc8xs7q",
+                 *       "machine": "demo-table",
+                 *       "board": "e-flute",
+                 *       "copies": 2,
+                 *       "external_id": "PO-4711",
+                 *       "due": "2030-01-02T03:04:05.123Z"
+                 *     }
+                 */
                 "application/json": components["schemas"]["JobIn"];
             };
         };
@@ -16150,11 +18196,281 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "received",
+                     *       "actions": [
+                     *         "accept"
+                     *       ],
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "reason": "The customer accepts it",
+                     *       "hint": "text",
+                     *       "source": [
+                     *         "text"
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "drawing": "5p256sc8xs7q",
+                     *       "drawing_name": "tray.dxf",
+                     *       "machine": "demo-table",
+                     *       "machine_version": 1,
+                     *       "board": "e-flute",
+                     *       "board_version": 1,
+                     *       "profile": "default",
+                     *       "resumes": "text",
+                     *       "is_rest": false,
+                     *       "copies": 1,
+                     *       "copies_done": 1,
+                     *       "program_of": "text",
+                     *       "remaining_copies": 0,
+                     *       "priority": 1,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "waiting_for": "",
+                     *       "queue_position": 1,
+                     *       "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *       "no_estimate": "",
+                     *       "on_hold": false,
+                     *       "ended": "2030-01-02T03:04:05.123Z",
+                     *       "tools": [
+                     *         {
+                     *           "station": 1,
+                     *           "name": "tray.dxf",
+                     *           "kind": "LINE"
+                     *         }
+                     *       ],
+                     *       "requested_action": "",
+                     *       "stage": "prepare",
+                     *       "progress": 12.5,
+                     *       "line": 1,
+                     *       "lines": 1,
+                     *       "phase": 0,
+                     *       "position": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "stopped_at": {
+                     *         "line": 1,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "station": 1
+                     *       },
+                     *       "seconds": 12.5,
+                     *       "seconds_left": 12.5,
+                     *       "corners": {
+                     *         "type": "auto",
+                     *         "k": 0.5,
+                     *         "interference": "trim",
+                     *         "at": [
+                     *           {
+                     *             "x": 12.5,
+                     *             "y": 12.5,
+                     *             "type": "auto",
+                     *             "k": 0.5
+                     *           }
+                     *         ]
+                     *       },
+                     *       "sheet": {
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "margin": 0
+                     *       },
+                     *       "lift": "clearance",
+                     *       "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "verdict": {
+                     *         "accepted": true,
+                     *         "tolerance": 12.5,
+                     *         "deviation": 12.5,
+                     *         "path_deviation": 0,
+                     *         "blending": 0,
+                     *         "fit_error": 0,
+                     *         "overcut": 12.5,
+                     *         "uncut": 12.5,
+                     *         "uncut_total": 0,
+                     *         "setback_total": 0,
+                     *         "unreached": 0,
+                     *         "unreached_places": 0,
+                     *         "unreached_length": 0,
+                     *         "unreached_distance": 0,
+                     *         "slit_length": 0,
+                     *         "slit_places": 0,
+                     *         "faults": 0,
+                     *         "shortfalls": 0,
+                     *         "exceptions": 0,
+                     *         "seconds": 12.5,
+                     *         "seconds_retracted": 12.5
+                     *       },
+                     *       "mend": "text",
+                     *       "wish": ""
+                     *     }
+                     */
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `drawing.unknown`, `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `drawing.open-questions` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Precondition Failed: `drawing.stale` */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `override.ambiguous`, `override.no-edges-there`, `override.no-such-edge`, `override.no-such-handle`, `request.key-reused` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16182,11 +18498,236 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "received",
+                     *       "actions": [
+                     *         "accept"
+                     *       ],
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "reason": "The customer accepts it",
+                     *       "hint": "text",
+                     *       "source": [
+                     *         "text"
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "drawing": "5p256sc8xs7q",
+                     *       "drawing_name": "tray.dxf",
+                     *       "machine": "demo-table",
+                     *       "machine_version": 1,
+                     *       "board": "e-flute",
+                     *       "board_version": 1,
+                     *       "profile": "default",
+                     *       "resumes": "text",
+                     *       "is_rest": false,
+                     *       "copies": 1,
+                     *       "copies_done": 1,
+                     *       "program_of": "text",
+                     *       "remaining_copies": 0,
+                     *       "priority": 1,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "waiting_for": "",
+                     *       "queue_position": 1,
+                     *       "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *       "no_estimate": "",
+                     *       "on_hold": false,
+                     *       "ended": "2030-01-02T03:04:05.123Z",
+                     *       "tools": [
+                     *         {
+                     *           "station": 1,
+                     *           "name": "tray.dxf",
+                     *           "kind": "LINE"
+                     *         }
+                     *       ],
+                     *       "requested_action": "",
+                     *       "stage": "prepare",
+                     *       "progress": 12.5,
+                     *       "line": 1,
+                     *       "lines": 1,
+                     *       "phase": 0,
+                     *       "position": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "stopped_at": {
+                     *         "line": 1,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "station": 1
+                     *       },
+                     *       "seconds": 12.5,
+                     *       "seconds_left": 12.5,
+                     *       "corners": {
+                     *         "type": "auto",
+                     *         "k": 0.5,
+                     *         "interference": "trim",
+                     *         "at": [
+                     *           {
+                     *             "x": 12.5,
+                     *             "y": 12.5,
+                     *             "type": "auto",
+                     *             "k": 0.5
+                     *           }
+                     *         ]
+                     *       },
+                     *       "sheet": {
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "margin": 0
+                     *       },
+                     *       "lift": "clearance",
+                     *       "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "verdict": {
+                     *         "accepted": true,
+                     *         "tolerance": 12.5,
+                     *         "deviation": 12.5,
+                     *         "path_deviation": 0,
+                     *         "blending": 0,
+                     *         "fit_error": 0,
+                     *         "overcut": 12.5,
+                     *         "uncut": 12.5,
+                     *         "uncut_total": 0,
+                     *         "setback_total": 0,
+                     *         "unreached": 0,
+                     *         "unreached_places": 0,
+                     *         "unreached_length": 0,
+                     *         "unreached_distance": 0,
+                     *         "slit_length": 0,
+                     *         "slit_places": 0,
+                     *         "faults": 0,
+                     *         "shortfalls": 0,
+                     *         "exceptions": 0,
+                     *         "seconds": 12.5,
+                     *         "seconds_retracted": 12.5
+                     *       },
+                     *       "mend": "text",
+                     *       "wish": ""
+                     *     }
+                     */
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16208,6 +18749,7 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /** @example {} */
                 "application/json": components["schemas"]["WaitingChangeIn"];
             };
         };
@@ -16218,11 +18760,272 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "received",
+                     *       "actions": [
+                     *         "accept"
+                     *       ],
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "reason": "The customer accepts it",
+                     *       "hint": "text",
+                     *       "source": [
+                     *         "text"
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "drawing": "5p256sc8xs7q",
+                     *       "drawing_name": "tray.dxf",
+                     *       "machine": "demo-table",
+                     *       "machine_version": 1,
+                     *       "board": "e-flute",
+                     *       "board_version": 1,
+                     *       "profile": "default",
+                     *       "resumes": "text",
+                     *       "is_rest": false,
+                     *       "copies": 1,
+                     *       "copies_done": 1,
+                     *       "program_of": "text",
+                     *       "remaining_copies": 0,
+                     *       "priority": 1,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "waiting_for": "",
+                     *       "queue_position": 1,
+                     *       "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *       "no_estimate": "",
+                     *       "on_hold": false,
+                     *       "ended": "2030-01-02T03:04:05.123Z",
+                     *       "tools": [
+                     *         {
+                     *           "station": 1,
+                     *           "name": "tray.dxf",
+                     *           "kind": "LINE"
+                     *         }
+                     *       ],
+                     *       "requested_action": "",
+                     *       "stage": "prepare",
+                     *       "progress": 12.5,
+                     *       "line": 1,
+                     *       "lines": 1,
+                     *       "phase": 0,
+                     *       "position": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "stopped_at": {
+                     *         "line": 1,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "station": 1
+                     *       },
+                     *       "seconds": 12.5,
+                     *       "seconds_left": 12.5,
+                     *       "corners": {
+                     *         "type": "auto",
+                     *         "k": 0.5,
+                     *         "interference": "trim",
+                     *         "at": [
+                     *           {
+                     *             "x": 12.5,
+                     *             "y": 12.5,
+                     *             "type": "auto",
+                     *             "k": 0.5
+                     *           }
+                     *         ]
+                     *       },
+                     *       "sheet": {
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "margin": 0
+                     *       },
+                     *       "lift": "clearance",
+                     *       "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "verdict": {
+                     *         "accepted": true,
+                     *         "tolerance": 12.5,
+                     *         "deviation": 12.5,
+                     *         "path_deviation": 0,
+                     *         "blending": 0,
+                     *         "fit_error": 0,
+                     *         "overcut": 12.5,
+                     *         "uncut": 12.5,
+                     *         "uncut_total": 0,
+                     *         "setback_total": 0,
+                     *         "unreached": 0,
+                     *         "unreached_places": 0,
+                     *         "unreached_length": 0,
+                     *         "unreached_distance": 0,
+                     *         "slit_length": 0,
+                     *         "slit_places": 0,
+                     *         "faults": 0,
+                     *         "shortfalls": 0,
+                     *         "exceptions": 0,
+                     *         "seconds": 12.5,
+                     *         "seconds_retracted": 12.5
+                     *       },
+                     *       "mend": "text",
+                     *       "wish": ""
+                     *     }
+                     */
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `job.stale-epoch`, `queue.claimed`, `queue.copies-done`, `queue.not-waiting`, `rest.bound-to-sheet` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16250,11 +19053,112 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "id": 1,
+                     *         "job": "5p256sc8xs7q",
+                     *         "at": "2030-01-02T03:04:05.123Z",
+                     *         "state": "received",
+                     *         "who": "Ada",
+                     *         "message": {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *         },
+                     *         "why": "The job was released."
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["JobEvent"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16285,8 +19189,98 @@ export interface operations {
                     "text/plain": string;
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown`, `store.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `store.no-column` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16320,12 +19314,217 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "accepted": true,
+                     *       "tolerance": 12.5,
+                     *       "deviation": 12.5,
+                     *       "path_deviation": 0,
+                     *       "blending": 0,
+                     *       "fit_error": 0,
+                     *       "overcut": 12.5,
+                     *       "uncut": 12.5,
+                     *       "uncut_total": 0,
+                     *       "setback_total": 0,
+                     *       "unreached": 0,
+                     *       "unreached_places": 0,
+                     *       "unreached_length": 0,
+                     *       "unreached_distance": 0,
+                     *       "slit_length": 0,
+                     *       "slit_places": 0,
+                     *       "faults": 0,
+                     *       "shortfalls": 0,
+                     *       "exceptions": 0,
+                     *       "seconds": 12.5,
+                     *       "seconds_retracted": 12.5,
+                     *       "findings": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "LINE",
+                     *           "severity": "fault",
+                     *           "refuses": true,
+                     *           "acceptance": {
+                     *             "by": "Ada",
+                     *             "reason": "The customer accepts it",
+                     *             "at": "2030-01-02T03:04:05.123Z"
+                     *           },
+                     *           "measure": 12.5,
+                     *           "edge": 1,
+                     *           "handle": "2A",
+                     *           "line": 1
+                     *         }
+                     *       ],
+                     *       "areas": [
+                     *         {
+                     *           "area": 12.5,
+                     *           "x": 12.5,
+                     *           "y": 12.5,
+                     *           "outline": [
+                     *             [
+                     *               [
+                     *                 12.5,
+                     *                 12.5
+                     *               ],
+                     *               [
+                     *                 12.5,
+                     *                 12.5
+                     *               ],
+                     *               12.5
+                     *             ]
+                     *           ]
+                     *         }
+                     *       ],
+                     *       "edge_deviation": [
+                     *         12.5
+                     *       ],
+                     *       "edge_path_deviation": [
+                     *         12.5
+                     *       ],
+                     *       "edge_blending": [
+                     *         12.5
+                     *       ],
+                     *       "edge_fit_error": [
+                     *         12.5
+                     *       ],
+                     *       "edge_overcut": [
+                     *         12.5
+                     *       ],
+                     *       "edge_uncut": [
+                     *         12.5
+                     *       ],
+                     *       "edge_setback": [
+                     *         12.5
+                     *       ],
+                     *       "edge_width": [
+                     *         12.5
+                     *       ],
+                     *       "edge_web": [
+                     *         12.5
+                     *       ],
+                     *       "edge_flank": [
+                     *         12.5
+                     *       ],
+                     *       "edge_unreached": [
+                     *         12.5
+                     *       ],
+                     *       "edge_unreached_distance": [
+                     *         12.5
+                     *       ],
+                     *       "edge_slit_length": [
+                     *         12.5
+                     *       ],
+                     *       "edge_tidied": [
+                     *         12.5
+                     *       ],
+                     *       "edge_bottom_uncut": [
+                     *         12.5
+                     *       ],
+                     *       "edge_top_overcut": [
+                     *         12.5
+                     *       ]
+                     *     }
+                     */
                     "application/json": components["schemas"]["VerdictOut"];
                     "application/octet-stream": string;
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `store.no-column` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16356,8 +19555,98 @@ export interface operations {
                     "application/octet-stream": string;
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown`, `store.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `store.no-column` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16385,11 +19674,118 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "job": "5p256sc8xs7q",
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "findings": [
+                     *         {
+                     *           "edge": 1,
+                     *           "code": "text",
+                     *           "acceptance": {
+                     *             "by": "Ada",
+                     *             "reason": "The customer accepts it",
+                     *             "at": "2030-01-02T03:04:05.123Z"
+                     *           }
+                     *         }
+                     *       ]
+                     *     }
+                     */
                     "application/json": components["schemas"]["EarlierExceptions"] | null;
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown`, `store.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `store.no-column` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16414,6 +19810,18 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "findings": [
+                 *         {
+                 *           "edge": 1,
+                 *           "code": "text"
+                 *         }
+                 *       ],
+                 *       "reason": "The customer accepts it",
+                 *       "by": "Ada"
+                 *     }
+                 */
                 "application/json": components["schemas"]["ExceptionsIn"];
             };
         };
@@ -16424,11 +19832,272 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "received",
+                     *       "actions": [
+                     *         "accept"
+                     *       ],
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "reason": "The customer accepts it",
+                     *       "hint": "text",
+                     *       "source": [
+                     *         "text"
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "drawing": "5p256sc8xs7q",
+                     *       "drawing_name": "tray.dxf",
+                     *       "machine": "demo-table",
+                     *       "machine_version": 1,
+                     *       "board": "e-flute",
+                     *       "board_version": 1,
+                     *       "profile": "default",
+                     *       "resumes": "text",
+                     *       "is_rest": false,
+                     *       "copies": 1,
+                     *       "copies_done": 1,
+                     *       "program_of": "text",
+                     *       "remaining_copies": 0,
+                     *       "priority": 1,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "waiting_for": "",
+                     *       "queue_position": 1,
+                     *       "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *       "no_estimate": "",
+                     *       "on_hold": false,
+                     *       "ended": "2030-01-02T03:04:05.123Z",
+                     *       "tools": [
+                     *         {
+                     *           "station": 1,
+                     *           "name": "tray.dxf",
+                     *           "kind": "LINE"
+                     *         }
+                     *       ],
+                     *       "requested_action": "",
+                     *       "stage": "prepare",
+                     *       "progress": 12.5,
+                     *       "line": 1,
+                     *       "lines": 1,
+                     *       "phase": 0,
+                     *       "position": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "stopped_at": {
+                     *         "line": 1,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "station": 1
+                     *       },
+                     *       "seconds": 12.5,
+                     *       "seconds_left": 12.5,
+                     *       "corners": {
+                     *         "type": "auto",
+                     *         "k": 0.5,
+                     *         "interference": "trim",
+                     *         "at": [
+                     *           {
+                     *             "x": 12.5,
+                     *             "y": 12.5,
+                     *             "type": "auto",
+                     *             "k": 0.5
+                     *           }
+                     *         ]
+                     *       },
+                     *       "sheet": {
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "margin": 0
+                     *       },
+                     *       "lift": "clearance",
+                     *       "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "verdict": {
+                     *         "accepted": true,
+                     *         "tolerance": 12.5,
+                     *         "deviation": 12.5,
+                     *         "path_deviation": 0,
+                     *         "blending": 0,
+                     *         "fit_error": 0,
+                     *         "overcut": 12.5,
+                     *         "uncut": 12.5,
+                     *         "uncut_total": 0,
+                     *         "setback_total": 0,
+                     *         "unreached": 0,
+                     *         "unreached_places": 0,
+                     *         "unreached_length": 0,
+                     *         "unreached_distance": 0,
+                     *         "slit_length": 0,
+                     *         "slit_places": 0,
+                     *         "faults": 0,
+                     *         "shortfalls": 0,
+                     *         "exceptions": 0,
+                     *         "seconds": 12.5,
+                     *         "seconds_retracted": 12.5
+                     *       },
+                     *       "mend": "text",
+                     *       "wish": ""
+                     *     }
+                     */
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `job.no-shortfalls`, `job.stale-epoch`, `job.wrong-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16459,11 +20128,272 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "received",
+                     *       "actions": [
+                     *         "accept"
+                     *       ],
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "reason": "The customer accepts it",
+                     *       "hint": "text",
+                     *       "source": [
+                     *         "text"
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "drawing": "5p256sc8xs7q",
+                     *       "drawing_name": "tray.dxf",
+                     *       "machine": "demo-table",
+                     *       "machine_version": 1,
+                     *       "board": "e-flute",
+                     *       "board_version": 1,
+                     *       "profile": "default",
+                     *       "resumes": "text",
+                     *       "is_rest": false,
+                     *       "copies": 1,
+                     *       "copies_done": 1,
+                     *       "program_of": "text",
+                     *       "remaining_copies": 0,
+                     *       "priority": 1,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "waiting_for": "",
+                     *       "queue_position": 1,
+                     *       "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *       "no_estimate": "",
+                     *       "on_hold": false,
+                     *       "ended": "2030-01-02T03:04:05.123Z",
+                     *       "tools": [
+                     *         {
+                     *           "station": 1,
+                     *           "name": "tray.dxf",
+                     *           "kind": "LINE"
+                     *         }
+                     *       ],
+                     *       "requested_action": "",
+                     *       "stage": "prepare",
+                     *       "progress": 12.5,
+                     *       "line": 1,
+                     *       "lines": 1,
+                     *       "phase": 0,
+                     *       "position": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "stopped_at": {
+                     *         "line": 1,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "station": 1
+                     *       },
+                     *       "seconds": 12.5,
+                     *       "seconds_left": 12.5,
+                     *       "corners": {
+                     *         "type": "auto",
+                     *         "k": 0.5,
+                     *         "interference": "trim",
+                     *         "at": [
+                     *           {
+                     *             "x": 12.5,
+                     *             "y": 12.5,
+                     *             "type": "auto",
+                     *             "k": 0.5
+                     *           }
+                     *         ]
+                     *       },
+                     *       "sheet": {
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "margin": 0
+                     *       },
+                     *       "lift": "clearance",
+                     *       "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "verdict": {
+                     *         "accepted": true,
+                     *         "tolerance": 12.5,
+                     *         "deviation": 12.5,
+                     *         "path_deviation": 0,
+                     *         "blending": 0,
+                     *         "fit_error": 0,
+                     *         "overcut": 12.5,
+                     *         "uncut": 12.5,
+                     *         "uncut_total": 0,
+                     *         "setback_total": 0,
+                     *         "unreached": 0,
+                     *         "unreached_places": 0,
+                     *         "unreached_length": 0,
+                     *         "unreached_distance": 0,
+                     *         "slit_length": 0,
+                     *         "slit_places": 0,
+                     *         "faults": 0,
+                     *         "shortfalls": 0,
+                     *         "exceptions": 0,
+                     *         "seconds": 12.5,
+                     *         "seconds_retracted": 12.5
+                     *       },
+                     *       "mend": "text",
+                     *       "wish": ""
+                     *     }
+                     */
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `job.outdated`, `job.stale-epoch`, `job.wrong-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16494,11 +20424,272 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "received",
+                     *       "actions": [
+                     *         "accept"
+                     *       ],
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "reason": "The customer accepts it",
+                     *       "hint": "text",
+                     *       "source": [
+                     *         "text"
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "drawing": "5p256sc8xs7q",
+                     *       "drawing_name": "tray.dxf",
+                     *       "machine": "demo-table",
+                     *       "machine_version": 1,
+                     *       "board": "e-flute",
+                     *       "board_version": 1,
+                     *       "profile": "default",
+                     *       "resumes": "text",
+                     *       "is_rest": false,
+                     *       "copies": 1,
+                     *       "copies_done": 1,
+                     *       "program_of": "text",
+                     *       "remaining_copies": 0,
+                     *       "priority": 1,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "waiting_for": "",
+                     *       "queue_position": 1,
+                     *       "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *       "no_estimate": "",
+                     *       "on_hold": false,
+                     *       "ended": "2030-01-02T03:04:05.123Z",
+                     *       "tools": [
+                     *         {
+                     *           "station": 1,
+                     *           "name": "tray.dxf",
+                     *           "kind": "LINE"
+                     *         }
+                     *       ],
+                     *       "requested_action": "",
+                     *       "stage": "prepare",
+                     *       "progress": 12.5,
+                     *       "line": 1,
+                     *       "lines": 1,
+                     *       "phase": 0,
+                     *       "position": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "stopped_at": {
+                     *         "line": 1,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "station": 1
+                     *       },
+                     *       "seconds": 12.5,
+                     *       "seconds_left": 12.5,
+                     *       "corners": {
+                     *         "type": "auto",
+                     *         "k": 0.5,
+                     *         "interference": "trim",
+                     *         "at": [
+                     *           {
+                     *             "x": 12.5,
+                     *             "y": 12.5,
+                     *             "type": "auto",
+                     *             "k": 0.5
+                     *           }
+                     *         ]
+                     *       },
+                     *       "sheet": {
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "margin": 0
+                     *       },
+                     *       "lift": "clearance",
+                     *       "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "verdict": {
+                     *         "accepted": true,
+                     *         "tolerance": 12.5,
+                     *         "deviation": 12.5,
+                     *         "path_deviation": 0,
+                     *         "blending": 0,
+                     *         "fit_error": 0,
+                     *         "overcut": 12.5,
+                     *         "uncut": 12.5,
+                     *         "uncut_total": 0,
+                     *         "setback_total": 0,
+                     *         "unreached": 0,
+                     *         "unreached_places": 0,
+                     *         "unreached_length": 0,
+                     *         "unreached_distance": 0,
+                     *         "slit_length": 0,
+                     *         "slit_places": 0,
+                     *         "faults": 0,
+                     *         "shortfalls": 0,
+                     *         "exceptions": 0,
+                     *         "seconds": 12.5,
+                     *         "seconds_retracted": 12.5
+                     *       },
+                     *       "mend": "text",
+                     *       "wish": ""
+                     *     }
+                     */
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `job.stale-epoch`, `job.wrong-state`, `library.deleted`, `rest.bound-to-sheet` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16523,6 +20714,16 @@ export interface operations {
         };
         requestBody?: {
             content: {
+                /**
+                 * @example {
+                 *       "board": "e-flute",
+                 *       "by": "Ada",
+                 *       "stations": [
+                 *         1,
+                 *         2
+                 *       ]
+                 *     }
+                 */
                 "application/json": components["schemas"]["ConfirmIn"] | null;
             };
         };
@@ -16533,11 +20734,272 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "received",
+                     *       "actions": [
+                     *         "accept"
+                     *       ],
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "reason": "The customer accepts it",
+                     *       "hint": "text",
+                     *       "source": [
+                     *         "text"
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "drawing": "5p256sc8xs7q",
+                     *       "drawing_name": "tray.dxf",
+                     *       "machine": "demo-table",
+                     *       "machine_version": 1,
+                     *       "board": "e-flute",
+                     *       "board_version": 1,
+                     *       "profile": "default",
+                     *       "resumes": "text",
+                     *       "is_rest": false,
+                     *       "copies": 1,
+                     *       "copies_done": 1,
+                     *       "program_of": "text",
+                     *       "remaining_copies": 0,
+                     *       "priority": 1,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "waiting_for": "",
+                     *       "queue_position": 1,
+                     *       "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *       "no_estimate": "",
+                     *       "on_hold": false,
+                     *       "ended": "2030-01-02T03:04:05.123Z",
+                     *       "tools": [
+                     *         {
+                     *           "station": 1,
+                     *           "name": "tray.dxf",
+                     *           "kind": "LINE"
+                     *         }
+                     *       ],
+                     *       "requested_action": "",
+                     *       "stage": "prepare",
+                     *       "progress": 12.5,
+                     *       "line": 1,
+                     *       "lines": 1,
+                     *       "phase": 0,
+                     *       "position": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "stopped_at": {
+                     *         "line": 1,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "station": 1
+                     *       },
+                     *       "seconds": 12.5,
+                     *       "seconds_left": 12.5,
+                     *       "corners": {
+                     *         "type": "auto",
+                     *         "k": 0.5,
+                     *         "interference": "trim",
+                     *         "at": [
+                     *           {
+                     *             "x": 12.5,
+                     *             "y": 12.5,
+                     *             "type": "auto",
+                     *             "k": 0.5
+                     *           }
+                     *         ]
+                     *       },
+                     *       "sheet": {
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "margin": 0
+                     *       },
+                     *       "lift": "clearance",
+                     *       "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "verdict": {
+                     *         "accepted": true,
+                     *         "tolerance": 12.5,
+                     *         "deviation": 12.5,
+                     *         "path_deviation": 0,
+                     *         "blending": 0,
+                     *         "fit_error": 0,
+                     *         "overcut": 12.5,
+                     *         "uncut": 12.5,
+                     *         "uncut_total": 0,
+                     *         "setback_total": 0,
+                     *         "unreached": 0,
+                     *         "unreached_places": 0,
+                     *         "unreached_length": 0,
+                     *         "unreached_distance": 0,
+                     *         "slit_length": 0,
+                     *         "slit_places": 0,
+                     *         "faults": 0,
+                     *         "shortfalls": 0,
+                     *         "exceptions": 0,
+                     *         "seconds": 12.5,
+                     *         "seconds_retracted": 12.5
+                     *       },
+                     *       "mend": "text",
+                     *       "wish": ""
+                     *     }
+                     */
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown`, `library.unknown`, `tool-life.no-station` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `dry-run.in-progress`, `job.being-cancelled`, `job.gateway-silent`, `job.no-confirmation-awaited`, `job.no-sheet-awaited`, `job.not-taken`, `job.nothing-to-confirm`, `job.other-board`, `job.outdated`, `job.tools-not-checked`, `job.worn-tools` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16568,11 +21030,272 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "received",
+                     *       "actions": [
+                     *         "accept"
+                     *       ],
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "reason": "The customer accepts it",
+                     *       "hint": "text",
+                     *       "source": [
+                     *         "text"
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "drawing": "5p256sc8xs7q",
+                     *       "drawing_name": "tray.dxf",
+                     *       "machine": "demo-table",
+                     *       "machine_version": 1,
+                     *       "board": "e-flute",
+                     *       "board_version": 1,
+                     *       "profile": "default",
+                     *       "resumes": "text",
+                     *       "is_rest": false,
+                     *       "copies": 1,
+                     *       "copies_done": 1,
+                     *       "program_of": "text",
+                     *       "remaining_copies": 0,
+                     *       "priority": 1,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "waiting_for": "",
+                     *       "queue_position": 1,
+                     *       "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *       "no_estimate": "",
+                     *       "on_hold": false,
+                     *       "ended": "2030-01-02T03:04:05.123Z",
+                     *       "tools": [
+                     *         {
+                     *           "station": 1,
+                     *           "name": "tray.dxf",
+                     *           "kind": "LINE"
+                     *         }
+                     *       ],
+                     *       "requested_action": "",
+                     *       "stage": "prepare",
+                     *       "progress": 12.5,
+                     *       "line": 1,
+                     *       "lines": 1,
+                     *       "phase": 0,
+                     *       "position": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "stopped_at": {
+                     *         "line": 1,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "station": 1
+                     *       },
+                     *       "seconds": 12.5,
+                     *       "seconds_left": 12.5,
+                     *       "corners": {
+                     *         "type": "auto",
+                     *         "k": 0.5,
+                     *         "interference": "trim",
+                     *         "at": [
+                     *           {
+                     *             "x": 12.5,
+                     *             "y": 12.5,
+                     *             "type": "auto",
+                     *             "k": 0.5
+                     *           }
+                     *         ]
+                     *       },
+                     *       "sheet": {
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "margin": 0
+                     *       },
+                     *       "lift": "clearance",
+                     *       "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "verdict": {
+                     *         "accepted": true,
+                     *         "tolerance": 12.5,
+                     *         "deviation": 12.5,
+                     *         "path_deviation": 0,
+                     *         "blending": 0,
+                     *         "fit_error": 0,
+                     *         "overcut": 12.5,
+                     *         "uncut": 12.5,
+                     *         "uncut_total": 0,
+                     *         "setback_total": 0,
+                     *         "unreached": 0,
+                     *         "unreached_places": 0,
+                     *         "unreached_length": 0,
+                     *         "unreached_distance": 0,
+                     *         "slit_length": 0,
+                     *         "slit_places": 0,
+                     *         "faults": 0,
+                     *         "shortfalls": 0,
+                     *         "exceptions": 0,
+                     *         "seconds": 12.5,
+                     *         "seconds_retracted": 12.5
+                     *       },
+                     *       "mend": "text",
+                     *       "wish": ""
+                     *     }
+                     */
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown`, `library.unknown`, `tool-life.no-station` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `job.cancelled-before-request`, `job.not-confirmed`, `job.other-phase`, `job.outdated`, `job.tools-not-checked`, `job.worn-tools`, `job.wrong-state-for-request` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16597,6 +21320,7 @@ export interface operations {
         };
         requestBody?: {
             content: {
+                /** @example {} */
                 "application/json": components["schemas"]["ResumeIn"] | null;
             };
         };
@@ -16607,11 +21331,272 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "received",
+                     *       "actions": [
+                     *         "accept"
+                     *       ],
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "reason": "The customer accepts it",
+                     *       "hint": "text",
+                     *       "source": [
+                     *         "text"
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "drawing": "5p256sc8xs7q",
+                     *       "drawing_name": "tray.dxf",
+                     *       "machine": "demo-table",
+                     *       "machine_version": 1,
+                     *       "board": "e-flute",
+                     *       "board_version": 1,
+                     *       "profile": "default",
+                     *       "resumes": "text",
+                     *       "is_rest": false,
+                     *       "copies": 1,
+                     *       "copies_done": 1,
+                     *       "program_of": "text",
+                     *       "remaining_copies": 0,
+                     *       "priority": 1,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "waiting_for": "",
+                     *       "queue_position": 1,
+                     *       "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *       "no_estimate": "",
+                     *       "on_hold": false,
+                     *       "ended": "2030-01-02T03:04:05.123Z",
+                     *       "tools": [
+                     *         {
+                     *           "station": 1,
+                     *           "name": "tray.dxf",
+                     *           "kind": "LINE"
+                     *         }
+                     *       ],
+                     *       "requested_action": "",
+                     *       "stage": "prepare",
+                     *       "progress": 12.5,
+                     *       "line": 1,
+                     *       "lines": 1,
+                     *       "phase": 0,
+                     *       "position": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "stopped_at": {
+                     *         "line": 1,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "station": 1
+                     *       },
+                     *       "seconds": 12.5,
+                     *       "seconds_left": 12.5,
+                     *       "corners": {
+                     *         "type": "auto",
+                     *         "k": 0.5,
+                     *         "interference": "trim",
+                     *         "at": [
+                     *           {
+                     *             "x": 12.5,
+                     *             "y": 12.5,
+                     *             "type": "auto",
+                     *             "k": 0.5
+                     *           }
+                     *         ]
+                     *       },
+                     *       "sheet": {
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "margin": 0
+                     *       },
+                     *       "lift": "clearance",
+                     *       "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "verdict": {
+                     *         "accepted": true,
+                     *         "tolerance": 12.5,
+                     *         "deviation": 12.5,
+                     *         "path_deviation": 0,
+                     *         "blending": 0,
+                     *         "fit_error": 0,
+                     *         "overcut": 12.5,
+                     *         "uncut": 12.5,
+                     *         "uncut_total": 0,
+                     *         "setback_total": 0,
+                     *         "unreached": 0,
+                     *         "unreached_places": 0,
+                     *         "unreached_length": 0,
+                     *         "unreached_distance": 0,
+                     *         "slit_length": 0,
+                     *         "slit_places": 0,
+                     *         "faults": 0,
+                     *         "shortfalls": 0,
+                     *         "exceptions": 0,
+                     *         "seconds": 12.5,
+                     *         "seconds_retracted": 12.5
+                     *       },
+                     *       "mend": "text",
+                     *       "wish": ""
+                     *     }
+                     */
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown`, `library.unknown`, `tool-life.no-station` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `job.cancelled-before-request`, `job.not-confirmed`, `job.other-phase`, `job.outdated`, `job.tools-not-checked`, `job.worn-tools`, `job.wrong-state-for-request` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16642,11 +21627,272 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "received",
+                     *       "actions": [
+                     *         "accept"
+                     *       ],
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "reason": "The customer accepts it",
+                     *       "hint": "text",
+                     *       "source": [
+                     *         "text"
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "drawing": "5p256sc8xs7q",
+                     *       "drawing_name": "tray.dxf",
+                     *       "machine": "demo-table",
+                     *       "machine_version": 1,
+                     *       "board": "e-flute",
+                     *       "board_version": 1,
+                     *       "profile": "default",
+                     *       "resumes": "text",
+                     *       "is_rest": false,
+                     *       "copies": 1,
+                     *       "copies_done": 1,
+                     *       "program_of": "text",
+                     *       "remaining_copies": 0,
+                     *       "priority": 1,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "waiting_for": "",
+                     *       "queue_position": 1,
+                     *       "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *       "no_estimate": "",
+                     *       "on_hold": false,
+                     *       "ended": "2030-01-02T03:04:05.123Z",
+                     *       "tools": [
+                     *         {
+                     *           "station": 1,
+                     *           "name": "tray.dxf",
+                     *           "kind": "LINE"
+                     *         }
+                     *       ],
+                     *       "requested_action": "",
+                     *       "stage": "prepare",
+                     *       "progress": 12.5,
+                     *       "line": 1,
+                     *       "lines": 1,
+                     *       "phase": 0,
+                     *       "position": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "stopped_at": {
+                     *         "line": 1,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "station": 1
+                     *       },
+                     *       "seconds": 12.5,
+                     *       "seconds_left": 12.5,
+                     *       "corners": {
+                     *         "type": "auto",
+                     *         "k": 0.5,
+                     *         "interference": "trim",
+                     *         "at": [
+                     *           {
+                     *             "x": 12.5,
+                     *             "y": 12.5,
+                     *             "type": "auto",
+                     *             "k": 0.5
+                     *           }
+                     *         ]
+                     *       },
+                     *       "sheet": {
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "margin": 0
+                     *       },
+                     *       "lift": "clearance",
+                     *       "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "verdict": {
+                     *         "accepted": true,
+                     *         "tolerance": 12.5,
+                     *         "deviation": 12.5,
+                     *         "path_deviation": 0,
+                     *         "blending": 0,
+                     *         "fit_error": 0,
+                     *         "overcut": 12.5,
+                     *         "uncut": 12.5,
+                     *         "uncut_total": 0,
+                     *         "setback_total": 0,
+                     *         "unreached": 0,
+                     *         "unreached_places": 0,
+                     *         "unreached_length": 0,
+                     *         "unreached_distance": 0,
+                     *         "slit_length": 0,
+                     *         "slit_places": 0,
+                     *         "faults": 0,
+                     *         "shortfalls": 0,
+                     *         "exceptions": 0,
+                     *         "seconds": 12.5,
+                     *         "seconds_retracted": 12.5
+                     *       },
+                     *       "mend": "text",
+                     *       "wish": ""
+                     *     }
+                     */
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown`, `library.unknown`, `tool-life.no-station` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `job.cancelled-before-request`, `job.not-confirmed`, `job.other-phase`, `job.outdated`, `job.stale-epoch`, `job.tools-not-checked`, `job.worn-tools`, `job.wrong-state`, `job.wrong-state-for-request` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16677,11 +21923,272 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "received",
+                     *       "actions": [
+                     *         "accept"
+                     *       ],
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "reason": "The customer accepts it",
+                     *       "hint": "text",
+                     *       "source": [
+                     *         "text"
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "drawing": "5p256sc8xs7q",
+                     *       "drawing_name": "tray.dxf",
+                     *       "machine": "demo-table",
+                     *       "machine_version": 1,
+                     *       "board": "e-flute",
+                     *       "board_version": 1,
+                     *       "profile": "default",
+                     *       "resumes": "text",
+                     *       "is_rest": false,
+                     *       "copies": 1,
+                     *       "copies_done": 1,
+                     *       "program_of": "text",
+                     *       "remaining_copies": 0,
+                     *       "priority": 1,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "waiting_for": "",
+                     *       "queue_position": 1,
+                     *       "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *       "no_estimate": "",
+                     *       "on_hold": false,
+                     *       "ended": "2030-01-02T03:04:05.123Z",
+                     *       "tools": [
+                     *         {
+                     *           "station": 1,
+                     *           "name": "tray.dxf",
+                     *           "kind": "LINE"
+                     *         }
+                     *       ],
+                     *       "requested_action": "",
+                     *       "stage": "prepare",
+                     *       "progress": 12.5,
+                     *       "line": 1,
+                     *       "lines": 1,
+                     *       "phase": 0,
+                     *       "position": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "stopped_at": {
+                     *         "line": 1,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "station": 1
+                     *       },
+                     *       "seconds": 12.5,
+                     *       "seconds_left": 12.5,
+                     *       "corners": {
+                     *         "type": "auto",
+                     *         "k": 0.5,
+                     *         "interference": "trim",
+                     *         "at": [
+                     *           {
+                     *             "x": 12.5,
+                     *             "y": 12.5,
+                     *             "type": "auto",
+                     *             "k": 0.5
+                     *           }
+                     *         ]
+                     *       },
+                     *       "sheet": {
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "margin": 0
+                     *       },
+                     *       "lift": "clearance",
+                     *       "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "verdict": {
+                     *         "accepted": true,
+                     *         "tolerance": 12.5,
+                     *         "deviation": 12.5,
+                     *         "path_deviation": 0,
+                     *         "blending": 0,
+                     *         "fit_error": 0,
+                     *         "overcut": 12.5,
+                     *         "uncut": 12.5,
+                     *         "uncut_total": 0,
+                     *         "setback_total": 0,
+                     *         "unreached": 0,
+                     *         "unreached_places": 0,
+                     *         "unreached_length": 0,
+                     *         "unreached_distance": 0,
+                     *         "slit_length": 0,
+                     *         "slit_places": 0,
+                     *         "faults": 0,
+                     *         "shortfalls": 0,
+                     *         "exceptions": 0,
+                     *         "seconds": 12.5,
+                     *         "seconds_retracted": 12.5
+                     *       },
+                     *       "mend": "text",
+                     *       "wish": ""
+                     *     }
+                     */
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `job.stale-epoch`, `job.wrong-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16712,11 +22219,272 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "received",
+                     *       "actions": [
+                     *         "accept"
+                     *       ],
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "reason": "The customer accepts it",
+                     *       "hint": "text",
+                     *       "source": [
+                     *         "text"
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "drawing": "5p256sc8xs7q",
+                     *       "drawing_name": "tray.dxf",
+                     *       "machine": "demo-table",
+                     *       "machine_version": 1,
+                     *       "board": "e-flute",
+                     *       "board_version": 1,
+                     *       "profile": "default",
+                     *       "resumes": "text",
+                     *       "is_rest": false,
+                     *       "copies": 1,
+                     *       "copies_done": 1,
+                     *       "program_of": "text",
+                     *       "remaining_copies": 0,
+                     *       "priority": 1,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "waiting_for": "",
+                     *       "queue_position": 1,
+                     *       "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *       "no_estimate": "",
+                     *       "on_hold": false,
+                     *       "ended": "2030-01-02T03:04:05.123Z",
+                     *       "tools": [
+                     *         {
+                     *           "station": 1,
+                     *           "name": "tray.dxf",
+                     *           "kind": "LINE"
+                     *         }
+                     *       ],
+                     *       "requested_action": "",
+                     *       "stage": "prepare",
+                     *       "progress": 12.5,
+                     *       "line": 1,
+                     *       "lines": 1,
+                     *       "phase": 0,
+                     *       "position": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "stopped_at": {
+                     *         "line": 1,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "station": 1
+                     *       },
+                     *       "seconds": 12.5,
+                     *       "seconds_left": 12.5,
+                     *       "corners": {
+                     *         "type": "auto",
+                     *         "k": 0.5,
+                     *         "interference": "trim",
+                     *         "at": [
+                     *           {
+                     *             "x": 12.5,
+                     *             "y": 12.5,
+                     *             "type": "auto",
+                     *             "k": 0.5
+                     *           }
+                     *         ]
+                     *       },
+                     *       "sheet": {
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "margin": 0
+                     *       },
+                     *       "lift": "clearance",
+                     *       "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "verdict": {
+                     *         "accepted": true,
+                     *         "tolerance": 12.5,
+                     *         "deviation": 12.5,
+                     *         "path_deviation": 0,
+                     *         "blending": 0,
+                     *         "fit_error": 0,
+                     *         "overcut": 12.5,
+                     *         "uncut": 12.5,
+                     *         "uncut_total": 0,
+                     *         "setback_total": 0,
+                     *         "unreached": 0,
+                     *         "unreached_places": 0,
+                     *         "unreached_length": 0,
+                     *         "unreached_distance": 0,
+                     *         "slit_length": 0,
+                     *         "slit_places": 0,
+                     *         "faults": 0,
+                     *         "shortfalls": 0,
+                     *         "exceptions": 0,
+                     *         "seconds": 12.5,
+                     *         "seconds_retracted": 12.5
+                     *       },
+                     *       "mend": "text",
+                     *       "wish": ""
+                     *     }
+                     */
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `job.fully-executed`, `job.stale-epoch`, `job.wrong-state`, `rest.not-again` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16747,11 +22515,272 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "received",
+                     *       "actions": [
+                     *         "accept"
+                     *       ],
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "reason": "The customer accepts it",
+                     *       "hint": "text",
+                     *       "source": [
+                     *         "text"
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "drawing": "5p256sc8xs7q",
+                     *       "drawing_name": "tray.dxf",
+                     *       "machine": "demo-table",
+                     *       "machine_version": 1,
+                     *       "board": "e-flute",
+                     *       "board_version": 1,
+                     *       "profile": "default",
+                     *       "resumes": "text",
+                     *       "is_rest": false,
+                     *       "copies": 1,
+                     *       "copies_done": 1,
+                     *       "program_of": "text",
+                     *       "remaining_copies": 0,
+                     *       "priority": 1,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "waiting_for": "",
+                     *       "queue_position": 1,
+                     *       "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *       "no_estimate": "",
+                     *       "on_hold": false,
+                     *       "ended": "2030-01-02T03:04:05.123Z",
+                     *       "tools": [
+                     *         {
+                     *           "station": 1,
+                     *           "name": "tray.dxf",
+                     *           "kind": "LINE"
+                     *         }
+                     *       ],
+                     *       "requested_action": "",
+                     *       "stage": "prepare",
+                     *       "progress": 12.5,
+                     *       "line": 1,
+                     *       "lines": 1,
+                     *       "phase": 0,
+                     *       "position": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "stopped_at": {
+                     *         "line": 1,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "station": 1
+                     *       },
+                     *       "seconds": 12.5,
+                     *       "seconds_left": 12.5,
+                     *       "corners": {
+                     *         "type": "auto",
+                     *         "k": 0.5,
+                     *         "interference": "trim",
+                     *         "at": [
+                     *           {
+                     *             "x": 12.5,
+                     *             "y": 12.5,
+                     *             "type": "auto",
+                     *             "k": 0.5
+                     *           }
+                     *         ]
+                     *       },
+                     *       "sheet": {
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "margin": 0
+                     *       },
+                     *       "lift": "clearance",
+                     *       "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "verdict": {
+                     *         "accepted": true,
+                     *         "tolerance": 12.5,
+                     *         "deviation": 12.5,
+                     *         "path_deviation": 0,
+                     *         "blending": 0,
+                     *         "fit_error": 0,
+                     *         "overcut": 12.5,
+                     *         "uncut": 12.5,
+                     *         "uncut_total": 0,
+                     *         "setback_total": 0,
+                     *         "unreached": 0,
+                     *         "unreached_places": 0,
+                     *         "unreached_length": 0,
+                     *         "unreached_distance": 0,
+                     *         "slit_length": 0,
+                     *         "slit_places": 0,
+                     *         "faults": 0,
+                     *         "shortfalls": 0,
+                     *         "exceptions": 0,
+                     *         "seconds": 12.5,
+                     *         "seconds_retracted": 12.5
+                     *       },
+                     *       "mend": "text",
+                     *       "wish": ""
+                     *     }
+                     */
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `job.stale-epoch`, `job.wrong-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16782,6 +22811,14 @@ export interface operations {
                     /** @description The order without its file: JSON of an `OrderIn` */
                     order: string;
                 };
+                /**
+                 * @example {
+                 *       "drawing": "5p256sc8xs7q",
+                 *       "machine": "demo-table",
+                 *       "board": "e-flute",
+                 *       "external_id": "PO-4711"
+                 *     }
+                 */
                 "application/json": components["schemas"]["OrderIn"];
             };
         };
@@ -16792,11 +22829,299 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "drawing": {
+                     *         "external_id": "PO-4711",
+                     *         "customer": "Carton Works",
+                     *         "due": "2030-01-02T03:04:05.123Z",
+                     *         "notes": "Two samples for the customer",
+                     *         "metadata": {},
+                     *         "id": "5p256sc8xs7q",
+                     *         "revision": 1,
+                     *         "name": "tray.dxf",
+                     *         "created": "2030-01-02T03:04:05.123Z",
+                     *         "unit": "mm",
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "segments": 1,
+                     *         "questions": 1
+                     *       },
+                     *       "job": {
+                     *         "external_id": "PO-4711",
+                     *         "customer": "Carton Works",
+                     *         "due": "2030-01-02T03:04:05.123Z",
+                     *         "notes": "Two samples for the customer",
+                     *         "metadata": {},
+                     *         "id": "5p256sc8xs7q",
+                     *         "state": "received",
+                     *         "actions": [
+                     *           "accept"
+                     *         ],
+                     *         "message": {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *         },
+                     *         "reason": "The customer accepts it",
+                     *         "hint": "text",
+                     *         "source": [
+                     *           "text"
+                     *         ],
+                     *         "questions": [
+                     *           {
+                     *             "code": "job.unknown",
+                     *             "arguments": {
+                     *               "job": "5p256sc8xs7q"
+                     *             },
+                     *             "text": "Job 5p256sc8xs7q does not exist.",
+                     *             "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *             "kind": "unit",
+                     *             "choices": [
+                     *               "text"
+                     *             ],
+                     *             "edges": [
+                     *               1
+                     *             ],
+                     *             "layer": "CUT",
+                     *             "colour": 1
+                     *           }
+                     *         ],
+                     *         "drawing": "5p256sc8xs7q",
+                     *         "drawing_name": "tray.dxf",
+                     *         "machine": "demo-table",
+                     *         "machine_version": 1,
+                     *         "board": "e-flute",
+                     *         "board_version": 1,
+                     *         "profile": "default",
+                     *         "resumes": "text",
+                     *         "is_rest": false,
+                     *         "copies": 1,
+                     *         "copies_done": 1,
+                     *         "program_of": "text",
+                     *         "remaining_copies": 0,
+                     *         "priority": 1,
+                     *         "created": "2030-01-02T03:04:05.123Z",
+                     *         "updated": "2030-01-02T03:04:05.123Z",
+                     *         "waiting_for": "",
+                     *         "queue_position": 1,
+                     *         "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *         "no_estimate": "",
+                     *         "on_hold": false,
+                     *         "ended": "2030-01-02T03:04:05.123Z",
+                     *         "tools": [
+                     *           {
+                     *             "station": 1,
+                     *             "name": "tray.dxf",
+                     *             "kind": "LINE"
+                     *           }
+                     *         ],
+                     *         "requested_action": "",
+                     *         "stage": "prepare",
+                     *         "progress": 12.5,
+                     *         "line": 1,
+                     *         "lines": 1,
+                     *         "phase": 0,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "stopped_at": {
+                     *           "line": 1,
+                     *           "position": [
+                     *             12.5,
+                     *             12.5,
+                     *             12.5,
+                     *             12.5
+                     *           ],
+                     *           "station": 1
+                     *         },
+                     *         "seconds": 12.5,
+                     *         "seconds_left": 12.5,
+                     *         "corners": {
+                     *           "type": "auto",
+                     *           "k": 0.5,
+                     *           "interference": "trim",
+                     *           "at": [
+                     *             {
+                     *               "x": 12.5,
+                     *               "y": 12.5,
+                     *               "type": "auto",
+                     *               "k": 0.5
+                     *             }
+                     *           ]
+                     *         },
+                     *         "sheet": {
+                     *           "width": 12.5,
+                     *           "height": 12.5,
+                     *           "margin": 0
+                     *         },
+                     *         "lift": "clearance",
+                     *         "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *         "verdict": {
+                     *           "accepted": true,
+                     *           "tolerance": 12.5,
+                     *           "deviation": 12.5,
+                     *           "path_deviation": 0,
+                     *           "blending": 0,
+                     *           "fit_error": 0,
+                     *           "overcut": 12.5,
+                     *           "uncut": 12.5,
+                     *           "uncut_total": 0,
+                     *           "setback_total": 0,
+                     *           "unreached": 0,
+                     *           "unreached_places": 0,
+                     *           "unreached_length": 0,
+                     *           "unreached_distance": 0,
+                     *           "slit_length": 0,
+                     *           "slit_places": 0,
+                     *           "faults": 0,
+                     *           "shortfalls": 0,
+                     *           "exceptions": 0,
+                     *           "seconds": 12.5,
+                     *           "seconds_retracted": 12.5
+                     *         },
+                     *         "mend": "text",
+                     *         "wish": ""
+                     *       }
+                     *     }
+                     */
                     "application/json": components["schemas"]["OrderOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `drawing.unknown`, `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `drawing.open-questions` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Precondition Failed: `drawing.stale` */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large`, `drawing.upload-too-large`, `request.upload-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form`, `request.refused` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `error.in-file`, `override.ambiguous`, `override.no-edges-there`, `override.no-such-edge`, `override.no-such-handle`, `reading.crashed`, `request.key-reused`, `request.not-base64`, `request.one-drawing` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16818,6 +23143,18 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "orders": [
+                 *         {
+                 *           "drawing": "5p256sc8xs7q",
+                 *           "machine": "demo-table",
+                 *           "board": "e-flute",
+                 *           "external_id": "PO-4711"
+                 *         }
+                 *       ]
+                 *     }
+                 */
                 "application/json": components["schemas"]["OrdersIn"];
             };
         };
@@ -16828,11 +23165,314 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "index": 1,
+                     *         "drawing": "5p256sc8xs7q",
+                     *         "job": {
+                     *           "external_id": "PO-4711",
+                     *           "customer": "Carton Works",
+                     *           "due": "2030-01-02T03:04:05.123Z",
+                     *           "notes": "Two samples for the customer",
+                     *           "metadata": {},
+                     *           "id": "5p256sc8xs7q",
+                     *           "state": "received",
+                     *           "actions": [
+                     *             "accept"
+                     *           ],
+                     *           "message": {
+                     *             "code": "job.unknown",
+                     *             "arguments": {
+                     *               "job": "5p256sc8xs7q"
+                     *             },
+                     *             "text": "Job 5p256sc8xs7q does not exist.",
+                     *             "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *           },
+                     *           "reason": "The customer accepts it",
+                     *           "hint": "text",
+                     *           "source": [
+                     *             "text"
+                     *           ],
+                     *           "questions": [
+                     *             {
+                     *               "code": "job.unknown",
+                     *               "arguments": {
+                     *                 "job": "5p256sc8xs7q"
+                     *               },
+                     *               "text": "Job 5p256sc8xs7q does not exist.",
+                     *               "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *               "kind": "unit",
+                     *               "choices": [
+                     *                 "text"
+                     *               ],
+                     *               "edges": [
+                     *                 1
+                     *               ],
+                     *               "layer": "CUT",
+                     *               "colour": 1
+                     *             }
+                     *           ],
+                     *           "drawing": "5p256sc8xs7q",
+                     *           "drawing_name": "tray.dxf",
+                     *           "machine": "demo-table",
+                     *           "machine_version": 1,
+                     *           "board": "e-flute",
+                     *           "board_version": 1,
+                     *           "profile": "default",
+                     *           "resumes": "text",
+                     *           "is_rest": false,
+                     *           "copies": 1,
+                     *           "copies_done": 1,
+                     *           "program_of": "text",
+                     *           "remaining_copies": 0,
+                     *           "priority": 1,
+                     *           "created": "2030-01-02T03:04:05.123Z",
+                     *           "updated": "2030-01-02T03:04:05.123Z",
+                     *           "waiting_for": "",
+                     *           "queue_position": 1,
+                     *           "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *           "no_estimate": "",
+                     *           "on_hold": false,
+                     *           "ended": "2030-01-02T03:04:05.123Z",
+                     *           "tools": [
+                     *             {
+                     *               "station": 1,
+                     *               "name": "tray.dxf",
+                     *               "kind": "LINE"
+                     *             }
+                     *           ],
+                     *           "requested_action": "",
+                     *           "stage": "prepare",
+                     *           "progress": 12.5,
+                     *           "line": 1,
+                     *           "lines": 1,
+                     *           "phase": 0,
+                     *           "position": [
+                     *             12.5,
+                     *             12.5,
+                     *             12.5,
+                     *             12.5
+                     *           ],
+                     *           "stopped_at": {
+                     *             "line": 1,
+                     *             "position": [
+                     *               12.5,
+                     *               12.5,
+                     *               12.5,
+                     *               12.5
+                     *             ],
+                     *             "station": 1
+                     *           },
+                     *           "seconds": 12.5,
+                     *           "seconds_left": 12.5,
+                     *           "corners": {
+                     *             "type": "auto",
+                     *             "k": 0.5,
+                     *             "interference": "trim",
+                     *             "at": [
+                     *               {
+                     *                 "x": 12.5,
+                     *                 "y": 12.5,
+                     *                 "type": "auto",
+                     *                 "k": 0.5
+                     *               }
+                     *             ]
+                     *           },
+                     *           "sheet": {
+                     *             "width": 12.5,
+                     *             "height": 12.5,
+                     *             "margin": 0
+                     *           },
+                     *           "lift": "clearance",
+                     *           "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *           "verdict": {
+                     *             "accepted": true,
+                     *             "tolerance": 12.5,
+                     *             "deviation": 12.5,
+                     *             "path_deviation": 0,
+                     *             "blending": 0,
+                     *             "fit_error": 0,
+                     *             "overcut": 12.5,
+                     *             "uncut": 12.5,
+                     *             "uncut_total": 0,
+                     *             "setback_total": 0,
+                     *             "unreached": 0,
+                     *             "unreached_places": 0,
+                     *             "unreached_length": 0,
+                     *             "unreached_distance": 0,
+                     *             "slit_length": 0,
+                     *             "slit_places": 0,
+                     *             "faults": 0,
+                     *             "shortfalls": 0,
+                     *             "exceptions": 0,
+                     *             "seconds": 12.5,
+                     *             "seconds_retracted": 12.5
+                     *           },
+                     *           "mend": "text",
+                     *           "wish": ""
+                     *         },
+                     *         "problem": {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *         },
+                     *         "questions": [
+                     *           {
+                     *             "code": "job.unknown",
+                     *             "arguments": {
+                     *               "job": "5p256sc8xs7q"
+                     *             },
+                     *             "text": "Job 5p256sc8xs7q does not exist.",
+                     *             "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *             "kind": "unit",
+                     *             "choices": [
+                     *               "text"
+                     *             ],
+                     *             "edges": [
+                     *               1
+                     *             ],
+                     *             "layer": "CUT",
+                     *             "colour": 1
+                     *           }
+                     *         ]
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["OrderResult"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `drawing.unknown`, `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `drawing.open-questions` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Precondition Failed: `drawing.stale` */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large`, `drawing.upload-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `override.ambiguous`, `override.no-edges-there`, `override.no-such-edge`, `override.no-such-handle`, `reading.crashed`, `request.key-reused`, `request.one-drawing` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16860,11 +23500,123 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "awaited": true,
+                     *       "machine": "demo-table",
+                     *       "board": "e-flute",
+                     *       "tools": [
+                     *         {
+                     *           "station": 1,
+                     *           "name": "tray.dxf",
+                     *           "kind": "LINE",
+                     *           "used": 12.5,
+                     *           "life": 12.5,
+                     *           "warning": ""
+                     *         }
+                     *       ],
+                     *       "placement": [
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "sheet": {
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "margin": 0
+                     *       },
+                     *       "copy": 1,
+                     *       "copies": 1,
+                     *       "first_of_batch": true,
+                     *       "rest_of_sheet": true,
+                     *       "unfinished_sheet": "text"
+                     *     }
+                     */
                     "application/json": components["schemas"]["ConfirmationOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown`, `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16879,7 +23631,10 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of the machine in the library */
+                /**
+                 * @description Name of the machine in the library
+                 * @example demo-table
+                 */
                 name: string;
             };
             cookie?: never;
@@ -16892,11 +23647,247 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "machine": "demo-table",
+                     *       "entries": [
+                     *         {
+                     *           "place": 1,
+                     *           "seconds": 12.5,
+                     *           "starts_in": 12.5,
+                     *           "picture": "text",
+                     *           "job": {
+                     *             "external_id": "PO-4711",
+                     *             "customer": "Carton Works",
+                     *             "due": "2030-01-02T03:04:05.123Z",
+                     *             "notes": "Two samples for the customer",
+                     *             "metadata": {},
+                     *             "id": "5p256sc8xs7q",
+                     *             "state": "received",
+                     *             "actions": [
+                     *               "accept"
+                     *             ],
+                     *             "message": {
+                     *               "code": "job.unknown",
+                     *               "arguments": {
+                     *                 "job": "5p256sc8xs7q"
+                     *               },
+                     *               "text": "Job 5p256sc8xs7q does not exist.",
+                     *               "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *             },
+                     *             "reason": "The customer accepts it",
+                     *             "hint": "text",
+                     *             "source": [
+                     *               "text"
+                     *             ],
+                     *             "questions": [
+                     *               {
+                     *                 "code": "job.unknown",
+                     *                 "arguments": {
+                     *                   "job": "5p256sc8xs7q"
+                     *                 },
+                     *                 "text": "Job 5p256sc8xs7q does not exist.",
+                     *                 "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *                 "kind": "unit",
+                     *                 "choices": [
+                     *                   "text"
+                     *                 ],
+                     *                 "edges": [
+                     *                   1
+                     *                 ],
+                     *                 "layer": "CUT",
+                     *                 "colour": 1
+                     *               }
+                     *             ],
+                     *             "drawing": "5p256sc8xs7q",
+                     *             "drawing_name": "tray.dxf",
+                     *             "machine": "demo-table",
+                     *             "machine_version": 1,
+                     *             "board": "e-flute",
+                     *             "board_version": 1,
+                     *             "profile": "default",
+                     *             "resumes": "text",
+                     *             "is_rest": false,
+                     *             "copies": 1,
+                     *             "copies_done": 1,
+                     *             "program_of": "text",
+                     *             "remaining_copies": 0,
+                     *             "priority": 1,
+                     *             "created": "2030-01-02T03:04:05.123Z",
+                     *             "updated": "2030-01-02T03:04:05.123Z",
+                     *             "waiting_for": "",
+                     *             "queue_position": 1,
+                     *             "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *             "no_estimate": "",
+                     *             "on_hold": false,
+                     *             "ended": "2030-01-02T03:04:05.123Z",
+                     *             "tools": [
+                     *               {
+                     *                 "station": 1,
+                     *                 "name": "tray.dxf",
+                     *                 "kind": "LINE"
+                     *               }
+                     *             ],
+                     *             "requested_action": "",
+                     *             "stage": "prepare",
+                     *             "progress": 12.5,
+                     *             "line": 1,
+                     *             "lines": 1,
+                     *             "phase": 0,
+                     *             "position": [
+                     *               12.5,
+                     *               12.5,
+                     *               12.5,
+                     *               12.5
+                     *             ],
+                     *             "stopped_at": {
+                     *               "line": 1,
+                     *               "position": [
+                     *                 12.5,
+                     *                 12.5,
+                     *                 12.5,
+                     *                 12.5
+                     *               ],
+                     *               "station": 1
+                     *             },
+                     *             "seconds": 12.5,
+                     *             "seconds_left": 12.5,
+                     *             "corners": {
+                     *               "type": "auto",
+                     *               "k": 0.5,
+                     *               "interference": "trim",
+                     *               "at": [
+                     *                 {
+                     *                   "x": 12.5,
+                     *                   "y": 12.5,
+                     *                   "type": "auto",
+                     *                   "k": 0.5
+                     *                 }
+                     *               ]
+                     *             },
+                     *             "sheet": {
+                     *               "width": 12.5,
+                     *               "height": 12.5,
+                     *               "margin": 0
+                     *             },
+                     *             "lift": "clearance",
+                     *             "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *             "verdict": {
+                     *               "accepted": true,
+                     *               "tolerance": 12.5,
+                     *               "deviation": 12.5,
+                     *               "path_deviation": 0,
+                     *               "blending": 0,
+                     *               "fit_error": 0,
+                     *               "overcut": 12.5,
+                     *               "uncut": 12.5,
+                     *               "uncut_total": 0,
+                     *               "setback_total": 0,
+                     *               "unreached": 0,
+                     *               "unreached_places": 0,
+                     *               "unreached_length": 0,
+                     *               "unreached_distance": 0,
+                     *               "slit_length": 0,
+                     *               "slit_places": 0,
+                     *               "faults": 0,
+                     *               "shortfalls": 0,
+                     *               "exceptions": 0,
+                     *               "seconds": 12.5,
+                     *               "seconds_retracted": 12.5
+                     *             },
+                     *             "mend": "text",
+                     *             "wish": ""
+                     *           }
+                     *         }
+                     *       ]
+                     *     }
+                     */
                     "application/json": components["schemas"]["QueueOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16921,6 +23912,7 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /** @example {} */
                 "application/json": components["schemas"]["MoveIn"];
             };
         };
@@ -16931,11 +23923,281 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "received",
+                     *       "actions": [
+                     *         "accept"
+                     *       ],
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "reason": "The customer accepts it",
+                     *       "hint": "text",
+                     *       "source": [
+                     *         "text"
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "drawing": "5p256sc8xs7q",
+                     *       "drawing_name": "tray.dxf",
+                     *       "machine": "demo-table",
+                     *       "machine_version": 1,
+                     *       "board": "e-flute",
+                     *       "board_version": 1,
+                     *       "profile": "default",
+                     *       "resumes": "text",
+                     *       "is_rest": false,
+                     *       "copies": 1,
+                     *       "copies_done": 1,
+                     *       "program_of": "text",
+                     *       "remaining_copies": 0,
+                     *       "priority": 1,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "waiting_for": "",
+                     *       "queue_position": 1,
+                     *       "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *       "no_estimate": "",
+                     *       "on_hold": false,
+                     *       "ended": "2030-01-02T03:04:05.123Z",
+                     *       "tools": [
+                     *         {
+                     *           "station": 1,
+                     *           "name": "tray.dxf",
+                     *           "kind": "LINE"
+                     *         }
+                     *       ],
+                     *       "requested_action": "",
+                     *       "stage": "prepare",
+                     *       "progress": 12.5,
+                     *       "line": 1,
+                     *       "lines": 1,
+                     *       "phase": 0,
+                     *       "position": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "stopped_at": {
+                     *         "line": 1,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "station": 1
+                     *       },
+                     *       "seconds": 12.5,
+                     *       "seconds_left": 12.5,
+                     *       "corners": {
+                     *         "type": "auto",
+                     *         "k": 0.5,
+                     *         "interference": "trim",
+                     *         "at": [
+                     *           {
+                     *             "x": 12.5,
+                     *             "y": 12.5,
+                     *             "type": "auto",
+                     *             "k": 0.5
+                     *           }
+                     *         ]
+                     *       },
+                     *       "sheet": {
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "margin": 0
+                     *       },
+                     *       "lift": "clearance",
+                     *       "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "verdict": {
+                     *         "accepted": true,
+                     *         "tolerance": 12.5,
+                     *         "deviation": 12.5,
+                     *         "path_deviation": 0,
+                     *         "blending": 0,
+                     *         "fit_error": 0,
+                     *         "overcut": 12.5,
+                     *         "uncut": 12.5,
+                     *         "uncut_total": 0,
+                     *         "setback_total": 0,
+                     *         "unreached": 0,
+                     *         "unreached_places": 0,
+                     *         "unreached_length": 0,
+                     *         "unreached_distance": 0,
+                     *         "slit_length": 0,
+                     *         "slit_places": 0,
+                     *         "faults": 0,
+                     *         "shortfalls": 0,
+                     *         "exceptions": 0,
+                     *         "seconds": 12.5,
+                     *         "seconds_retracted": 12.5
+                     *       },
+                     *       "mend": "text",
+                     *       "wish": ""
+                     *     }
+                     */
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `queue.claimed`, `queue.no-neighbour`, `queue.not-waiting` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Precondition Failed: `queue.changed` */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16957,6 +24219,11 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "machine": "demo-table"
+                 *     }
+                 */
                 "application/json": components["schemas"]["TransferIn"];
             };
         };
@@ -16967,11 +24234,272 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "received",
+                     *       "actions": [
+                     *         "accept"
+                     *       ],
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "reason": "The customer accepts it",
+                     *       "hint": "text",
+                     *       "source": [
+                     *         "text"
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "drawing": "5p256sc8xs7q",
+                     *       "drawing_name": "tray.dxf",
+                     *       "machine": "demo-table",
+                     *       "machine_version": 1,
+                     *       "board": "e-flute",
+                     *       "board_version": 1,
+                     *       "profile": "default",
+                     *       "resumes": "text",
+                     *       "is_rest": false,
+                     *       "copies": 1,
+                     *       "copies_done": 1,
+                     *       "program_of": "text",
+                     *       "remaining_copies": 0,
+                     *       "priority": 1,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "waiting_for": "",
+                     *       "queue_position": 1,
+                     *       "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *       "no_estimate": "",
+                     *       "on_hold": false,
+                     *       "ended": "2030-01-02T03:04:05.123Z",
+                     *       "tools": [
+                     *         {
+                     *           "station": 1,
+                     *           "name": "tray.dxf",
+                     *           "kind": "LINE"
+                     *         }
+                     *       ],
+                     *       "requested_action": "",
+                     *       "stage": "prepare",
+                     *       "progress": 12.5,
+                     *       "line": 1,
+                     *       "lines": 1,
+                     *       "phase": 0,
+                     *       "position": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "stopped_at": {
+                     *         "line": 1,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "station": 1
+                     *       },
+                     *       "seconds": 12.5,
+                     *       "seconds_left": 12.5,
+                     *       "corners": {
+                     *         "type": "auto",
+                     *         "k": 0.5,
+                     *         "interference": "trim",
+                     *         "at": [
+                     *           {
+                     *             "x": 12.5,
+                     *             "y": 12.5,
+                     *             "type": "auto",
+                     *             "k": 0.5
+                     *           }
+                     *         ]
+                     *       },
+                     *       "sheet": {
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "margin": 0
+                     *       },
+                     *       "lift": "clearance",
+                     *       "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "verdict": {
+                     *         "accepted": true,
+                     *         "tolerance": 12.5,
+                     *         "deviation": 12.5,
+                     *         "path_deviation": 0,
+                     *         "blending": 0,
+                     *         "fit_error": 0,
+                     *         "overcut": 12.5,
+                     *         "uncut": 12.5,
+                     *         "uncut_total": 0,
+                     *         "setback_total": 0,
+                     *         "unreached": 0,
+                     *         "unreached_places": 0,
+                     *         "unreached_length": 0,
+                     *         "unreached_distance": 0,
+                     *         "slit_length": 0,
+                     *         "slit_places": 0,
+                     *         "faults": 0,
+                     *         "shortfalls": 0,
+                     *         "exceptions": 0,
+                     *         "seconds": 12.5,
+                     *         "seconds_retracted": 12.5
+                     *       },
+                     *       "mend": "text",
+                     *       "wish": ""
+                     *     }
+                     */
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `drawing.unknown`, `job.unknown`, `library.unknown`, `store.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `queue.claimed`, `queue.not-waiting`, `rest.bound-to-sheet`, `store.no-column` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `drawing.unit-unknown`, `queue.does-not-fit` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16999,11 +24527,123 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "number": 1,
+                     *         "station": 1,
+                     *         "first_line": 1,
+                     *         "last_line": 1,
+                     *         "edges": [
+                     *           1
+                     *         ],
+                     *         "start": [
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "end": [
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "state": "cut"
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["TrackOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown`, `store.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `store.no-column` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17028,6 +24668,7 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /** @example {} */
                 "application/json": components["schemas"]["RestIn"];
             };
         };
@@ -17038,11 +24679,272 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "received",
+                     *       "actions": [
+                     *         "accept"
+                     *       ],
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "reason": "The customer accepts it",
+                     *       "hint": "text",
+                     *       "source": [
+                     *         "text"
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "drawing": "5p256sc8xs7q",
+                     *       "drawing_name": "tray.dxf",
+                     *       "machine": "demo-table",
+                     *       "machine_version": 1,
+                     *       "board": "e-flute",
+                     *       "board_version": 1,
+                     *       "profile": "default",
+                     *       "resumes": "text",
+                     *       "is_rest": false,
+                     *       "copies": 1,
+                     *       "copies_done": 1,
+                     *       "program_of": "text",
+                     *       "remaining_copies": 0,
+                     *       "priority": 1,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "waiting_for": "",
+                     *       "queue_position": 1,
+                     *       "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *       "no_estimate": "",
+                     *       "on_hold": false,
+                     *       "ended": "2030-01-02T03:04:05.123Z",
+                     *       "tools": [
+                     *         {
+                     *           "station": 1,
+                     *           "name": "tray.dxf",
+                     *           "kind": "LINE"
+                     *         }
+                     *       ],
+                     *       "requested_action": "",
+                     *       "stage": "prepare",
+                     *       "progress": 12.5,
+                     *       "line": 1,
+                     *       "lines": 1,
+                     *       "phase": 0,
+                     *       "position": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "stopped_at": {
+                     *         "line": 1,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "station": 1
+                     *       },
+                     *       "seconds": 12.5,
+                     *       "seconds_left": 12.5,
+                     *       "corners": {
+                     *         "type": "auto",
+                     *         "k": 0.5,
+                     *         "interference": "trim",
+                     *         "at": [
+                     *           {
+                     *             "x": 12.5,
+                     *             "y": 12.5,
+                     *             "type": "auto",
+                     *             "k": 0.5
+                     *           }
+                     *         ]
+                     *       },
+                     *       "sheet": {
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "margin": 0
+                     *       },
+                     *       "lift": "clearance",
+                     *       "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "verdict": {
+                     *         "accepted": true,
+                     *         "tolerance": 12.5,
+                     *         "deviation": 12.5,
+                     *         "path_deviation": 0,
+                     *         "blending": 0,
+                     *         "fit_error": 0,
+                     *         "overcut": 12.5,
+                     *         "uncut": 12.5,
+                     *         "uncut_total": 0,
+                     *         "setback_total": 0,
+                     *         "unreached": 0,
+                     *         "unreached_places": 0,
+                     *         "unreached_length": 0,
+                     *         "unreached_distance": 0,
+                     *         "slit_length": 0,
+                     *         "slit_places": 0,
+                     *         "faults": 0,
+                     *         "shortfalls": 0,
+                     *         "exceptions": 0,
+                     *         "seconds": 12.5,
+                     *         "seconds_retracted": 12.5
+                     *       },
+                     *       "mend": "text",
+                     *       "wish": ""
+                     *     }
+                     */
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown`, `store.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `rest.continued-already`, `rest.line-changed`, `rest.no-copies`, `rest.sheet-first`, `rest.wrong-state`, `store.no-column` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17096,11 +24998,229 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "external_id": "PO-4711",
+                     *         "customer": "Carton Works",
+                     *         "due": "2030-01-02T03:04:05.123Z",
+                     *         "notes": "Two samples for the customer",
+                     *         "metadata": {},
+                     *         "id": "5p256sc8xs7q",
+                     *         "state": "received",
+                     *         "actions": [
+                     *           "accept"
+                     *         ],
+                     *         "message": {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *         },
+                     *         "reason": "The customer accepts it",
+                     *         "hint": "text",
+                     *         "source": [
+                     *           "text"
+                     *         ],
+                     *         "questions": [
+                     *           {
+                     *             "code": "job.unknown",
+                     *             "arguments": {
+                     *               "job": "5p256sc8xs7q"
+                     *             },
+                     *             "text": "Job 5p256sc8xs7q does not exist.",
+                     *             "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *             "kind": "unit",
+                     *             "choices": [
+                     *               "text"
+                     *             ],
+                     *             "edges": [
+                     *               1
+                     *             ],
+                     *             "layer": "CUT",
+                     *             "colour": 1
+                     *           }
+                     *         ],
+                     *         "drawing": "5p256sc8xs7q",
+                     *         "drawing_name": "tray.dxf",
+                     *         "machine": "demo-table",
+                     *         "machine_version": 1,
+                     *         "board": "e-flute",
+                     *         "board_version": 1,
+                     *         "profile": "default",
+                     *         "resumes": "text",
+                     *         "is_rest": false,
+                     *         "copies": 1,
+                     *         "copies_done": 1,
+                     *         "program_of": "text",
+                     *         "remaining_copies": 0,
+                     *         "priority": 1,
+                     *         "created": "2030-01-02T03:04:05.123Z",
+                     *         "updated": "2030-01-02T03:04:05.123Z",
+                     *         "waiting_for": "",
+                     *         "queue_position": 1,
+                     *         "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *         "no_estimate": "",
+                     *         "on_hold": false,
+                     *         "ended": "2030-01-02T03:04:05.123Z",
+                     *         "tools": [
+                     *           {
+                     *             "station": 1,
+                     *             "name": "tray.dxf",
+                     *             "kind": "LINE"
+                     *           }
+                     *         ],
+                     *         "requested_action": "",
+                     *         "stage": "prepare",
+                     *         "progress": 12.5,
+                     *         "line": 1,
+                     *         "lines": 1,
+                     *         "phase": 0,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "stopped_at": {
+                     *           "line": 1,
+                     *           "position": [
+                     *             12.5,
+                     *             12.5,
+                     *             12.5,
+                     *             12.5
+                     *           ],
+                     *           "station": 1
+                     *         },
+                     *         "seconds": 12.5,
+                     *         "seconds_left": 12.5,
+                     *         "corners": {
+                     *           "type": "auto",
+                     *           "k": 0.5,
+                     *           "interference": "trim",
+                     *           "at": [
+                     *             {
+                     *               "x": 12.5,
+                     *               "y": 12.5,
+                     *               "type": "auto",
+                     *               "k": 0.5
+                     *             }
+                     *           ]
+                     *         },
+                     *         "sheet": {
+                     *           "width": 12.5,
+                     *           "height": 12.5,
+                     *           "margin": 0
+                     *         },
+                     *         "lift": "clearance",
+                     *         "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *         "verdict": {
+                     *           "accepted": true,
+                     *           "tolerance": 12.5,
+                     *           "deviation": 12.5,
+                     *           "path_deviation": 0,
+                     *           "blending": 0,
+                     *           "fit_error": 0,
+                     *           "overcut": 12.5,
+                     *           "uncut": 12.5,
+                     *           "uncut_total": 0,
+                     *           "setback_total": 0,
+                     *           "unreached": 0,
+                     *           "unreached_places": 0,
+                     *           "unreached_length": 0,
+                     *           "unreached_distance": 0,
+                     *           "slit_length": 0,
+                     *           "slit_places": 0,
+                     *           "faults": 0,
+                     *           "shortfalls": 0,
+                     *           "exceptions": 0,
+                     *           "seconds": 12.5,
+                     *           "seconds_retracted": 12.5
+                     *         },
+                     *         "mend": "text",
+                     *         "wish": ""
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["JobOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17136,11 +25256,99 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "machine": "demo-table",
+                     *         "start": "2030-01-02T03:04:05.123Z",
+                     *         "jobs": 1,
+                     *         "copies": 1,
+                     *         "runs": 1,
+                     *         "interruptions": 1,
+                     *         "interrupted_share": 12.5,
+                     *         "seconds": 12.5,
+                     *         "sheets": {},
+                     *         "lengths": {}
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["StatisticsOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.unknown-zone` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17174,8 +25382,80 @@ export interface operations {
                     "text/event-stream": unknown;
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests`, `limit.too-many-listeners` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17200,11 +25480,163 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "name": "tray.dxf",
+                     *         "version": 1,
+                     *         "title": "ERP",
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "dialect": "text",
+                     *         "language": "text",
+                     *         "origin": [
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "travel_z": 12.5,
+                     *         "clearance": 12.5,
+                     *         "turn_clearance": 12.5,
+                     *         "into_mat": 12.5,
+                     *         "offset_cuts": true,
+                     *         "feed": "manual",
+                     *         "axes": {},
+                     *         "carriages": [
+                     *           {
+                     *             "number": 1,
+                     *             "letters": "text",
+                     *             "park": 12.5
+                     *           }
+                     *         ],
+                     *         "min_distance": 12.5,
+                     *         "zones": [
+                     *           {
+                     *             "name": "tray.dxf",
+                     *             "x": 12.5,
+                     *             "y": 12.5,
+                     *             "width": 12.5,
+                     *             "height": 12.5,
+                     *             "top": 12.5
+                     *           }
+                     *         ],
+                     *         "stations": [
+                     *           {
+                     *             "number": 1,
+                     *             "name": "tray.dxf",
+                     *             "carriage": 1,
+                     *             "datum": {},
+                     *             "output": 1,
+                     *             "envelope": 12.5,
+                     *             "life": 12.5,
+                     *             "spindle": "M3",
+                     *             "spindle_speed": 1,
+                     *             "tool": {
+                     *               "kind": "LINE",
+                     *               "dimensions": {},
+                     *               "footprint": {
+                     *                 "shape": "line",
+                     *                 "radius": 12.5,
+                     *                 "width": 12.5,
+                     *                 "slope": 12.5,
+                     *                 "blade": 12.5,
+                     *                 "left": 12.5,
+                     *                 "behind": 12.5,
+                     *                 "any_height": true
+                     *               }
+                     *             }
+                     *           }
+                     *         ],
+                     *         "gateway": "connected",
+                     *         "job": "5p256sc8xs7q"
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["MachineOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17219,7 +25651,10 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of the machine in the library */
+                /**
+                 * @description Name of the machine in the library
+                 * @example demo-table
+                 */
                 name: string;
             };
             cookie?: never;
@@ -17232,11 +25667,161 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "name": "tray.dxf",
+                     *       "version": 1,
+                     *       "title": "ERP",
+                     *       "width": 12.5,
+                     *       "height": 12.5,
+                     *       "dialect": "text",
+                     *       "language": "text",
+                     *       "origin": [
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "travel_z": 12.5,
+                     *       "clearance": 12.5,
+                     *       "turn_clearance": 12.5,
+                     *       "into_mat": 12.5,
+                     *       "offset_cuts": true,
+                     *       "feed": "manual",
+                     *       "axes": {},
+                     *       "carriages": [
+                     *         {
+                     *           "number": 1,
+                     *           "letters": "text",
+                     *           "park": 12.5
+                     *         }
+                     *       ],
+                     *       "min_distance": 12.5,
+                     *       "zones": [
+                     *         {
+                     *           "name": "tray.dxf",
+                     *           "x": 12.5,
+                     *           "y": 12.5,
+                     *           "width": 12.5,
+                     *           "height": 12.5,
+                     *           "top": 12.5
+                     *         }
+                     *       ],
+                     *       "stations": [
+                     *         {
+                     *           "number": 1,
+                     *           "name": "tray.dxf",
+                     *           "carriage": 1,
+                     *           "datum": {},
+                     *           "output": 1,
+                     *           "envelope": 12.5,
+                     *           "life": 12.5,
+                     *           "spindle": "M3",
+                     *           "spindle_speed": 1,
+                     *           "tool": {
+                     *             "kind": "LINE",
+                     *             "dimensions": {},
+                     *             "footprint": {
+                     *               "shape": "line",
+                     *               "radius": 12.5,
+                     *               "width": 12.5,
+                     *               "slope": 12.5,
+                     *               "blade": 12.5,
+                     *               "left": 12.5,
+                     *               "behind": 12.5,
+                     *               "any_height": true
+                     *             }
+                     *           }
+                     *         }
+                     *       ],
+                     *       "gateway": "connected",
+                     *       "job": "5p256sc8xs7q"
+                     *     }
+                     */
                     "application/json": components["schemas"]["MachineOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17259,13 +25844,17 @@ export interface operations {
                 "If-Match"?: string | null;
             };
             path: {
-                /** @description Name of the machine, board or tool */
+                /**
+                 * @description Name of the machine, board or tool
+                 * @example demo-table
+                 */
                 name: string;
             };
             cookie?: never;
         };
         requestBody: {
             content: {
+                /** @example {} */
                 "application/json": Record<string, never>;
                 "application/toml": string;
             };
@@ -17277,11 +25866,151 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "version": 0,
+                     *       "title": "ERP",
+                     *       "at": "2030-01-02T03:04:05.123Z",
+                     *       "by": "Ada",
+                     *       "note": "text",
+                     *       "shelf": "machines",
+                     *       "name": "tray.dxf",
+                     *       "shipped": true,
+                     *       "fault": "text",
+                     *       "fields": {}
+                     *     }
+                     */
                     "application/json": components["schemas"]["DefinitionOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.not-stored` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `library.exists`, `library.shipped`, `library.too-many` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Precondition Failed: `library.stale` */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `library.bad-if-match`, `library.bad-name`, `library.large-integer`, `library.nested-too-deep`, `library.not-an-object`, `library.not-json`, `library.not-toml`, `library.not-utf8`, `library.null-in-list`, `library.too-long` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17299,7 +26028,10 @@ export interface operations {
                 "If-Match"?: string | null;
             };
             path: {
-                /** @description Name of the machine, board or tool */
+                /**
+                 * @description Name of the machine, board or tool
+                 * @example demo-table
+                 */
                 name: string;
             };
             cookie?: never;
@@ -17313,8 +26045,134 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.not-stored` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `library.exists`, `library.in-use`, `library.shipped` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Precondition Failed: `library.stale` */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `library.bad-if-match` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17329,7 +26187,10 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of the machine in the library */
+                /**
+                 * @description Name of the machine in the library
+                 * @example demo-table
+                 */
                 name: string;
             };
             cookie?: never;
@@ -17342,11 +26203,146 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "machine": "demo-table",
+                     *       "gateway": "text",
+                     *       "connected": true,
+                     *       "state": "idle",
+                     *       "alarm": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "position": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "outputs": [
+                     *         1
+                     *       ],
+                     *       "operations": [
+                     *         "text"
+                     *       ],
+                     *       "spindle": 1,
+                     *       "activity": {
+                     *         "kind": "dry_run",
+                     *         "job": "5p256sc8xs7q",
+                     *         "state": "running",
+                     *         "line": 1,
+                     *         "progress": 0.5,
+                     *         "seconds_left": 12.5,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "station": 1,
+                     *         "message": {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *         }
+                     *       },
+                     *       "job": "5p256sc8xs7q",
+                     *       "seen_seconds_ago": 12.5
+                     *     }
+                     */
                     "application/json": components["schemas"]["StationOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17361,13 +26357,21 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of the machine in the library */
+                /**
+                 * @description Name of the machine in the library
+                 * @example demo-table
+                 */
                 name: string;
             };
             cookie?: never;
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "operation": "unlock"
+                 *     }
+                 */
                 "application/json": components["schemas"]["OperationIn"];
             };
         };
@@ -17378,11 +26382,142 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "waiting",
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       }
+                     *     }
+                     */
                     "application/json": components["schemas"]["OperationOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `dry-run.no-job`, `operation.gateway-absent`, `operation.job-running`, `operation.no-controller`, `operation.unreported`, `operation.unsupported` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17397,7 +26532,10 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of the machine in the library */
+                /**
+                 * @description Name of the machine in the library
+                 * @example demo-table
+                 */
                 name: string;
                 /** @description Id of the operation */
                 id: string;
@@ -17412,11 +26550,106 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "waiting",
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       }
+                     *     }
+                     */
                     "application/json": components["schemas"]["OperationOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown`, `operation.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17431,7 +26664,10 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of the machine in the library */
+                /**
+                 * @description Name of the machine in the library
+                 * @example demo-table
+                 */
                 name: string;
             };
             cookie?: never;
@@ -17444,11 +26680,115 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "station": 1,
+                     *         "name": "tray.dxf",
+                     *         "kind": "LINE",
+                     *         "used": 12.5,
+                     *         "life": 12.5,
+                     *         "share": 12.5,
+                     *         "changed": "2030-01-02T03:04:05.123Z",
+                     *         "changed_by": "text",
+                     *         "warning": "",
+                     *         "message": {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *         }
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["ToolUseOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17463,7 +26803,10 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of the machine in the library */
+                /**
+                 * @description Name of the machine in the library
+                 * @example demo-table
+                 */
                 name: string;
             };
             cookie?: never;
@@ -17476,11 +26819,103 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "station": 1,
+                     *         "kind": "changed",
+                     *         "at": "2030-01-02T03:04:05.123Z",
+                     *         "who": "Ada",
+                     *         "length": 12.5
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["ToolEventOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17495,7 +26930,10 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of the machine in the library */
+                /**
+                 * @description Name of the machine in the library
+                 * @example demo-table
+                 */
                 name: string;
                 /** @description Number of the station in the machine */
                 station: number;
@@ -17504,6 +26942,7 @@ export interface operations {
         };
         requestBody?: {
             content: {
+                /** @example {} */
                 "application/json": components["schemas"]["ToolChangeIn"] | null;
             };
         };
@@ -17514,11 +26953,142 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "station": 1,
+                     *         "name": "tray.dxf",
+                     *         "kind": "LINE",
+                     *         "used": 12.5,
+                     *         "life": 12.5,
+                     *         "share": 12.5,
+                     *         "changed": "2030-01-02T03:04:05.123Z",
+                     *         "changed_by": "text",
+                     *         "warning": "",
+                     *         "message": {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *         }
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["ToolUseOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown`, `tool-life.no-station` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17533,7 +27103,10 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of the machine in the library */
+                /**
+                 * @description Name of the machine in the library
+                 * @example demo-table
+                 */
                 name: string;
                 /** @description Number of the station in the machine */
                 station: number;
@@ -17542,6 +27115,11 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "life": 12.5
+                 *     }
+                 */
                 "application/json": components["schemas"]["ToolLifeIn"];
             };
         };
@@ -17552,11 +27130,142 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "station": 1,
+                     *         "name": "tray.dxf",
+                     *         "kind": "LINE",
+                     *         "used": 12.5,
+                     *         "life": 12.5,
+                     *         "share": 12.5,
+                     *         "changed": "2030-01-02T03:04:05.123Z",
+                     *         "changed_by": "text",
+                     *         "warning": "",
+                     *         "message": {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *         }
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["ToolUseOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown`, `tool-life.no-station` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17581,11 +27290,94 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "name": "tray.dxf",
+                     *         "title": "ERP",
+                     *         "extensions": [
+                     *           "text"
+                     *         ]
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["FormatOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17610,11 +27402,119 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "name": "tray.dxf",
+                     *         "version": 1,
+                     *         "title": "ERP",
+                     *         "material": "text",
+                     *         "caliper": 12.5,
+                     *         "grain": 12.5,
+                     *         "crease_along": 12.5,
+                     *         "crease_across": 12.5,
+                     *         "groove_depth": 12.5,
+                     *         "groove_pass": 12.5,
+                     *         "groove_curve": 12.5,
+                     *         "double_crease": 12.5,
+                     *         "bridge_width": 12.5,
+                     *         "bridge_spacing": 12.5,
+                     *         "deflection": [
+                     *           {
+                     *             "tool": "text",
+                     *             "x": 12.5,
+                     *             "y": 12.5
+                     *           }
+                     *         ]
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["BoardOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17629,7 +27529,10 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of the board in the library */
+                /**
+                 * @description Name of the board in the library
+                 * @example e-flute
+                 */
                 name: string;
             };
             cookie?: never;
@@ -17642,11 +27545,117 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "name": "tray.dxf",
+                     *       "version": 1,
+                     *       "title": "ERP",
+                     *       "material": "text",
+                     *       "caliper": 12.5,
+                     *       "grain": 12.5,
+                     *       "crease_along": 12.5,
+                     *       "crease_across": 12.5,
+                     *       "groove_depth": 12.5,
+                     *       "groove_pass": 12.5,
+                     *       "groove_curve": 12.5,
+                     *       "double_crease": 12.5,
+                     *       "bridge_width": 12.5,
+                     *       "bridge_spacing": 12.5,
+                     *       "deflection": [
+                     *         {
+                     *           "tool": "text",
+                     *           "x": 12.5,
+                     *           "y": 12.5
+                     *         }
+                     *       ]
+                     *     }
+                     */
                     "application/json": components["schemas"]["BoardOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17669,13 +27678,17 @@ export interface operations {
                 "If-Match"?: string | null;
             };
             path: {
-                /** @description Name of the machine, board or tool */
+                /**
+                 * @description Name of the machine, board or tool
+                 * @example e-flute
+                 */
                 name: string;
             };
             cookie?: never;
         };
         requestBody: {
             content: {
+                /** @example {} */
                 "application/json": Record<string, never>;
                 "application/toml": string;
             };
@@ -17687,11 +27700,151 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "version": 0,
+                     *       "title": "ERP",
+                     *       "at": "2030-01-02T03:04:05.123Z",
+                     *       "by": "Ada",
+                     *       "note": "text",
+                     *       "shelf": "machines",
+                     *       "name": "tray.dxf",
+                     *       "shipped": true,
+                     *       "fault": "text",
+                     *       "fields": {}
+                     *     }
+                     */
                     "application/json": components["schemas"]["DefinitionOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.not-stored` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `library.exists`, `library.shipped`, `library.too-many` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Precondition Failed: `library.stale` */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `library.bad-if-match`, `library.bad-name`, `library.large-integer`, `library.nested-too-deep`, `library.not-an-object`, `library.not-json`, `library.not-toml`, `library.not-utf8`, `library.null-in-list`, `library.too-long` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17709,7 +27862,10 @@ export interface operations {
                 "If-Match"?: string | null;
             };
             path: {
-                /** @description Name of the machine, board or tool */
+                /**
+                 * @description Name of the machine, board or tool
+                 * @example e-flute
+                 */
                 name: string;
             };
             cookie?: never;
@@ -17723,8 +27879,134 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.not-stored` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `library.exists`, `library.in-use`, `library.shipped` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Precondition Failed: `library.stale` */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `library.bad-if-match` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17739,13 +28021,29 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of the board in the library */
+                /**
+                 * @description Name of the board in the library
+                 * @example e-flute
+                 */
                 name: string;
             };
             cookie?: never;
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "machine": "demo-table",
+                 *       "tool": "text",
+                 *       "points": [
+                 *         {
+                 *           "azimuth": -347.5,
+                 *           "dx": -87.5,
+                 *           "dy": -87.5
+                 *         }
+                 *       ]
+                 *     }
+                 */
                 "application/json": components["schemas"]["CalibrationIn"];
             };
         };
@@ -17756,11 +28054,130 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "board": "e-flute",
+                     *       "machine": "demo-table",
+                     *       "tool": "text",
+                     *       "x": 12.5,
+                     *       "y": 12.5,
+                     *       "residual": 12.5,
+                     *       "toml": "title = \"Demo table\"\n"
+                     *     }
+                     */
                     "application/json": components["schemas"]["CalibrationOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `machine.no-cutter`, `machine.no-such-cutter` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17785,11 +28202,113 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "kind": "LINE",
+                     *         "dimensions": {},
+                     *         "footprint": {
+                     *           "shape": "line",
+                     *           "radius": 12.5,
+                     *           "width": 12.5,
+                     *           "slope": 12.5,
+                     *           "blade": 12.5,
+                     *           "left": 12.5,
+                     *           "behind": 12.5,
+                     *           "any_height": true
+                     *         },
+                     *         "machine": "demo-table",
+                     *         "station": 1,
+                     *         "name": "tray.dxf"
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["StationTool"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17814,11 +28333,98 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "version": 0,
+                     *         "title": "ERP",
+                     *         "at": "2030-01-02T03:04:05.123Z",
+                     *         "by": "Ada",
+                     *         "note": "text",
+                     *         "shelf": "machines",
+                     *         "name": "tray.dxf",
+                     *         "shipped": true,
+                     *         "fault": "text"
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["EntryOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17846,13 +28452,86 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /** @example {} */
                     "application/json": {
                         [key: string]: unknown;
                     };
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17870,7 +28549,10 @@ export interface operations {
             };
             header?: never;
             path: {
-                /** @description Name of the machine, board or tool */
+                /**
+                 * @description Name of the machine, board or tool
+                 * @example demo-table
+                 */
                 name: string;
             };
             cookie?: never;
@@ -17883,11 +28565,106 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "version": 0,
+                     *       "title": "ERP",
+                     *       "at": "2030-01-02T03:04:05.123Z",
+                     *       "by": "Ada",
+                     *       "note": "text",
+                     *       "shelf": "machines",
+                     *       "name": "tray.dxf",
+                     *       "shipped": true,
+                     *       "fault": "text",
+                     *       "fields": {}
+                     *     }
+                     */
                     "application/json": components["schemas"]["DefinitionOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17905,7 +28682,10 @@ export interface operations {
             };
             header?: never;
             path: {
-                /** @description Name of the machine, board or tool */
+                /**
+                 * @description Name of the machine, board or tool
+                 * @example demo-table
+                 */
                 name: string;
             };
             cookie?: never;
@@ -17921,8 +28701,89 @@ export interface operations {
                     "application/toml": string;
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17937,7 +28798,10 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of the machine, board or tool */
+                /**
+                 * @description Name of the machine, board or tool
+                 * @example demo-table
+                 */
                 name: string;
             };
             cookie?: never;
@@ -17950,11 +28814,103 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "version": 0,
+                     *         "title": "ERP",
+                     *         "at": "2030-01-02T03:04:05.123Z",
+                     *         "by": "Ada",
+                     *         "note": "text"
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["VersionOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -17972,7 +28928,10 @@ export interface operations {
             };
             header?: never;
             path: {
-                /** @description Name of the machine, board or tool */
+                /**
+                 * @description Name of the machine, board or tool
+                 * @example e-flute
+                 */
                 name: string;
             };
             cookie?: never;
@@ -17985,11 +28944,106 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "version": 0,
+                     *       "title": "ERP",
+                     *       "at": "2030-01-02T03:04:05.123Z",
+                     *       "by": "Ada",
+                     *       "note": "text",
+                     *       "shelf": "machines",
+                     *       "name": "tray.dxf",
+                     *       "shipped": true,
+                     *       "fault": "text",
+                     *       "fields": {}
+                     *     }
+                     */
                     "application/json": components["schemas"]["DefinitionOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18007,7 +29061,10 @@ export interface operations {
             };
             header?: never;
             path: {
-                /** @description Name of the machine, board or tool */
+                /**
+                 * @description Name of the machine, board or tool
+                 * @example e-flute
+                 */
                 name: string;
             };
             cookie?: never;
@@ -18023,8 +29080,89 @@ export interface operations {
                     "application/toml": string;
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18039,7 +29177,10 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of the machine, board or tool */
+                /**
+                 * @description Name of the machine, board or tool
+                 * @example e-flute
+                 */
                 name: string;
             };
             cookie?: never;
@@ -18052,11 +29193,103 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "version": 0,
+                     *         "title": "ERP",
+                     *         "at": "2030-01-02T03:04:05.123Z",
+                     *         "by": "Ada",
+                     *         "note": "text"
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["VersionOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18087,11 +29320,106 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "version": 0,
+                     *       "title": "ERP",
+                     *       "at": "2030-01-02T03:04:05.123Z",
+                     *       "by": "Ada",
+                     *       "note": "text",
+                     *       "shelf": "machines",
+                     *       "name": "tray.dxf",
+                     *       "shipped": true,
+                     *       "fault": "text",
+                     *       "fields": {}
+                     *     }
+                     */
                     "application/json": components["schemas"]["DefinitionOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18125,8 +29453,89 @@ export interface operations {
                     "application/toml": string;
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18154,11 +29563,103 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "version": 0,
+                     *         "title": "ERP",
+                     *         "at": "2030-01-02T03:04:05.123Z",
+                     *         "by": "Ada",
+                     *         "note": "text"
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["VersionOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18188,6 +29689,7 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /** @example {} */
                 "application/json": Record<string, never>;
                 "application/toml": string;
             };
@@ -18199,11 +29701,151 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "version": 0,
+                     *       "title": "ERP",
+                     *       "at": "2030-01-02T03:04:05.123Z",
+                     *       "by": "Ada",
+                     *       "note": "text",
+                     *       "shelf": "machines",
+                     *       "name": "tray.dxf",
+                     *       "shipped": true,
+                     *       "fault": "text",
+                     *       "fields": {}
+                     *     }
+                     */
                     "application/json": components["schemas"]["DefinitionOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.not-stored` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `library.exists`, `library.shipped`, `library.too-many` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Precondition Failed: `library.stale` */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `library.bad-if-match`, `library.bad-name`, `library.large-integer`, `library.nested-too-deep`, `library.not-an-object`, `library.not-json`, `library.not-toml`, `library.not-utf8`, `library.null-in-list`, `library.too-long` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18235,8 +29877,134 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.not-stored` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `library.exists`, `library.in-use`, `library.shipped` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Precondition Failed: `library.stale` */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `library.bad-if-match` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18261,11 +30029,135 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "name": "tray.dxf",
+                     *         "title": "ERP",
+                     *         "shipped": false,
+                     *         "extends": "text",
+                     *         "overrules": false,
+                     *         "version": 0,
+                     *         "updated": "2030-01-02T03:04:05.123Z",
+                     *         "rules": [
+                     *           {
+                     *             "type": "unclassified",
+                     *             "conditions": {
+                     *               "code": "job.unknown",
+                     *               "arguments": {
+                     *                 "job": "5p256sc8xs7q"
+                     *               },
+                     *               "text": "Job 5p256sc8xs7q does not exist.",
+                     *               "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *             },
+                     *             "layer": [
+                     *               "CUT"
+                     *             ],
+                     *             "colour": [
+                     *               1
+                     *             ],
+                     *             "linetype": [
+                     *               "CONTINUOUS"
+                     *             ],
+                     *             "entity": [
+                     *               "text"
+                     *             ],
+                     *             "block": [
+                     *               "text"
+                     *             ],
+                     *             "inherited": false
+                     *           }
+                     *         ],
+                     *         "fault": "text"
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["ProfileOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18296,8 +30188,89 @@ export interface operations {
                     "application/toml": string;
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18325,11 +30298,133 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "name": "tray.dxf",
+                     *       "title": "ERP",
+                     *       "shipped": false,
+                     *       "extends": "text",
+                     *       "overrules": false,
+                     *       "version": 0,
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "rules": [
+                     *         {
+                     *           "type": "unclassified",
+                     *           "conditions": {
+                     *             "code": "job.unknown",
+                     *             "arguments": {
+                     *               "job": "5p256sc8xs7q"
+                     *             },
+                     *             "text": "Job 5p256sc8xs7q does not exist.",
+                     *             "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *           },
+                     *           "layer": [
+                     *             "CUT"
+                     *           ],
+                     *           "colour": [
+                     *             1
+                     *           ],
+                     *           "linetype": [
+                     *             "CONTINUOUS"
+                     *           ],
+                     *           "entity": [
+                     *             "text"
+                     *           ],
+                     *           "block": [
+                     *             "text"
+                     *           ],
+                     *           "inherited": false
+                     *         }
+                     *       ],
+                     *       "fault": "text"
+                     *     }
+                     */
                     "application/json": components["schemas"]["ProfileOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18354,6 +30449,16 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "title": "ERP",
+                 *       "rules": [
+                 *         {
+                 *           "type": "unclassified"
+                 *         }
+                 *       ]
+                 *     }
+                 */
                 "application/json": components["schemas"]["ProfileIn"];
                 "application/toml": string;
             };
@@ -18365,11 +30470,178 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "name": "tray.dxf",
+                     *       "title": "ERP",
+                     *       "shipped": false,
+                     *       "extends": "text",
+                     *       "overrules": false,
+                     *       "version": 0,
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "rules": [
+                     *         {
+                     *           "type": "unclassified",
+                     *           "conditions": {
+                     *             "code": "job.unknown",
+                     *             "arguments": {
+                     *               "job": "5p256sc8xs7q"
+                     *             },
+                     *             "text": "Job 5p256sc8xs7q does not exist.",
+                     *             "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *           },
+                     *           "layer": [
+                     *             "CUT"
+                     *           ],
+                     *           "colour": [
+                     *             1
+                     *           ],
+                     *           "linetype": [
+                     *             "CONTINUOUS"
+                     *           ],
+                     *           "entity": [
+                     *             "text"
+                     *           ],
+                     *           "block": [
+                     *             "text"
+                     *           ],
+                     *           "inherited": false
+                     *         }
+                     *       ],
+                     *       "fault": "text"
+                     *     }
+                     */
                     "application/json": components["schemas"]["ProfileOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown`, `profile.not-kept` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `profile.exists`, `profile.shipped`, `profile.too-many` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Precondition Failed: `profile.stale` */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `library.bad-if-match`, `library.large-integer`, `library.unknown-file`, `profile.bad-name`, `profile.invalid-field`, `profile.nested-too-deep`, `profile.not-an-extension`, `profile.not-toml`, `profile.not-utf8-byte`, `profile.too-long` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18401,8 +30673,134 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `profile.not-kept` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `profile.exists`, `profile.shipped` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Precondition Failed: `profile.stale` */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `library.bad-if-match` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18424,6 +30822,16 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "title": "ERP",
+                 *       "rules": [
+                 *         {
+                 *           "type": "unclassified"
+                 *         }
+                 *       ]
+                 *     }
+                 */
                 "application/json": components["schemas"]["ProfileIn"];
             };
         };
@@ -18434,11 +30842,164 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "rules": [
+                     *         {
+                     *           "type": "unclassified",
+                     *           "conditions": {
+                     *             "code": "job.unknown",
+                     *             "arguments": {
+                     *               "job": "5p256sc8xs7q"
+                     *             },
+                     *             "text": "Job 5p256sc8xs7q does not exist.",
+                     *             "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *           },
+                     *           "layer": [
+                     *             "CUT"
+                     *           ],
+                     *           "colour": [
+                     *             1
+                     *           ],
+                     *           "linetype": [
+                     *             "CONTINUOUS"
+                     *           ],
+                     *           "entity": [
+                     *             "text"
+                     *           ],
+                     *           "block": [
+                     *             "text"
+                     *           ],
+                     *           "inherited": false,
+                     *           "edges": 1,
+                     *           "length": 12.5
+                     *         }
+                     *       ],
+                     *       "open": 1,
+                     *       "changes": [
+                     *         {
+                     *           "before": "unclassified",
+                     *           "after": "unclassified",
+                     *           "edges": [
+                     *             1
+                     *           ]
+                     *         }
+                     *       ]
+                     *     }
+                     */
                     "application/json": components["schemas"]["PreviewOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `drawing.unknown`, `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `library.large-integer`, `library.unknown-file`, `profile.nested-too-deep`, `profile.not-an-extension`, `profile.not-toml`, `profile.too-long` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18466,11 +31027,165 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "rule": {
+                     *           "type": "unclassified",
+                     *           "conditions": {
+                     *             "code": "job.unknown",
+                     *             "arguments": {
+                     *               "job": "5p256sc8xs7q"
+                     *             },
+                     *             "text": "Job 5p256sc8xs7q does not exist.",
+                     *             "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *           },
+                     *           "layer": [
+                     *             "CUT"
+                     *           ],
+                     *           "colour": [
+                     *             1
+                     *           ],
+                     *           "linetype": [
+                     *             "CONTINUOUS"
+                     *           ],
+                     *           "entity": [
+                     *             "text"
+                     *           ],
+                     *           "block": [
+                     *             "text"
+                     *           ],
+                     *           "inherited": false
+                     *         },
+                     *         "explains": [
+                     *           1
+                     *         ],
+                     *         "sure": true,
+                     *         "changes": [
+                     *           {
+                     *             "before": "unclassified",
+                     *             "after": "unclassified",
+                     *             "edges": [
+                     *               1
+                     *             ]
+                     *           }
+                     *         ]
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["ProposalOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `drawing.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18495,11 +31210,117 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "id": "5p256sc8xs7q",
+                     *         "url": "https://erp.example/hooks/knifetip",
+                     *         "description": "Orders of the ERP",
+                     *         "event_types": [
+                     *           "job.received"
+                     *         ],
+                     *         "active": true,
+                     *         "created": "2030-01-02T03:04:05.123Z",
+                     *         "created_by": "text",
+                     *         "previous_secret_until": "2030-01-02T03:04:05.123Z",
+                     *         "failures": 1,
+                     *         "last_delivery": {
+                     *           "id": "5p256sc8xs7q",
+                     *           "event_type": "text",
+                     *           "subject": "text",
+                     *           "state": "pending",
+                     *           "created": "2030-01-02T03:04:05.123Z",
+                     *           "next_attempt": "2030-01-02T03:04:05.123Z",
+                     *           "attempts": [
+                     *             {
+                     *               "at": "2030-01-02T03:04:05.123Z",
+                     *               "status": 1,
+                     *               "seconds": 12.5,
+                     *               "answer": "text",
+                     *               "fault": "text"
+                     *             }
+                     *           ]
+                     *         }
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["WebhookOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18518,6 +31339,11 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "url": "https://erp.example/hooks/knifetip"
+                 *     }
+                 */
                 "application/json": components["schemas"]["WebhookIn"];
             };
         };
@@ -18528,11 +31354,152 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "id": "5p256sc8xs7q",
+                     *       "url": "https://erp.example/hooks/knifetip",
+                     *       "description": "Orders of the ERP",
+                     *       "event_types": [
+                     *         "job.received"
+                     *       ],
+                     *       "active": true,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "created_by": "text",
+                     *       "previous_secret_until": "2030-01-02T03:04:05.123Z",
+                     *       "failures": 1,
+                     *       "last_delivery": {
+                     *         "id": "5p256sc8xs7q",
+                     *         "event_type": "text",
+                     *         "subject": "text",
+                     *         "state": "pending",
+                     *         "created": "2030-01-02T03:04:05.123Z",
+                     *         "next_attempt": "2030-01-02T03:04:05.123Z",
+                     *         "attempts": [
+                     *           {
+                     *             "at": "2030-01-02T03:04:05.123Z",
+                     *             "status": 1,
+                     *             "seconds": 12.5,
+                     *             "answer": "text",
+                     *             "fault": "text"
+                     *           }
+                     *         ]
+                     *       },
+                     *       "secret": "text"
+                     *     }
+                     */
                     "application/json": components["schemas"]["NewWebhookOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `webhook.too-many` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `webhook.bad-url`, `webhook.forbidden-address` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18560,11 +31527,124 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "id": "5p256sc8xs7q",
+                     *       "url": "https://erp.example/hooks/knifetip",
+                     *       "description": "Orders of the ERP",
+                     *       "event_types": [
+                     *         "job.received"
+                     *       ],
+                     *       "active": true,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "created_by": "text",
+                     *       "previous_secret_until": "2030-01-02T03:04:05.123Z",
+                     *       "failures": 1,
+                     *       "last_delivery": {
+                     *         "id": "5p256sc8xs7q",
+                     *         "event_type": "text",
+                     *         "subject": "text",
+                     *         "state": "pending",
+                     *         "created": "2030-01-02T03:04:05.123Z",
+                     *         "next_attempt": "2030-01-02T03:04:05.123Z",
+                     *         "attempts": [
+                     *           {
+                     *             "at": "2030-01-02T03:04:05.123Z",
+                     *             "status": 1,
+                     *             "seconds": 12.5,
+                     *             "answer": "text",
+                     *             "fault": "text"
+                     *           }
+                     *         ]
+                     *       }
+                     *     }
+                     */
                     "application/json": components["schemas"]["WebhookOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `webhook.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18593,8 +31673,116 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `webhook.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18616,6 +31804,7 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /** @example {} */
                 "application/json": components["schemas"]["WebhookPatch"];
             };
         };
@@ -18626,11 +31815,151 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "id": "5p256sc8xs7q",
+                     *       "url": "https://erp.example/hooks/knifetip",
+                     *       "description": "Orders of the ERP",
+                     *       "event_types": [
+                     *         "job.received"
+                     *       ],
+                     *       "active": true,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "created_by": "text",
+                     *       "previous_secret_until": "2030-01-02T03:04:05.123Z",
+                     *       "failures": 1,
+                     *       "last_delivery": {
+                     *         "id": "5p256sc8xs7q",
+                     *         "event_type": "text",
+                     *         "subject": "text",
+                     *         "state": "pending",
+                     *         "created": "2030-01-02T03:04:05.123Z",
+                     *         "next_attempt": "2030-01-02T03:04:05.123Z",
+                     *         "attempts": [
+                     *           {
+                     *             "at": "2030-01-02T03:04:05.123Z",
+                     *             "status": 1,
+                     *             "seconds": 12.5,
+                     *             "answer": "text",
+                     *             "fault": "text"
+                     *           }
+                     *         ]
+                     *       }
+                     *     }
+                     */
                     "application/json": components["schemas"]["WebhookOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `webhook.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `webhook.bad-url`, `webhook.forbidden-address` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18652,6 +31981,7 @@ export interface operations {
         };
         requestBody?: {
             content: {
+                /** @example {} */
                 "application/json": components["schemas"]["RotationIn"] | null;
             };
         };
@@ -18662,11 +31992,152 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "id": "5p256sc8xs7q",
+                     *       "url": "https://erp.example/hooks/knifetip",
+                     *       "description": "Orders of the ERP",
+                     *       "event_types": [
+                     *         "job.received"
+                     *       ],
+                     *       "active": true,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "created_by": "text",
+                     *       "previous_secret_until": "2030-01-02T03:04:05.123Z",
+                     *       "failures": 1,
+                     *       "last_delivery": {
+                     *         "id": "5p256sc8xs7q",
+                     *         "event_type": "text",
+                     *         "subject": "text",
+                     *         "state": "pending",
+                     *         "created": "2030-01-02T03:04:05.123Z",
+                     *         "next_attempt": "2030-01-02T03:04:05.123Z",
+                     *         "attempts": [
+                     *           {
+                     *             "at": "2030-01-02T03:04:05.123Z",
+                     *             "status": 1,
+                     *             "seconds": 12.5,
+                     *             "answer": "text",
+                     *             "fault": "text"
+                     *           }
+                     *         ]
+                     *       },
+                     *       "secret": "text"
+                     *     }
+                     */
                     "application/json": components["schemas"]["NewWebhookOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `webhook.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18694,11 +32165,147 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "id": "5p256sc8xs7q",
+                     *       "event_type": "text",
+                     *       "subject": "text",
+                     *       "state": "pending",
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "next_attempt": "2030-01-02T03:04:05.123Z",
+                     *       "attempts": [
+                     *         {
+                     *           "at": "2030-01-02T03:04:05.123Z",
+                     *           "status": 1,
+                     *           "seconds": 12.5,
+                     *           "answer": "text",
+                     *           "fault": "text"
+                     *         }
+                     *       ]
+                     *     }
+                     */
                     "application/json": components["schemas"]["DeliveryOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `webhook.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `webhook.inactive` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18733,11 +32340,113 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "id": "5p256sc8xs7q",
+                     *         "event_type": "text",
+                     *         "subject": "text",
+                     *         "state": "pending",
+                     *         "created": "2030-01-02T03:04:05.123Z",
+                     *         "next_attempt": "2030-01-02T03:04:05.123Z",
+                     *         "attempts": [
+                     *           {
+                     *             "at": "2030-01-02T03:04:05.123Z",
+                     *             "status": 1,
+                     *             "seconds": 12.5,
+                     *             "answer": "text",
+                     *             "fault": "text"
+                     *           }
+                     *         ]
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["DeliveryOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `webhook.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18767,11 +32476,112 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "id": "5p256sc8xs7q",
+                     *       "event_type": "text",
+                     *       "subject": "text",
+                     *       "state": "pending",
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "next_attempt": "2030-01-02T03:04:05.123Z",
+                     *       "attempts": [
+                     *         {
+                     *           "at": "2030-01-02T03:04:05.123Z",
+                     *           "status": 1,
+                     *           "seconds": 12.5,
+                     *           "answer": "text",
+                     *           "fault": "text"
+                     *         }
+                     *       ],
+                     *       "payload": "text"
+                     *     }
+                     */
                     "application/json": components["schemas"]["SentDeliveryOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `webhook.unknown`, `webhook.unknown-delivery` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18799,11 +32609,149 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "id": "5p256sc8xs7q",
+                     *         "event_type": "text",
+                     *         "subject": "text",
+                     *         "state": "pending",
+                     *         "created": "2030-01-02T03:04:05.123Z",
+                     *         "next_attempt": "2030-01-02T03:04:05.123Z",
+                     *         "attempts": [
+                     *           {
+                     *             "at": "2030-01-02T03:04:05.123Z",
+                     *             "status": 1,
+                     *             "seconds": 12.5,
+                     *             "answer": "text",
+                     *             "fault": "text"
+                     *           }
+                     *         ]
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["DeliveryOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `webhook.unknown`, `webhook.unknown-delivery` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `webhook.inactive` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18833,11 +32781,147 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "id": "5p256sc8xs7q",
+                     *       "event_type": "text",
+                     *       "subject": "text",
+                     *       "state": "pending",
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "next_attempt": "2030-01-02T03:04:05.123Z",
+                     *       "attempts": [
+                     *         {
+                     *           "at": "2030-01-02T03:04:05.123Z",
+                     *           "status": 1,
+                     *           "seconds": 12.5,
+                     *           "answer": "text",
+                     *           "fault": "text"
+                     *         }
+                     *       ]
+                     *     }
+                     */
                     "application/json": components["schemas"]["DeliveryOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `webhook.unknown`, `webhook.unknown-delivery` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `webhook.inactive` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18882,11 +32966,281 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "received",
+                     *       "actions": [
+                     *         "accept"
+                     *       ],
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "reason": "The customer accepts it",
+                     *       "hint": "text",
+                     *       "source": [
+                     *         "text"
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "drawing": "5p256sc8xs7q",
+                     *       "drawing_name": "tray.dxf",
+                     *       "machine": "demo-table",
+                     *       "machine_version": 1,
+                     *       "board": "e-flute",
+                     *       "board_version": 1,
+                     *       "profile": "default",
+                     *       "resumes": "text",
+                     *       "is_rest": false,
+                     *       "copies": 1,
+                     *       "copies_done": 1,
+                     *       "program_of": "text",
+                     *       "remaining_copies": 0,
+                     *       "priority": 1,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "waiting_for": "",
+                     *       "queue_position": 1,
+                     *       "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *       "no_estimate": "",
+                     *       "on_hold": false,
+                     *       "ended": "2030-01-02T03:04:05.123Z",
+                     *       "tools": [
+                     *         {
+                     *           "station": 1,
+                     *           "name": "tray.dxf",
+                     *           "kind": "LINE"
+                     *         }
+                     *       ],
+                     *       "requested_action": "",
+                     *       "stage": "prepare",
+                     *       "progress": 12.5,
+                     *       "line": 1,
+                     *       "lines": 1,
+                     *       "phase": 0,
+                     *       "position": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "stopped_at": {
+                     *         "line": 1,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "station": 1
+                     *       },
+                     *       "seconds": 12.5,
+                     *       "seconds_left": 12.5,
+                     *       "corners": {
+                     *         "type": "auto",
+                     *         "k": 0.5,
+                     *         "interference": "trim",
+                     *         "at": [
+                     *           {
+                     *             "x": 12.5,
+                     *             "y": 12.5,
+                     *             "type": "auto",
+                     *             "k": 0.5
+                     *           }
+                     *         ]
+                     *       },
+                     *       "sheet": {
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "margin": 0
+                     *       },
+                     *       "lift": "clearance",
+                     *       "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "verdict": {
+                     *         "accepted": true,
+                     *         "tolerance": 12.5,
+                     *         "deviation": 12.5,
+                     *         "path_deviation": 0,
+                     *         "blending": 0,
+                     *         "fit_error": 0,
+                     *         "overcut": 12.5,
+                     *         "uncut": 12.5,
+                     *         "uncut_total": 0,
+                     *         "setback_total": 0,
+                     *         "unreached": 0,
+                     *         "unreached_places": 0,
+                     *         "unreached_length": 0,
+                     *         "unreached_distance": 0,
+                     *         "slit_length": 0,
+                     *         "slit_places": 0,
+                     *         "faults": 0,
+                     *         "shortfalls": 0,
+                     *         "exceptions": 0,
+                     *         "seconds": 12.5,
+                     *         "seconds_retracted": 12.5
+                     *       },
+                     *       "mend": "text",
+                     *       "wish": ""
+                     *     }
+                     */
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `drawing.unknown`, `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `drawing.open-questions` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Precondition Failed: `drawing.stale` */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large`, `drawing.upload-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `override.ambiguous`, `override.no-edges-there`, `override.no-such-edge`, `override.no-such-handle`, `reading.crashed`, `request.key-reused`, `xjdf.bad-name`, `xjdf.bad-package`, `xjdf.bad-value`, `xjdf.many-files`, `xjdf.missing`, `xjdf.no-file`, `xjdf.not-xjdf`, `xjdf.too-large`, `xjdf.twice`, `xjdf.unreadable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18932,8 +33286,107 @@ export interface operations {
                     "application/vnd.cip4-xjmf+xml": string;
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `xjdf.bad-name`, `xjdf.bad-package`, `xjdf.many-files`, `xjdf.missing`, `xjdf.no-file`, `xjdf.not-xjdf`, `xjdf.too-large`, `xjdf.unreadable`, `xjmf.many-messages` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18964,8 +33417,89 @@ export interface operations {
                     "application/vnd.cip4-xjmf+xml": string;
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -18996,8 +33530,89 @@ export interface operations {
                     "application/vnd.cip4-xjdf+xml": string;
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -19016,6 +33631,12 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "gateway": "text",
+                 *       "machine": "demo-table"
+                 *     }
+                 */
                 "application/json": components["schemas"]["ClaimIn"];
             };
         };
@@ -19026,6 +33647,18 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "job": "5p256sc8xs7q",
+                     *       "epoch": 1,
+                     *       "lease": 12.5,
+                     *       "program": "text",
+                     *       "sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "lines": 1,
+                     *       "copies": 1,
+                     *       "confirm": false
+                     *     }
+                     */
                     "application/json": components["schemas"]["Claim"];
                 };
             };
@@ -19036,8 +33669,134 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown`, `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `job.stale-epoch`, `job.wrong-state`, `machine.busy`, `machine.busy-with-another` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Precondition Failed: `gateway.outdated-machine` */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -19068,8 +33827,98 @@ export interface operations {
                     "text/plain": string;
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown`, `store.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `job.not-running`, `store.no-column` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -19088,6 +33937,13 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "job": "5p256sc8xs7q",
+                 *       "epoch": 1,
+                 *       "line": 1
+                 *     }
+                 */
                 "application/json": components["schemas"]["HeartbeatIn"];
             };
         };
@@ -19098,11 +33954,134 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "command": "wait",
+                     *       "lease": 12.5
+                     *     }
+                     */
                     "application/json": components["schemas"]["HeartbeatOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown`, `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `job.stale-epoch`, `job.wrong-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -19121,6 +34100,13 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "job": "5p256sc8xs7q",
+                 *       "epoch": 1,
+                 *       "outcome": "done"
+                 *     }
+                 */
                 "application/json": components["schemas"]["FinishIn"];
             };
         };
@@ -19131,11 +34117,272 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "received",
+                     *       "actions": [
+                     *         "accept"
+                     *       ],
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "reason": "The customer accepts it",
+                     *       "hint": "text",
+                     *       "source": [
+                     *         "text"
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "drawing": "5p256sc8xs7q",
+                     *       "drawing_name": "tray.dxf",
+                     *       "machine": "demo-table",
+                     *       "machine_version": 1,
+                     *       "board": "e-flute",
+                     *       "board_version": 1,
+                     *       "profile": "default",
+                     *       "resumes": "text",
+                     *       "is_rest": false,
+                     *       "copies": 1,
+                     *       "copies_done": 1,
+                     *       "program_of": "text",
+                     *       "remaining_copies": 0,
+                     *       "priority": 1,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "waiting_for": "",
+                     *       "queue_position": 1,
+                     *       "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *       "no_estimate": "",
+                     *       "on_hold": false,
+                     *       "ended": "2030-01-02T03:04:05.123Z",
+                     *       "tools": [
+                     *         {
+                     *           "station": 1,
+                     *           "name": "tray.dxf",
+                     *           "kind": "LINE"
+                     *         }
+                     *       ],
+                     *       "requested_action": "",
+                     *       "stage": "prepare",
+                     *       "progress": 12.5,
+                     *       "line": 1,
+                     *       "lines": 1,
+                     *       "phase": 0,
+                     *       "position": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "stopped_at": {
+                     *         "line": 1,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "station": 1
+                     *       },
+                     *       "seconds": 12.5,
+                     *       "seconds_left": 12.5,
+                     *       "corners": {
+                     *         "type": "auto",
+                     *         "k": 0.5,
+                     *         "interference": "trim",
+                     *         "at": [
+                     *           {
+                     *             "x": 12.5,
+                     *             "y": 12.5,
+                     *             "type": "auto",
+                     *             "k": 0.5
+                     *           }
+                     *         ]
+                     *       },
+                     *       "sheet": {
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "margin": 0
+                     *       },
+                     *       "lift": "clearance",
+                     *       "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "verdict": {
+                     *         "accepted": true,
+                     *         "tolerance": 12.5,
+                     *         "deviation": 12.5,
+                     *         "path_deviation": 0,
+                     *         "blending": 0,
+                     *         "fit_error": 0,
+                     *         "overcut": 12.5,
+                     *         "uncut": 12.5,
+                     *         "uncut_total": 0,
+                     *         "setback_total": 0,
+                     *         "unreached": 0,
+                     *         "unreached_places": 0,
+                     *         "unreached_length": 0,
+                     *         "unreached_distance": 0,
+                     *         "slit_length": 0,
+                     *         "slit_places": 0,
+                     *         "faults": 0,
+                     *         "shortfalls": 0,
+                     *         "exceptions": 0,
+                     *         "seconds": 12.5,
+                     *         "seconds_retracted": 12.5
+                     *       },
+                     *       "mend": "text",
+                     *       "wish": ""
+                     *     }
+                     */
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `job.stale-epoch`, `job.wrong-state` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -19154,6 +34401,13 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "gateway": "text",
+                 *       "machine": "demo-table",
+                 *       "connected": true
+                 *     }
+                 */
                 "application/json": components["schemas"]["StationIn"];
             };
         };
@@ -19164,11 +34418,157 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "operations": [
+                     *         {
+                     *           "id": "5p256sc8xs7q",
+                     *           "age": 12.5,
+                     *           "operation": "text",
+                     *           "axis": "text",
+                     *           "distance": 12.5,
+                     *           "feed": 12.5,
+                     *           "axes": "text",
+                     *           "output": 1,
+                     *           "on": true,
+                     *           "station": 1,
+                     *           "share": 12.5,
+                     *           "point": [
+                     *             12.5,
+                     *             12.5
+                     *           ],
+                     *           "height": 12.5,
+                     *           "shift": [
+                     *             12.5,
+                     *             12.5,
+                     *             12.5,
+                     *             12.5
+                     *           ],
+                     *           "box": [
+                     *             12.5,
+                     *             12.5,
+                     *             12.5,
+                     *             12.5
+                     *           ]
+                     *         }
+                     *       ],
+                     *       "waited": 12.5,
+                     *       "watched": true
+                     *     }
+                     */
                     "application/json": components["schemas"]["StationAnswer"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -19187,6 +34587,12 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "name": "tray.dxf",
+                 *       "password": "four words are long"
+                 *     }
+                 */
                 "application/json": components["schemas"]["SignIn"];
             };
         };
@@ -19197,11 +34603,120 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "kind": "user",
+                     *       "name": "tray.dxf",
+                     *       "scopes": [
+                     *         "viewer"
+                     *       ],
+                     *       "has_admin": true
+                     *     }
+                     */
                     "application/json": components["schemas"]["MeOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key`, `sign-in.wrong` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests`, `sign-in.slow-down` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -19227,8 +34742,107 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -19253,11 +34867,93 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "kind": "user",
+                     *       "name": "tray.dxf",
+                     *       "scopes": [
+                     *         "viewer"
+                     *       ],
+                     *       "has_admin": true
+                     *     }
+                     */
                     "application/json": components["schemas"]["MeOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -19276,6 +34972,12 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "current": "four words are long",
+                 *       "new": "five words are even longer"
+                 *     }
+                 */
                 "application/json": components["schemas"]["PasswordIn"];
             };
         };
@@ -19287,8 +34989,125 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `user.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `user.at-provider`, `user.last-admin`, `user.not-signed-in` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `user.bad-password`, `user.bad-role`, `user.wrong-password` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -19313,11 +35132,96 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "name": "tray.dxf",
+                     *         "kind": "password",
+                     *         "role": "viewer",
+                     *         "active": true,
+                     *         "created": "2030-01-02T03:04:05.123Z",
+                     *         "created_by": "text",
+                     *         "signed_in": "2030-01-02T03:04:05.123Z"
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["UserOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -19336,6 +35240,13 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "name": "ada",
+                 *       "password": "four words are long",
+                 *       "role": "operator"
+                 *     }
+                 */
                 "application/json": components["schemas"]["UserIn"];
             };
         };
@@ -19346,11 +35257,130 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "name": "tray.dxf",
+                     *       "kind": "password",
+                     *       "role": "viewer",
+                     *       "active": true,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "created_by": "text",
+                     *       "signed_in": "2030-01-02T03:04:05.123Z"
+                     *     }
+                     */
                     "application/json": components["schemas"]["UserOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `user.exists` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `user.bad-name`, `user.bad-password`, `user.bad-role` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -19372,6 +35402,7 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /** @example {} */
                 "application/json": components["schemas"]["UserChangeIn"];
             };
         };
@@ -19382,11 +35413,139 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "name": "tray.dxf",
+                     *       "kind": "password",
+                     *       "role": "viewer",
+                     *       "active": true,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "created_by": "text",
+                     *       "signed_in": "2030-01-02T03:04:05.123Z"
+                     *     }
+                     */
                     "application/json": components["schemas"]["UserOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `user.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `user.at-provider`, `user.last-admin` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `user.bad-password`, `user.bad-role` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -19411,11 +35570,99 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "id": "5p256sc8xs7q",
+                     *         "title": "ERP",
+                     *         "scopes": [
+                     *           "viewer"
+                     *         ],
+                     *         "created": "2030-01-02T03:04:05.123Z",
+                     *         "created_by": "text",
+                     *         "expires": "2030-01-02T03:04:05.123Z",
+                     *         "used": "2030-01-02T03:04:05.123Z",
+                     *         "revoked": "2030-01-02T03:04:05.123Z"
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["KeyOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -19434,6 +35681,14 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "title": "ERP",
+                 *       "scopes": [
+                 *         "designer"
+                 *       ]
+                 *     }
+                 */
                 "application/json": components["schemas"]["KeyIn"];
             };
         };
@@ -19444,11 +35699,134 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "id": "5p256sc8xs7q",
+                     *       "title": "ERP",
+                     *       "scopes": [
+                     *         "viewer"
+                     *       ],
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "created_by": "text",
+                     *       "expires": "2030-01-02T03:04:05.123Z",
+                     *       "used": "2030-01-02T03:04:05.123Z",
+                     *       "revoked": "2030-01-02T03:04:05.123Z",
+                     *       "secret": "text"
+                     *     }
+                     */
                     "application/json": components["schemas"]["NewKeyOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `key.expired-at-once` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `key.incomplete` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -19477,8 +35855,116 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `key.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -19520,11 +36006,98 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "id": 1,
+                     *         "at": "2030-01-02T03:04:05.123Z",
+                     *         "kind": "LINE",
+                     *         "principal": "Ada",
+                     *         "action": "text",
+                     *         "subject_kind": "text",
+                     *         "subject": "text",
+                     *         "outcome": "done",
+                     *         "peer": "192.0.2.7"
+                     *       }
+                     *     ]
+                     */
                     "application/json": components["schemas"]["AuditOut"][];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -19552,11 +36125,101 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/octet-stream": string;
+                    "application/zip": string;
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown`, `store.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `store.no-column` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -19581,11 +36244,63 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "status": "ok",
+                     *       "version": "1.2.0",
+                     *       "checks": {}
+                     *     }
+                     */
                     "application/json": components["schemas"]["Health"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -19610,11 +36325,63 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "status": "ok",
+                     *       "version": "1.2.0",
+                     *       "checks": {}
+                     *     }
+                     */
                     "application/json": components["schemas"]["Health"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -19639,11 +36406,91 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "version": "1.2.0",
+                     *       "preparing": true,
+                     *       "parts_compiled": 1,
+                     *       "parts": 1
+                     *     }
+                     */
                     "application/json": components["schemas"]["ServiceOut"];
                 };
             };
-            /** @description Error with a hint */
-            default: {
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };

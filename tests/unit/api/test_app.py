@@ -368,8 +368,14 @@ def test_openapi_is_3_1_and_every_route_declares_its_problems(
     operations = [operation for path in described["paths"].values() for operation in path.values()]
     assert len({operation["operationId"] for operation in operations}) == len(operations) > 30
     for operation in operations:
-        answer = operation["responses"]["default"]["content"][PROBLEM]["schema"]
-        assert answer == {"$ref": "#/components/schemas/Problem"}
+        problems = {
+            status: response["content"][PROBLEM]["schema"]
+            for status, response in operation["responses"].items()
+            if status[0] in "45" and PROBLEM in response["content"]
+        }
+        assert {"400", "429", "500", "503"} <= set(problems)
+        for answer in problems.values():
+            assert answer == {"$ref": "#/components/schemas/Problem"}
     text = json.dumps(described)
     assert "HTTPValidationError" not in text
     referred = {part.split('"')[0] for part in text.split("#/components/schemas/")[1:]}
