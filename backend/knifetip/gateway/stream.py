@@ -201,6 +201,8 @@ async def _stop(
     try:
         status = await _make_safe(controller)
     except ControllerError as unsafe:
+        if _states_same_alarm(error.message, unsafe.message):
+            return type(error)("controller.unsafe", error=error.message, progress=progress)
         return type(error)(
             "controller.not-stopped",
             error=error.message,
@@ -210,6 +212,16 @@ async def _stop(
     return type(error)(
         "controller.stopped", error=error.message, progress=progress, height=status.position[2]
     )
+
+
+def _states_same_alarm(error: Message, unsafe: Message) -> bool:
+    """Return whether the second of two messages says nothing that the first does not."""
+    if error == unsafe:
+        return True
+    if error.code != "controller.alarm" or unsafe.code != "controller.locked":
+        return False
+    locked: Message = unsafe.arguments["cause"]
+    return locked.arguments.get("code") == error.arguments["code"]
 
 
 def _progress_message(executed: int, sent: int, lines: int) -> Message:

@@ -8685,6 +8685,13 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "controller.unsafe";
+            arguments: {
+                error: components["schemas"]["Message"];
+                progress: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
             code: "controller.was-reset";
             arguments: {
                 name: string;

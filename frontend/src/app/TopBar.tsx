@@ -82,9 +82,11 @@ export function TopBar() {
       >
         <IconHistory size={18} stroke={1.6} />
       </Icon>
-      <Icon label="Shortcuts of keys and mouse (key ?)" act={() => set({ helpOpen: true })}>
-        <IconKeyboard size={18} stroke={1.6} />
-      </Icon>
+      <span className={css.keys}>
+        <Icon label="Shortcuts of keys and mouse (key ?)" act={() => set({ helpOpen: true })}>
+          <IconKeyboard size={18} stroke={1.6} />
+        </Icon>
+      </span>
       <Icon
         label="Show or hide the right panel (key ])"
         on={rightOpen}

@@ -659,6 +659,10 @@ export const TEXTS = {
     "text": "No controller responds at {address} ({reason}).",
     "hint": "Switch on the controller, or correct the address."
   },
+  "controller.unsafe": {
+    "text": "{error} {progress} The machine is not in a safe state: the stations may still be lowered.",
+    "hint": "Lift the tool and raise the stations at the table. {error:hint}"
+  },
   "controller.was-reset": {
     "text": "{name} was reset.",
     "hint": "Check the table and home the machine before the next job."

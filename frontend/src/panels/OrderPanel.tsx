@@ -7,6 +7,7 @@ import { compile } from "../state/actions";
 import { DEFAULT_CORNERS } from "../state/corners";
 import { pluralize } from "../state/format";
 import { isCompiling } from "../state/jobs";
+import { proposedMachine } from "../state/machines";
 import { detailsOf } from "../state/orderDetails";
 import { useBoards, useDrawing, useJob, useMachines } from "../state/queries";
 import { hasLeastLift } from "../state/sheet";
@@ -32,8 +33,8 @@ export function OrderPanel() {
   const set = useUiStore((ui) => ui.set);
 
   useEffect(() => {
-    const [only] = machines ?? [];
-    if (machine === null && only !== undefined) set({ machine: only.name });
+    const proposed = proposedMachine(machines ?? []);
+    if (machine === null && proposed !== null) set({ machine: proposed });
   }, [machines, machine, set]);
 
   // Opening a job takes over its settings, so that it can be compiled again.

@@ -14,6 +14,7 @@ import { recompileNote } from "../state/toolCheck";
 import type { WornToolsState } from "../state/wornTools";
 import { AskOnce } from "./AskOnce";
 import { DryRunPanel } from "./DryRunPanel";
+import { OrderCard } from "./OrderDetails";
 import { RemainingCopies } from "./RemainingCopies";
 import { RestPanel } from "./RestPanel";
 import { StateBadge } from "./StateBadge";
@@ -48,6 +49,7 @@ export function StationJob(props: Props) {
         {job.copies > 1 && ` · ${pluralize(job.copies, "copy", "copies")}`}
         {job.seconds > 0 && ` · ${formatDuration(job.seconds)} each`}
       </p>
+      <OrderCard job={job} />
       {isOnTable(job) && <Run job={job} />}
       <Reason job={job} />
       {needsOperator(job) && checks !== null && (

@@ -297,6 +297,12 @@ MESSAGES: Final[Entries] = {
         progress="message",
         height="number",
     ),
+    "controller.unsafe": entry(
+        "{error} {progress} The machine is not in a safe state: the stations may still be lowered.",
+        "Lift the tool and raise the stations at the table. {error:hint}",
+        error="message",
+        progress="message",
+    ),
     "controller.unable": entry(
         "{name} cannot execute program line {line} ({text}): {obstacle}. Nothing has moved.",
         "Use a controller with the axes and outputs of the machine, for example grblHAL, or "
