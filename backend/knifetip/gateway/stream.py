@@ -221,7 +221,7 @@ def _states_same_alarm(error: Message, unsafe: Message) -> bool:
     if error.code != "controller.alarm" or unsafe.code != "controller.locked":
         return False
     locked: Message = unsafe.arguments["cause"]
-    return locked.arguments.get("code") == error.arguments["code"]
+    return bool(locked.arguments.get("code") == error.arguments["code"])
 
 
 def _progress_message(executed: int, sent: int, lines: int) -> Message:
