@@ -41,6 +41,7 @@
         ├── WrongState            the state of the object does not permit the change
         ├── StaleEpoch            a report on a job that the sender no longer owns
         ├── StoreError            the database cannot be used
+        │   └── ContentLost           a stored file or program is missing or altered
         ├── KeyReused             an Idempotency-Key of another request
         ├── StaleVersion          the object was changed since the client read it
         │   └── StaleRevision         the drawing was changed since the client read it
@@ -326,6 +327,10 @@ class StoreError(JobError):
 
     A server cannot start, for example, if its network address is already in use.
     """
+
+
+class ContentLost(StoreError):
+    """Raised when a stored file, program or other large value is missing or altered."""
 
 
 class KeyReused(JobError):

@@ -55,7 +55,7 @@ from knifetip.api.problems import problem
 from knifetip.api.queue import ORDERS_AT_ONCE, ORDERS_WAITING, WorkQueue
 from knifetip.api.readiness import Readiness
 from knifetip.api.request_log import RequestLog
-from knifetip.api.retention import run_retention
+from knifetip.api.retention import run_content_sweep, run_retention
 from knifetip.api.routing import (
     ScopedRouter,
     public,
@@ -70,6 +70,7 @@ from knifetip.api.webhook_sender import WebhookSender
 from knifetip.fields import fault_message
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.compile_service import CompileService
+from knifetip.jobs.objects import folder_of
 from knifetip.jobs.process_pool import ProcessPool, TaskCancelled, TaskFailed
 from knifetip.jobs.store import Store
 from knifetip.jobs.warm_up import WarmUp
@@ -113,14 +114,14 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         Settings of the server; None for the default settings.
     """
     chosen = settings or Settings()
-    storage = Storage(chosen.database, chosen.least_free)
+    storage = Storage(chosen.database, chosen.least_free, folder_of(chosen.store))
     clients = Clients(chosen.clients)
     metrics = Metrics()
     access = Accounts()
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-        store = Store(chosen.database)
+        store = Store(chosen.database, objects=chosen.store)
         pool = ProcessPool(chosen.processes)
         warm_up = WarmUp() if chosen.compiles else WarmUp(("drawings",))
         compiling = CompileService(
@@ -153,6 +154,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         tasks = [
             asyncio.create_task(app.state.stream.run()),
             asyncio.create_task(run_retention(service)),
+            asyncio.create_task(run_content_sweep(store.contents)),
             asyncio.create_task(WebhookSender(service).run()),
         ]
         service.ready = True

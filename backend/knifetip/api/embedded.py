@@ -111,6 +111,7 @@ def serve(
     announce: Callable[[str], None] = _print_line,
     name: str = "",
     limits: ServerLimits = _LIMITS,
+    store: str = "",
 ) -> None:
     """Run the embedded service until SIGINT or SIGTERM.
 
@@ -134,6 +135,8 @@ def serve(
         Name of this process, see ``process_link``; "" for a default.
     limits
         Limits of connections, clients and the size of requests.
+    store
+        Folder or bucket for large values, see ``open_objects``; "" to keep them in the database.
 
     Raises
     ------
@@ -160,6 +163,7 @@ def serve(
         )
         settings = Settings(
             database=database,
+            store=store,
             compiles=parts.compiles,
             name=name,
             keep_history=parts.keep_history,

@@ -10,6 +10,7 @@ from typing import Final
 
 from knifetip.api.job_export import archive_jobs
 from knifetip.api.service import Service
+from knifetip.jobs.content_store import ContentStore
 from knifetip.jobs.store import Store
 
 _DAY: Final = 86_400.0
@@ -32,6 +33,18 @@ async def run_retention(service: Service) -> None:
         except Exception:
             _log.exception("old jobs and drawings were not deleted")
         await asyncio.sleep(_PAUSE)
+
+
+async def run_content_sweep(contents: ContentStore) -> None:
+    """Delete unused contents once a day; runs until its asyncio task is cancelled."""
+    while True:
+        try:
+            deleted = await asyncio.to_thread(contents.sweep)
+            if deleted:
+                _log.info("deleted %d unused contents", deleted)
+        except Exception:
+            _log.exception("unused contents were not deleted")
+        await asyncio.sleep(_DAY)
 
 
 def purge(

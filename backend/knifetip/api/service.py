@@ -36,6 +36,7 @@ class Settings:
     """Settings of a server."""
 
     database: str = "sqlite:///knifetip.sqlite"
+    store: str = ""  #: folder or bucket for large values, see ``open_objects``; "" for none
     compiles: bool = True  #: False if compile workers run in other processes
     name: str = ""  #: unique name of this process, the same after a restart; "" for a default
     processes: int = 2  #: processes that read and compile

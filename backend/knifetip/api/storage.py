@@ -30,11 +30,14 @@ class Storage:
         URL of the database.
     least
         Bytes that must remain free beside an SQLite database, for the events of running jobs.
+    contents
+        Folder of the option --store; None if large values are elsewhere.
     """
 
-    def __init__(self, url: str, least: int) -> None:
+    def __init__(self, url: str, least: int, contents: Path | None = None) -> None:
         self.least = least
         self._url = url
+        self._contents = contents
 
     @cached_property
     def data(self) -> Path | None:
@@ -48,6 +51,8 @@ class Storage:
         folders = {Path(tempfile.gettempdir()): min(self.least, _TEMPORARY)}
         if self.data is not None:
             folders[self.data] = self.least
+        if self._contents is not None:
+            folders[self._contents] = self.least
         return folders
 
     def shortage(self) -> tuple[int, int] | None:
@@ -63,8 +68,8 @@ class Storage:
         try:
             if (short := self.shortage()) is not None:
                 return f"{short[0] >> 20} MB free, {short[1] >> 20} MB needed"
-            if self.data is not None:
-                with tempfile.TemporaryFile(dir=self.data) as file:
+            for folder in filter(None, (self.data, self._contents)):
+                with tempfile.TemporaryFile(dir=folder) as file:
                     file.write(b"knifetip")
                     file.flush()
         except OSError as reason:

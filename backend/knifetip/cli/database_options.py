@@ -45,3 +45,18 @@ class DatabaseOptions:
         from knifetip.jobs.database_url import hide_password
 
         return hide_password(self.database)
+
+
+@dataclass(frozen=True, slots=True)
+class StoreOptions:
+    """Option that names the folder or the bucket for large values."""
+
+    store: Annotated[
+        str,
+        typer.Option(
+            envvar="KNIFETIP_STORE",
+            help="Folder or bucket for drawings and programs beyond 4 kB: file:///FOLDER or "
+            "s3://BUCKET/PREFIX, the same for all servers and workers of a database. Default: the "
+            "database.",
+        ),
+    ] = ""

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from knifetip.cli.access_key import KeyOptions
-from knifetip.cli.database_options import DatabaseOptions
+from knifetip.cli.database_options import DatabaseOptions, StoreOptions
 from knifetip.cli.log_options import LogOptions
 from knifetip.cli.oidc_options import OidcOptions
 from knifetip.cli.options import expand
@@ -230,6 +230,7 @@ def serve(
     name: Name = "",
     *,
     storage: DatabaseOptions,
+    contents: StoreOptions,
     parts: PartOptions,
     access: AccessOptions,
     oidc: OidcOptions,
@@ -278,6 +279,7 @@ def serve(
             limits.max_upload << 20,
             limits.min_free << 20,
         ),
+        contents.store,
     )
 
 
@@ -300,6 +302,7 @@ def worker(
     migrate: Migrate = False,
     *,
     storage: DatabaseOptions,
+    contents: StoreOptions,
     log: LogOptions,
 ) -> None:
     """Run a compile worker for a database until Ctrl-C."""
@@ -309,7 +312,7 @@ def worker(
 
     log.apply()
     _prepare(storage, migrate)
-    store = Store(storage.url)
+    store = Store(storage.url, objects=contents.store)
     service = CompileService(store, ProcessPool(processes), name, True, processes, gateways=False)
     stop_requested = threading.Event()
     for number in (signal.SIGINT, signal.SIGTERM):

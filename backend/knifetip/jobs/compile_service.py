@@ -18,7 +18,14 @@ from dataclasses import dataclass, field
 from importlib.metadata import version
 
 from knifetip import logs
-from knifetip.errors import JobError, KnifetipError, LibraryError, OpenQuestions
+from knifetip.errors import (
+    ContentLost,
+    JobError,
+    KnifetipError,
+    LibraryError,
+    OpenQuestions,
+    StoreError,
+)
 from knifetip.jobs import tasks
 from knifetip.jobs.compile_key import compile_key
 from knifetip.jobs.compile_queue import CompileQueue, queue_of
@@ -275,6 +282,11 @@ class CompileService:
                     self.store.compiles.give_back(id, epoch)
         except OpenQuestions as reason:
             self._refuse(id, epoch, reason, reason.questions)
+        except ContentLost as reason:
+            self._refuse(id, epoch, reason)
+        except StoreError as reason:
+            # The lease expires, and then the job is tried again.
+            _log.warning("job %s is not compiled now: %s", id, reason)
         except JobError:
             # The job was cancelled or taken by another worker before its result was stored.
             _log.info("the result of job %s came too late", id)

@@ -6,7 +6,6 @@ increases with each new owner) than the worker expects, because the worker then 
 
 from __future__ import annotations
 
-import hashlib
 import logging
 from collections.abc import Collection, Sequence
 from typing import Any, Final
@@ -14,7 +13,9 @@ from typing import Any, Final
 import sqlalchemy as sa
 from sqlalchemy.orm import Session, undefer
 
+from knifetip.errors import StoreError
 from knifetip.jobs.compile_result import CompileResult
+from knifetip.jobs.content_store import ContentStore
 from knifetip.jobs.database import Database, rows
 from knifetip.jobs.job import CLOCK, Action, Actor, ActorKind, State
 from knifetip.jobs.tables import Job
@@ -27,13 +28,12 @@ ATTEMPTS = 5  #: failed attempts after which a job is refused
 _WORKER = Actor(ActorKind.WORKER)
 #: Columns of a job whose compile has ended with a program.
 _ENDED_COMPILE: Final = {"stage": "", "progress": 1.0, "owner": "", "lease": 0.0}
-_LARGE: Final = (Job.program, Job.toolpath, Job.verdict, Job.lengths)
 _RESULT_COLUMNS: Final = (
-    "program",
+    "program_address",
     "program_sha256",
     "lines",
-    "toolpath",
-    "verdict",
+    "toolpath_address",
+    "verdict_address",
     "verdict_summary",
     "tools",
     "seconds",
@@ -46,8 +46,11 @@ _NEXT = sa.select(Job.id).where(Job.state == State.RECEIVED).order_by(Job.serial
 class CompileStore:
     """Repository operations for compile workers on jobs that are received or being compiled."""
 
-    def __init__(self, database: Database, transitions: Transitions) -> None:
+    def __init__(
+        self, database: Database, contents: ContentStore, transitions: Transitions
+    ) -> None:
         self._db = database
+        self._contents = contents
         self._transitions = transitions
 
     def owned(self, id: str, epoch: int) -> Job | None:
@@ -248,12 +251,14 @@ class CompileStore:
             The job has another epoch, because the worker has lost the job.
         """
         newest = sa.select(Job).where(Job.compile_key == key).order_by(Job.serial.desc()).limit(1)
+        newest = newest.options(undefer(Job.lengths))
+        with self._db.reading() as session:
+            found = session.scalar(newest)
+        if found is None or not self._is_sound(found):
+            return False
         with self._db.writing() as session:
-            earlier = session.scalar(newest.options(*map(undefer, _LARGE)))
-            if earlier is None or earlier.program is None:
-                return False
-            if hashlib.sha256(earlier.program).hexdigest() != earlier.program_sha256:
-                _log.error("the stored program of job %s is damaged", earlier.id)
+            earlier = session.scalar(newest)
+            if earlier is None or earlier.program_address != found.program_address:
                 return False
             copied = {name: getattr(earlier, name) for name in _RESULT_COLUMNS}
             columns = {
@@ -269,6 +274,16 @@ class CompileStore:
             if session.scalar(sa.select(Job.release).where(Job.id == id)):
                 self._transitions.release_by_order(session, id)
             return True
+
+    def _is_sound(self, row: Job) -> bool:
+        """Return whether the large values of a compiled job can be read and are those of it."""
+        names = ("program", "toolpath", "verdict")
+        try:
+            self._contents.find(Job, Job.id == row.id, *names)
+        except StoreError as reason:
+            _log.error("job %s answers no other job: %s", row.id, reason)
+            return False
+        return row.program_address == row.program_sha256
 
     def save_result(self, id: str, epoch: int, result: CompileResult, key: str = "") -> None:
         """Store the result of a compile, and move its job to the next state.
@@ -301,7 +316,9 @@ class CompileStore:
             "compile_key": key if result.message is None else "",
             **_ENDED_COMPILE,
         }
+        staged = self._contents.stage(**result_contents(result))
         with self._db.writing() as session:
+            columns |= self._contents.keep(session, staged)
             self._record_exceptions(session, id, result.verdict_summary.get("exceptions", 0))
             if result.message is not None:
                 self._transitions.move(
@@ -419,13 +436,13 @@ class CompileStore:
 
 
 def result_columns(result: CompileResult) -> dict[str, Any]:
-    """Return the columns of a job that store the result of a compile, by name of the column."""
+    """Return the columns of a job that store the result of a compile, by name of the column.
+
+    Its large values are ``result_contents``.
+    """
     return {
-        "program": result.program,
         "program_sha256": result.sha256,
         "lines": result.lines,
-        "toolpath": result.toolpath,
-        "verdict": result.verdict,
         "verdict_summary": result.verdict_summary,
         "tools": result.tools,
         "seconds": result.verdict_summary["seconds"],
@@ -433,4 +450,13 @@ def result_columns(result: CompileResult) -> dict[str, Any]:
         # Programs that are made in another way are not found by later jobs.
         "compile_key": "",
         "program_of": "",
+    }
+
+
+def result_contents(result: CompileResult) -> dict[str, bytes]:
+    """Return the large values of a job that store the result of a compile, by name."""
+    return {
+        "program": result.program,
+        "toolpath": result.toolpath,
+        "verdict": result.verdict,
     }

@@ -12,7 +12,6 @@ import sqlalchemy as sa
 from sqlalchemy import event as on
 from sqlalchemy.orm import Session
 
-from knifetip.errors import NoSuchJob, WrongState
 from knifetip.jobs import schema
 from knifetip.jobs.accounts.acting import add_audit_entry
 from knifetip.jobs.changes import Changes
@@ -20,7 +19,6 @@ from knifetip.jobs.database_url import sqlite_file
 from knifetip.jobs.schema import Migration, Schema
 from knifetip.jobs.shared_clock import SharedClock
 from knifetip.jobs.sqlite_copy import copy_database
-from knifetip.jobs.tables import Drawing, Job
 from knifetip.jobs.turns import NoTurns, Turns
 
 _TOPICS = "topics"  # key of a session's topics in ``Session.info``
@@ -91,7 +89,7 @@ class Database:
             self.clock = clock or time.time
             self.timer = clock or time.monotonic
         else:
-            self.timer = self.clock = clock or SharedClock(self._server_time)
+            self.timer = self.clock = clock or SharedClock(self.server_time)
         self._writer = self._engine.execution_options(writes=True)
 
     def schema(self) -> Schema:
@@ -157,7 +155,7 @@ class Database:
         copy_database(file, copy)
         return copy
 
-    def _server_time(self) -> float:
+    def server_time(self) -> float:
         """Return the time of the PostgreSQL server: seconds since 1970."""
         now = sa.select(sa.func.extract("epoch", sa.func.clock_timestamp()))
         with self.reading() as session:
@@ -198,40 +196,6 @@ class Database:
             topics = topics_of(session)
         if topics:
             self.changes.notify(topics)
-
-    def large_column(
-        self, table: type[Drawing] | type[Job], id: str, column: str, kind: str
-    ) -> bytes:
-        """Return the content of one large column, such as the program of a job.
-
-        Large columns are not loaded with the other columns of a table row.
-
-        Parameters
-        ----------
-        table
-            ``Drawing`` or ``Job``.
-        id
-            Id of the drawing or the job.
-        column
-            Name of the column.
-        kind
-            ``drawing`` or ``job``, for error messages.
-
-        Raises
-        ------
-        NoSuchJob
-            There is no drawing or job with this id.
-        WrongState
-            The column is empty.
-        """
-        query = sa.select(getattr(table, column), table.id).where(table.id == id)
-        with self.reading() as session:
-            value = session.execute(query).first()
-        if value is None:
-            raise NoSuchJob("store.unknown", kind=kind, id=short(id))
-        if value[0] is None:
-            raise WrongState("store.no-column", kind=kind, id=id, column=column)
-        return bytes(value[0])
 
     def alive(self) -> bool:
         """Return True if the database answers a query, else raise the error of the database."""

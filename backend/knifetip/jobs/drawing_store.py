@@ -8,12 +8,13 @@ from typing import Any
 
 import sqlalchemy as sa
 from sqlalchemy.exc import IntegrityError
-from sqlalchemy.orm import undefer
 
 from knifetip.errors import NoSuchJob, StaleRevision, WrongState
+from knifetip.jobs.content_store import ContentStore
 from knifetip.jobs.database import Database, rows, short
 from knifetip.jobs.interpretations import drawing_columns
 from knifetip.jobs.job import OPERATOR, new_id
+from knifetip.jobs.large_value import LargeValue
 from knifetip.jobs.order_details import Details, DetailsFilter, metadata_rows, replace_metadata
 from knifetip.jobs.request_key import RequestKey
 from knifetip.jobs.tables import Drawing, Job
@@ -42,8 +43,11 @@ class NewDrawing:
 class DrawingStore:
     """Repository of drawings: store, find, change and delete them."""
 
-    def __init__(self, database: Database, transitions: Transitions) -> None:
+    def __init__(
+        self, database: Database, contents: ContentStore, transitions: Transitions
+    ) -> None:
         self._db = database
+        self._contents = contents
         self._transitions = transitions
 
     def add(
@@ -65,7 +69,15 @@ class DrawingStore:
         ------
         KeyReused
             The key was used for a request with another content.
+        StoreError
+            The contents cannot be written to the folder or the bucket.
         """
+        staged = self._contents.stage(
+            content=new.content,
+            overrides=new.interpretation.overrides,
+            edges=new.edges,
+            import_report=new.import_report,
+        )
         row = Drawing(
             id=new_id(),
             name=new.name,
@@ -79,10 +91,12 @@ class DrawingStore:
             content=new.content,
             edges=new.edges,
             import_report=new.import_report,
+            **staged.columns,
             **new.details,
         )
         try:
             with self._db.writing() as session:
+                self._contents.keep(session, staged)
                 session.add(row)
                 session.flush()  # assigns the serial number
                 session.add_all(metadata_rows(Drawing, row.serial, row.extra or {}))
@@ -110,12 +124,7 @@ class DrawingStore:
         KeyReused
             The key was used for a request with another content.
         """
-        with self._db.reading() as session:
-            row = session.scalar(
-                sa.select(Drawing)
-                .where(Drawing.key == key.stored)
-                .options(undefer(Drawing.import_report))
-            )
+        row = self._contents.find(Drawing, Drawing.key == key.stored, "import_report")
         return None if row is None else key.check(row)
 
     def get(self, id: str) -> Drawing:
@@ -129,32 +138,32 @@ class DrawingStore:
         return self.get_with(id)
 
     def get_with(self, id: str, *columns: str) -> Drawing:
-        """Return a drawing in which some of the large columns are loaded.
+        """Return a drawing in which some of the large values are loaded.
 
-        One query reads all columns, so that they belong to the same version of the drawing.
+        One query reads all of them, so that they belong to the same version of the drawing.
 
         Parameters
         ----------
         id
             Id of the drawing.
         *columns
-            Names of the large columns to load: ``content``, ``overrides``, ``edges`` or
+            Names of the large values to load: ``content``, ``overrides``, ``edges`` or
             ``import_report``.
 
         Raises
         ------
         NoSuchJob
             There is no drawing with this id (jobs and drawings have the same error class).
+        ContentLost
+            A value is missing or altered.
         """
-        large = [undefer(getattr(Drawing, column)) for column in columns]
-        with self._db.reading() as session:
-            row = session.scalar(sa.select(Drawing).where(Drawing.id == id).options(*large))
+        row = self._contents.find(Drawing, Drawing.id == id, *columns)
         if row is None:
             raise _unknown_drawing_error(id)
         return row
 
     def column(self, id: str, column: str) -> bytes:
-        """Return the content of a large column of a drawing.
+        """Return a large value of a drawing.
 
         Parameters
         ----------
@@ -169,9 +178,11 @@ class DrawingStore:
         NoSuchJob
             There is no drawing with this id (jobs and drawings have the same error class).
         WrongState
-            The column is empty.
+            The drawing has no such value.
+        ContentLost
+            The value is missing or altered.
         """
-        return self._db.large_column(Drawing, id, column, "drawing")
+        return self._contents.value(Drawing, id, column, "drawing")
 
     def recent(
         self, before: int | None, limit: int, wanted: DetailsFilter | None = None
@@ -196,7 +207,7 @@ class DrawingStore:
             return list(session.scalars(query))
 
     def change(self, id: str, version: int, event: Message, **changes: Any) -> Drawing:
-        """Change columns of a drawing; return the drawing with its import report.
+        """Change columns and large values of a drawing; return it with its import report.
 
         Parameters
         ----------
@@ -207,7 +218,7 @@ class DrawingStore:
         event
             Description of the change, for the log of events.
         **changes
-            New values of columns, by name of the column.
+            New values of columns and large values, by name.
 
         Raises
         ------
@@ -216,7 +227,16 @@ class DrawingStore:
         StaleRevision
             The drawing has another version, because it was changed since it was read.
         """
+        large = [name for name in changes if isinstance(getattr(Drawing, name), LargeValue)]
+        contents = {name: changes.pop(name) for name in large}
+        import_report = contents.get("import_report")
+        if import_report is None:
+            unchanged = sa.and_(Drawing.id == id, Drawing.version == version)
+            before = self._contents.find(Drawing, unchanged, "import_report")
+            import_report = b"" if before is None else before.import_report
+        staged = self._contents.stage(**contents)
         with self._db.writing() as session:
+            changes |= self._contents.keep(session, staged)
             changed = rows(
                 session,
                 sa.update(Drawing)
@@ -233,9 +253,9 @@ class DrawingStore:
                 replace_metadata(session, Drawing, serial, changes["extra"])
             self._transitions.write_event(session, "drawing", id, "changed", OPERATOR, event)
             # Read in this transaction, because another request may change the drawing after it.
-            return session.scalars(
-                sa.select(Drawing).where(Drawing.id == id).options(undefer(Drawing.import_report))
-            ).one()
+            row = session.scalars(sa.select(Drawing).where(Drawing.id == id)).one()
+        row.import_report = import_report
+        return row
 
     def delete(self, id: str) -> None:
         """Delete a drawing from which no job was made.

@@ -8,10 +8,11 @@ from typing import Any, Final
 
 import sqlalchemy as sa
 from sqlalchemy.exc import IntegrityError
-from sqlalchemy.orm import Session, undefer
+from sqlalchemy.orm import Session
 
 from knifetip.errors import WrongState
 from knifetip.jobs.accounts.acting import acting_owner
+from knifetip.jobs.content_store import ContentStore
 from knifetip.jobs.database import Database
 from knifetip.jobs.interpretations import job_columns
 from knifetip.jobs.job import (
@@ -87,8 +88,11 @@ class Continuation:
 class JobStore:
     """Repository of jobs: store and find jobs."""
 
-    def __init__(self, database: Database, transitions: Transitions) -> None:
+    def __init__(
+        self, database: Database, contents: ContentStore, transitions: Transitions
+    ) -> None:
         self._db = database
+        self._contents = contents
         self._transitions = transitions
 
     def add(
@@ -114,8 +118,10 @@ class JobStore:
         KeyReused
             The key was used for a request with another content.
         """
+        staged = self._contents.stage(overrides=order.interpretation.overrides)
         row = Job(
             **_initial_columns(self._db.clock(), key),
+            **staged.columns,
             drawing=drawing.id,
             drawing_name=drawing.name,
             machine=order.machine,
@@ -131,6 +137,7 @@ class JobStore:
         )
         try:
             with self._db.writing() as session:
+                self._contents.keep(session, staged)
                 session.add(row)
                 session.flush()  # assigns the serial number
                 session.add_all(metadata_rows(Job, row.serial, row.extra or {}))
@@ -179,7 +186,6 @@ class JobStore:
         KeyReused
             The key was used for a request with another content.
         """
-        overrides = self.column(parent, "overrides")
         try:
             with self._db.writing() as session:
                 before = self._transitions.lock(session, parent)
@@ -188,9 +194,7 @@ class JobStore:
                     continuation = self._with_remaining(session, before, continuation)
                 self._check_continuable(session, before, continuation)
                 initial = _initial_columns(self._db.clock(), key)
-                row = Job(
-                    **initial, **_continued_columns(before, continuation), overrides=overrides
-                )
+                row = Job(**initial, **_continued_columns(before, continuation))
                 session.add(row)
                 session.flush()  # assigns the serial number
                 session.add_all(metadata_rows(Job, row.serial, row.extra))
@@ -287,36 +291,36 @@ class JobStore:
         return row
 
     def get_with(self, id: str, *columns: str) -> Job:
-        """Return a job in which some of the large columns are loaded.
+        """Return a job in which some of the large values are loaded.
 
-        One query reads all columns, so that they belong together.
+        One query reads all of them, so that they belong together.
 
         Parameters
         ----------
         id
             Id of the job.
         *columns
-            Names of the large columns to load; see ``column``.
+            Names of the large values to load; see ``column``.
 
         Raises
         ------
         NoSuchJob
             There is no job with this id.
         WrongState
-            A column is empty: the job is not compiled yet, or it was refused.
+            There is no such value: the job is not compiled yet, or it was refused.
+        ContentLost
+            A value is missing or altered.
         """
-        large = [undefer(getattr(Job, column)) for column in columns]
-        with self._db.reading() as session:
-            row = session.scalar(sa.select(Job).where(Job.id == id).options(*large))
+        row = self._contents.find(Job, Job.id == id, *columns)
         if row is None:
             raise unknown_job_error(id)
         for column in columns:
-            if getattr(row, column) is None:
+            if getattr(row, f"{column}_address") is None:
                 raise WrongState("store.no-column", kind="job", id=id, column=column)
         return row
 
     def column(self, id: str, column: str) -> bytes:
-        """Return the content of a large column of a job.
+        """Return a large value of a job.
 
         Parameters
         ----------
@@ -331,9 +335,11 @@ class JobStore:
         NoSuchJob
             There is no job with this id.
         WrongState
-            The column is empty: the job is not compiled yet, or it was refused.
+            There is none: the job is not compiled yet, or it was refused.
+        ContentLost
+            The value is missing or altered.
         """
-        return self._db.large_column(Job, id, column, "job")
+        return self._contents.value(Job, id, column, "job")
 
     def search(
         self,
@@ -407,7 +413,7 @@ def _continued_columns(before: Job, continuation: Continuation) -> dict[str, Any
         "priority": before.priority if rest is None else _FIRST,
         "exceptions": None if exceptions is None else exceptions.as_json(),
     }
-    own = {"serial", "overrides", *_initial_columns(0.0, None), *changed}
+    own = {"serial", *_initial_columns(0.0, None), *changed}
     copied = set(sa.inspect(Job).columns.keys()) - own
     return changed | {name: getattr(before, name) for name in copied}
 
@@ -459,8 +465,8 @@ def _initial_columns(now: float, key: RequestKey | None) -> dict[str, Any]:
         "program_of": "",
         "key": None if key is None else key.stored,
         "fingerprint": "" if key is None else key.fingerprint,
-        "program": None,
-        "toolpath": None,
+        "program_address": None,
+        "toolpath_address": None,
+        "verdict_address": None,
         "lengths": None,
-        "verdict": None,
     }

@@ -70,6 +70,13 @@ class MachineQueues:
         with self._db.reading() as session:
             return {*session.scalars(recent_requests), *session.scalars(leased_jobs)}
 
+    def machines_with_queue(self) -> set[str]:
+        """Return the names of the machines for which jobs are queued."""
+        with self._db.reading() as session:
+            return set(
+                session.scalars(sa.select(Job.machine).where(Job.state == State.QUEUED).distinct())
+            )
+
     def jobs_on_tables(self) -> dict[str, str]:
         """Return the ids of the jobs that are on the table of a machine, by name of the machine.
 

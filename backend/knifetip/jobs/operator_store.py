@@ -6,7 +6,6 @@ Actions on interrupted jobs are in ``interrupted_jobs``.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import fields
 from typing import Any
 
 import sqlalchemy as sa
@@ -15,6 +14,7 @@ from sqlalchemy.orm import Session
 from knifetip.errors import WrongState
 from knifetip.jobs.command_keys import CommandKeys
 from knifetip.jobs.compile_result import VerdictColumns
+from knifetip.jobs.content_store import ContentStore
 from knifetip.jobs.database import Database, short
 from knifetip.jobs.job import (
     ADVICE,
@@ -43,10 +43,10 @@ from knifetip.messages import Message
 
 #: Columns of a job that has no program yet.
 _WITHOUT_PROGRAM: Mapping[str, Any] = {
-    "program": None,
+    "program_address": None,
     "program_sha256": "",
-    "toolpath": None,
-    "verdict": None,
+    "toolpath_address": None,
+    "verdict_address": None,
     "verdict_summary": None,
     "lines": 0,
     "seconds": 0.0,
@@ -64,9 +64,15 @@ class OperatorStore:
     """
 
     def __init__(
-        self, database: Database, transitions: Transitions, tools: ToolGate, keys: CommandKeys
+        self,
+        database: Database,
+        contents: ContentStore,
+        transitions: Transitions,
+        tools: ToolGate,
+        keys: CommandKeys,
     ) -> None:
         self._db = database
+        self._contents = contents
         self._transitions = transitions
         self._tools = tools
         self._keys = keys
@@ -103,14 +109,25 @@ class OperatorStore:
         with self._db.writing() as session:
             if (repeated := self._keys.repeated(session, id, key)) is not None:
                 return repeated
+            self._check_acceptable(session, self._transitions.lock(session, id))
+        # Outside of transactions, since the verdict may be in an object store.
+        before = self._contents.find(Job, Job.id == id, "verdict")
+        if before is None or before.verdict_address is None:
+            raise WrongState("job.no-shortfalls", job=id)
+        stored = accepted(before.verdict, before.verdict_summary or {})
+        staged = self._contents.stage(verdict=stored.verdict)
+        with self._db.writing() as session:
+            if (repeated := self._keys.repeated(session, id, key)) is not None:
+                return repeated
             row = self._transitions.lock(session, id)
-            if row.state not in sources(Action.ACCEPT, ActorKind.OPERATOR):
-                raise self._transitions.refusal(session, id, State.READY)
-            if row.verdict is None or not has_only_shortfalls(row):
-                raise WrongState("job.no-shortfalls", job=id)
-            stored = accepted(row.verdict, row.verdict_summary or {})
+            self._check_acceptable(session, row)
+            if row.verdict_address != before.verdict_address:
+                raise WrongState("job.verdict-changed", job=id)
             columns: dict[str, Any] = {
-                field.name: getattr(stored, field.name) for field in fields(stored)
+                "verdict_summary": stored.verdict_summary,
+                "message": stored.message,
+                "source": stored.source,
+                **self._contents.keep(session, staged),
             }
             if stored.message is None:
                 self._transitions.move(session, id, Action.ACCEPT, actor, event, **columns)
@@ -120,6 +137,13 @@ class OperatorStore:
                 self._change(session, id, **columns)
                 self._transitions.write_event(session, "job", id, State.REFUSED, actor, event)
             return self._transitions.lock(session, id)
+
+    def _check_acceptable(self, session: Session, row: Job) -> None:
+        """Raise ``WrongState`` unless a job was refused only because of shortfalls."""
+        if row.state not in sources(Action.ACCEPT, ActorKind.OPERATOR):
+            raise self._transitions.refusal(session, row.id, State.READY)
+        if row.verdict_address is None or not has_only_shortfalls(row):
+            raise WrongState("job.no-shortfalls", job=row.id)
 
     def release(self, id: str, key: RequestKey | None = None) -> Job:
         """Move a ready job to the queue of its machine, and return it.

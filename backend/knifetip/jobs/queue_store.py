@@ -18,7 +18,8 @@ from sqlalchemy.orm import Session
 from knifetip.errors import StaleVersion, WrongState
 from knifetip.jobs.claimed_jobs import ClaimedJobs, is_claimed
 from knifetip.jobs.compile_result import CompileResult
-from knifetip.jobs.compile_store import result_columns
+from knifetip.jobs.compile_store import result_columns, result_contents
+from knifetip.jobs.content_store import ContentStore
 from knifetip.jobs.database import Database, short
 from knifetip.jobs.job import ON_TABLE, Actor, Confirmation, State
 from knifetip.jobs.machine_queues import CLAIMED, is_waiting, last_rank, lock_queue, waiting_jobs
@@ -62,8 +63,15 @@ class WaitingChange:
 class QueueStore:
     """Repository operations on the queues of machines."""
 
-    def __init__(self, database: Database, transitions: Transitions, claimed: ClaimedJobs) -> None:
+    def __init__(
+        self,
+        database: Database,
+        contents: ContentStore,
+        transitions: Transitions,
+        claimed: ClaimedJobs,
+    ) -> None:
         self._db = database
+        self._contents = contents
         self._transitions = transitions
         self._claimed = claimed
 
@@ -268,6 +276,7 @@ class QueueStore:
         WrongState
             The job has been claimed, moved or cancelled meanwhile.
         """
+        staged = self._contents.stage(**result_contents(result))
         with self._db.writing() as session:
             lock_queue(session, machine.name)
             present = self._transitions.lock(session, row.id)
@@ -285,6 +294,7 @@ class QueueStore:
                 machine_version=machine.version,
                 rank=last_rank(session, machine.name, self._db.clock()),
                 **result_columns(result),
+                **self._contents.keep(session, staged),
             )
             event = Message("queue.transferred", former=row.machine, machine=machine.name)
             self._write(session, present, actor, event)

@@ -12,6 +12,7 @@ from contextlib import closing, suppress
 from pathlib import Path
 
 from knifetip.errors import StoreError
+from knifetip.jobs.disk_sync import sync
 
 _BUSY = 30.0  # seconds to wait for a lock
 
@@ -46,9 +47,9 @@ def copy_database(source: Path, target: Path) -> None:
             original.backup(copy)
             # Otherwise the copy would need a write-ahead log, and a folder that can be written to.
             copy.execute("PRAGMA journal_mode=DELETE")
-        _sync(part)
+        sync(part)
         part.replace(target)
-        _sync(target.parent)
+        sync(target.parent)
     except (OSError, sqlite3.Error) as reason:
         with suppress(OSError):  # the first error is reported
             part.unlink(missing_ok=True)
@@ -95,14 +96,3 @@ def require_unused(file: Path) -> None:
 
 def _connect(file: Path) -> sqlite3.Connection:
     return sqlite3.connect(f"{file.resolve().as_uri()}?mode=rw", uri=True, timeout=_BUSY)
-
-
-def _sync(path: Path) -> None:
-    """Wait until a file, or the names in a folder, are on the disk."""
-    if path.is_dir() and os.name == "nt":
-        return  # Windows cannot open a folder
-    handle = os.open(path, os.O_RDONLY)
-    try:
-        os.fsync(handle)
-    finally:
-        os.close(handle)

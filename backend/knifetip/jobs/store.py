@@ -19,6 +19,7 @@ from knifetip.jobs.changes import Changes
 from knifetip.jobs.claimed_jobs import ClaimedJobs
 from knifetip.jobs.command_keys import CommandKeys
 from knifetip.jobs.compile_store import CompileStore
+from knifetip.jobs.content_store import ContentStore
 from knifetip.jobs.database import Database
 from knifetip.jobs.document_store import DocumentStore
 from knifetip.jobs.drawing_store import DrawingStore
@@ -30,6 +31,7 @@ from knifetip.jobs.job_store import JobStore
 from knifetip.jobs.lease_sweep import LeaseSweep
 from knifetip.jobs.library_store import LibraryStore
 from knifetip.jobs.machine_queues import MachineQueues
+from knifetip.jobs.objects import open_objects
 from knifetip.jobs.operator_store import OperatorStore
 from knifetip.jobs.profile_store import ProfileStore
 from knifetip.jobs.queue_store import QueueStore
@@ -52,26 +54,31 @@ class Store:
         ``sqlite:///FILE`` or ``postgresql://USER@HOST/NAME``.
     clock
         Returns the seconds since 1970; None for the clock of the database, see ``Database``.
+    objects
+        Folder or bucket for large values (see ``open_objects``); "" to keep them in the database.
     """
 
-    def __init__(self, url: str, clock: Callable[[], float] | None = None) -> None:
+    def __init__(
+        self, url: str, clock: Callable[[], float] | None = None, objects: str = ""
+    ) -> None:
         self.database = Database(url, clock)
+        self.contents = ContentStore(self.database, open_objects(objects))
         transitions = Transitions(self.database)
-        self.drawings = DrawingStore(self.database, transitions)
+        self.drawings = DrawingStore(self.database, self.contents, transitions)
         self.documents = DocumentStore(self.database)
-        self.jobs = JobStore(self.database, transitions)
+        self.jobs = JobStore(self.database, self.contents, transitions)
         self.events = EventStore(self.database)
-        self.compiles = CompileStore(self.database, transitions)
+        self.compiles = CompileStore(self.database, self.contents, transitions)
         self.tools = ToolStore(self.database)
         self.library = LibraryStore(self.database)
         gate = ToolGate(self.tools, self.library)
         keys = CommandKeys(self.database, transitions)
-        self.operators = OperatorStore(self.database, transitions, gate, keys)
+        self.operators = OperatorStore(self.database, self.contents, transitions, gate, keys)
         self.interrupted = InterruptedJobs(self.database, transitions, keys)
         self.machines = MachineQueues(self.database)
         claimed = ClaimedJobs(self.database, transitions)
         self.gateways = GatewayStore(self.database, transitions, self.machines, claimed)
-        self.queues = QueueStore(self.database, transitions, claimed)
+        self.queues = QueueStore(self.database, self.contents, transitions, claimed)
         self.leases = LeaseSweep(self.database, transitions, self.compiles, claimed)
         self.profiles = ProfileStore(self.database)
         self.stations = StationStore(self.database)

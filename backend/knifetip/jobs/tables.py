@@ -4,7 +4,7 @@ The tables contain drawings, jobs, events of drawings and jobs, profiles, machin
 of users, gateways, and the stations of machines with the operations that persons request.  Those of
 webhooks are in ``webhook_tables``, those of users, keys and the audit log in
 ``accounts.account_tables``; the import of ``store`` adds them to the metadata of ``Base``.
-Large columns are deferred: a query loads them only if it names them.
+Large values of drawings and jobs are in the table ``content``: see ``content_store``.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from typing import Any
 import sqlalchemy as sa
 from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column
 
+from knifetip.jobs.large_value import LargeValue
 from knifetip.jobs.message_column import MessageColumn
 from knifetip.messages import Message
 
@@ -87,6 +88,23 @@ class LibraryVersion(Base):
     note: Mapped[str] = mapped_column(sa.String(200))  #: what was changed and why; may be empty
 
 
+class Content(Base):
+    """Bytes to which drawings and jobs refer by their SHA-256; never changed (ADR 94)."""
+
+    __tablename__ = "content"
+
+    address: Mapped[str] = mapped_column(sa.String(64), primary_key=True)  #: SHA-256 of the bytes
+    #: time from which no drawing or job may refer to it; None: the last sweep found one that does
+    unused_since: Mapped[float | None] = mapped_column(sa.Double, default=None)
+    #: the bytes; None if they are in the folder or the bucket of the option --store
+    data: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)
+
+
+def _address_column() -> Mapped[str | None]:
+    # The database finds what refers to a content by the index, before it deletes the content.
+    return mapped_column(sa.ForeignKey("content.address"), index=True, default=None)
+
+
 class Drawing(Base):
     """A stored drawing: its file, its interpretation, and the data that were read from it."""
 
@@ -121,10 +139,14 @@ class Drawing(Base):
     due: Mapped[float | None] = mapped_column(sa.Double, default=None)  #: seconds since 1970
     notes: Mapped[str] = mapped_column(sa.Text, default="")
     extra: Mapped[dict[str, Any]] = mapped_column("metadata", sa.JSON, default=dict)
-    content: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)
-    overrides: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)  #: (n,) 255 for none
-    edges: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)  #: packed ``EdgeTable``
-    import_report: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)  #: JSON, deflated
+    content_address: Mapped[str | None] = _address_column()
+    overrides_address: Mapped[str | None] = _address_column()
+    edges_address: Mapped[str | None] = _address_column()
+    import_report_address: Mapped[str | None] = _address_column()
+    content = LargeValue()  #: the file
+    overrides = LargeValue()  #: (n,) 255 for none
+    edges = LargeValue()  #: packed ``EdgeTable``
+    import_report = LargeValue()  #: JSON, deflated
 
 
 class Job(Base):
@@ -232,10 +254,14 @@ class Job(Base):
     due: Mapped[float | None] = mapped_column(sa.Double, default=None)  #: seconds since 1970
     notes: Mapped[str] = mapped_column(sa.Text, default="")
     extra: Mapped[dict[str, Any]] = mapped_column("metadata", sa.JSON, default=dict)
-    overrides: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)
-    program: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)
-    toolpath: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)
-    verdict: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)
+    overrides_address: Mapped[str | None] = _address_column()
+    program_address: Mapped[str | None] = _address_column()
+    toolpath_address: Mapped[str | None] = _address_column()
+    verdict_address: Mapped[str | None] = _address_column()
+    overrides = LargeValue()  #: (n,) 255 for none
+    program = LargeValue()
+    toolpath = LargeValue()
+    verdict = LargeValue()
     #: worked lengths by program line, see ``worked_lengths``
     lengths: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)
 

@@ -8332,6 +8332,46 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "content.altered";
+            arguments: {
+                owner: string;
+                address: string;
+            };
+        } | {
+            /** @constant */
+            code: "content.bad-url";
+            arguments: {
+                url: string;
+            };
+        } | {
+            /** @constant */
+            code: "content.missing";
+            arguments: {
+                owner: string;
+                address: string;
+            };
+        } | {
+            /** @constant */
+            code: "content.no-obstore";
+            arguments: {
+                url: string;
+            };
+        } | {
+            /** @constant */
+            code: "content.outside";
+            arguments: {
+                owner: string;
+                address: string;
+            };
+        } | {
+            /** @constant */
+            code: "content.unavailable";
+            arguments: {
+                url: string;
+                reason: string;
+            };
+        } | {
+            /** @constant */
             code: "controller.alarm";
             arguments: {
                 name: string;
@@ -11450,6 +11490,12 @@ export interface components {
         } | {
             /** @constant */
             code: "job.unknown";
+            arguments: {
+                job: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.verdict-changed";
             arguments: {
                 job: string;
             };

@@ -463,6 +463,30 @@ export const TEXTS = {
     "text": "The file {path} cannot be written: {reason}.",
     "hint": "Choose another path."
   },
+  "content.altered": {
+    "text": "The stored content {address} of {owner} is altered: its bytes do not have this SHA-256.",
+    "hint": "Nothing was sent to a machine. Restore it from a backup, or compile the job again."
+  },
+  "content.bad-url": {
+    "text": "{url!r} is not the URL of a folder or a bucket.",
+    "hint": "Write the URL as file:///FOLDER or s3://BUCKET/PREFIX, with the keys of S3 in AWS_ACCESS_KEY_ID and AWS_SECRET_ACCESS_KEY."
+  },
+  "content.missing": {
+    "text": "The stored content {address} of {owner} is missing.",
+    "hint": "Nothing was sent to a machine. Check that --store names the folder or bucket of this database; otherwise restore it from a backup, or compile the job again."
+  },
+  "content.no-obstore": {
+    "text": "The package obstore is not installed, which --store {url} needs.",
+    "hint": "Install it with: pip install 'knifetip[s3]'."
+  },
+  "content.outside": {
+    "text": "The stored content {address} of {owner} is in a folder or bucket outside the database.",
+    "hint": "Start the server and its workers with the option --store that was given when it was stored."
+  },
+  "content.unavailable": {
+    "text": "The store {url} cannot be used: {reason}.",
+    "hint": "Check the folder or the bucket, its keys and the network. Nothing was stored."
+  },
   "controller.alarm": {
     "text": "{name} stopped with ALARM:{code}: {alarm}{due}.",
     "hint": "Check the table and home the machine ($H) before the next job."
@@ -2590,6 +2614,10 @@ export const TEXTS = {
   "job.unknown": {
     "text": "Job {job} does not exist.",
     "hint": "Choose one of the jobs that GET /api/jobs lists."
+  },
+  "job.verdict-changed": {
+    "text": "The verdict on job {job} has changed meanwhile.",
+    "hint": "Read the verdict again, then repeat the request."
   },
   "job.verified": {
     "text": "The job was compiled, and its program was verified.",

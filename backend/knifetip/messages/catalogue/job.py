@@ -182,6 +182,11 @@ MESSAGES: Final[Entries] = {
         "Follow the reason for which the job was refused.",
         job="text",
     ),
+    "job.verdict-changed": entry(
+        "The verdict on job {job} has changed meanwhile.",
+        "Read the verdict again, then repeat the request.",
+        job="text",
+    ),
     "job.no-work": entry(
         "The drawing contains nothing that the machine can make: every edge is too short for its "
         "tool, or in a place that the cutter does not enter.",
