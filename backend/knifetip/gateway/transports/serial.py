@@ -143,6 +143,11 @@ def _port_and_options(url: SplitResult) -> tuple[str, int, str]:
     return name, int(baud), flow
 
 
+def port_names() -> list[str]:
+    """Return the names of the serial ports of this computer."""
+    return sorted(port.device for port in comports())
+
+
 def _keep_dtr(port: serial.Serial) -> None:
     """Keep DTR active when the port is closed, so that the next opening does not reset the board.
 
@@ -160,7 +165,7 @@ def _keep_dtr(port: serial.Serial) -> None:
 def _explain(name: str, error: OSError | ValueError) -> ControllerError:
     """Return the error for a port that cannot be opened."""
     code = getattr(error, "errno", None)
-    known = sorted(port.device for port in comports())
+    known = port_names()
     if code in _MISSING or (os.name == "nt" and name not in known):
         found = Message("controller.ports-found", ports=known) if known else None
         return ControllerError("controller.port-missing", port=name, found=found)

@@ -1,0 +1,146 @@
+"""Checks of the computer: Python, packages and their native parts, compiled kernels, disks."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import sys
+import tempfile
+from collections.abc import Callable, Iterator, Sequence
+from importlib import import_module, metadata
+from pathlib import Path
+from typing import Final
+
+from knifetip.cli.checks.finding import Finding, ok, problem, warning
+
+_OLDEST: Final = (3, 11)
+#: Modules with compiled code, which another processor or system library may not be able to load.
+_NATIVE: Final = (
+    *(
+        "numpy",
+        "llvmlite.binding",
+        "pydantic_core",
+        "sqlalchemy",
+        "psycopg",
+        "_argon2_cffi_bindings",
+    ),
+)
+_REQUIREMENT: Final = re.compile(r"([A-Za-z0-9._-]+)(?:\[[^]]*\])?\s*([^;]*)(;.*)?")
+_REINSTALL: Final = "Install knifetip again: pip install --force-reinstall knifetip"
+_FULL: Final = 256 << 20  # bytes below which a server refuses uploads
+_LITTLE: Final = 2 << 30
+
+
+def check_python(found: Sequence[int] = tuple(sys.version_info[:3])) -> Iterator[Finding]:
+    """Check the version of Python."""
+    text = ".".join(map(str, found[:3]))
+    if tuple(found[:2]) < _OLDEST:
+        yield problem("python", f"version {text}", "Install Python 3.11 or newer.")
+    else:
+        yield ok("python", f"version {text} ({sys.executable})")
+
+
+def check_packages(
+    requirements: Sequence[str] | None = None, load: Callable[[str], object] = import_module
+) -> Iterator[Finding]:
+    """Check that all packages have a permitted version, and that their native parts load.
+
+    Parameters
+    ----------
+    requirements
+        Requirements as in the metadata of a package; None for those of knifetip.
+    load
+        Imports a module.
+    """
+    needed = metadata.requires("knifetip") if requirements is None else requirements
+    faults = [fault for text in needed or () if (fault := _fault(text))]
+    for module in _NATIVE:
+        try:
+            load(module)
+        except Exception as reason:  # of the loader, of the package, or of the system
+            faults.append(f"{module} cannot be loaded: {reason}")
+    if faults:
+        yield problem("packages", "; ".join(faults), _REINSTALL)
+    else:
+        yield ok("packages", f"knifetip {metadata.version('knifetip')} and all that it needs")
+
+
+def _fault(requirement: str) -> str:
+    """Return what is wrong with the package that a requirement names, or ""."""
+    match = _REQUIREMENT.match(requirement)
+    if match is None or match[3] is not None:
+        return ""  # an extra, or a package for another system
+    name, bounds = match[1], match[2].strip()
+    try:
+        version = metadata.version(name)
+    except metadata.PackageNotFoundError:
+        return f"{name} is not installed"
+    if all(_within(version, bound) for bound in bounds.split(",") if bound):
+        return ""
+    return f"{name} {version} is installed, {bounds} is needed"
+
+
+def _within(version: str, bound: str) -> bool:
+    """Return whether a version meets a bound; true for bounds other than ``>=`` and ``<``."""
+    match = re.match(r"(>=|<)\s*([0-9.]+)$", bound.strip())
+    if match is None:
+        return True
+    one, other = (
+        tuple(int(part) for part in re.findall(r"\d+", text)[:3]) for text in (version, match[2])
+    )
+    width = max(len(one), len(other))
+    padded = [part + (0,) * (width - len(part)) for part in (one, other)]
+    return padded[0] >= padded[1] if match[1] == ">=" else padded[0] < padded[1]
+
+
+def check_kernels() -> Iterator[Finding]:
+    """Check that the compiled functions have machine code of this version on the disk."""
+    from knifetip.warming import missing_parts
+
+    missing = missing_parts()
+    if not missing:
+        yield ok("kernels", "all compiled functions have machine code")
+        return
+    count = sum(part.kernels for part in missing)
+    yield warning(
+        "kernels",
+        f"{count} functions in {len(missing)} modules have no current machine code",
+        "The first server or worker compiles them, which takes some minutes; orders wait for it.",
+    )
+
+
+def check_disks(
+    folders: Sequence[Path], free: Callable[[Path], int] | None = None
+) -> Iterator[Finding]:
+    """Check the free space of folders and of the folder of temporary files, and write to them.
+
+    Parameters
+    ----------
+    folders
+        Folders in which a server stores data.
+    free
+        Returns the free bytes of a folder; None to ask the system.
+    """
+    for folder in dict.fromkeys([*folders, Path(tempfile.gettempdir())]):
+        yield _check_disk(folder, free or _free)
+
+
+def _free(folder: Path) -> int:
+    return shutil.disk_usage(folder).free
+
+
+def _check_disk(folder: Path, free: Callable[[Path], int]) -> Finding:
+    try:
+        with tempfile.TemporaryFile(dir=folder) as file:
+            file.write(b"knifetip")
+            file.flush()
+        space = free(folder)
+    except OSError as reason:
+        text = f"{folder} cannot be written: {reason.strerror or reason}"
+        return problem("disk", text, "Let the user of the server write to it, or mend the disk.")
+    text = f"{folder}: {space >> 20} MB free"
+    if space < _FULL:
+        return problem("disk", text, "Make room: a server refuses uploads and orders now.")
+    if space < _LITTLE:
+        return warning("disk", text, "Make room soon: see --keep-jobs and --keep-drawings.")
+    return ok("disk", text)
