@@ -363,7 +363,7 @@ def gateway(
     controller ends it at once; a controller that is switched off is waited for.
     """
     log.apply()
-    from knifetip.cli.served_machine import find_machine, reload_machine
+    from knifetip.cli.served_machine import reload_machine, start_machine
     from knifetip.gateway import claim
     from knifetip.gateway.hot_folder import find_driver
     from knifetip.gateway.job_server import GatewaySettings
@@ -373,7 +373,8 @@ def gateway(
     headers = access.headers
     hide(headers.get("Authorization", "").removeprefix("Bearer "))
     record = journal or default_path(machine, server)
-    table = find_machine(machine, server, headers)
+    kept = record.with_name(f"{record.name}.machine.json")
+    table = start_machine(machine, server, headers, kept)
     while True:
         dial = find_driver(table, controller)
         print_stderr(f"{table.title}: controller {controller}, server {server}")
@@ -384,7 +385,7 @@ def gateway(
         except StaleVersion as changed:
             # No job is on the machine: the next one is made for the newest version.
             print_stderr(str(changed))
-            table = reload_machine(machine, server, headers)
+            table = reload_machine(machine, server, headers, kept)
 
 
 def _connect(

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from knifetip.cli.served_machine import find_machine
+from knifetip.cli.served_machine import ServerSilent, find_machine, start_machine
 from knifetip.errors import JobError, LibraryError
 from knifetip.library import load
 from knifetip.library.definition import Shelf, parse_toml
@@ -148,3 +148,38 @@ def test_a_server_that_cannot_be_reached_is_named(url: str) -> None:
             find_machine("own", address, {})
     assert failed.value.message.code == "server.unreachable"
     assert address in str(failed.value)
+
+
+def test_a_silent_server_does_not_keep_a_gateway_from_its_machine(
+    office: Office, tmp_path: Path
+) -> None:
+    kept = tmp_path / "state" / "own.machine.json"
+    with pytest.raises(ServerSilent):
+        start_machine("own", "http://127.0.0.1:9", {}, kept)
+    definition(office, fields=fields(title="Own table"))
+    assert start_machine("own", office.url, {}, kept).title == "Own table"
+    again = start_machine("own", "http://127.0.0.1:9", {}, kept)
+    assert (again.title, again.version) == ("Own table", 7)
+    # The server runs, and its database does not.
+    problem = {"detail": "The database does not respond.", "code": "server.database-silent"}
+    office.answer.update(status=503, body=json.dumps({**problem, "arguments": {}}).encode())
+    assert start_machine("own", office.url, {}, kept).version == 7
+
+
+def test_a_kept_definition_is_not_used_for_another_machine_or_a_deleted_one(
+    office: Office, tmp_path: Path
+) -> None:
+    kept = tmp_path / "own.machine.json"
+    definition(office)
+    start_machine("own", office.url, {}, kept)
+    with pytest.raises(ServerSilent):
+        start_machine("other", "http://127.0.0.1:9", {}, kept)
+    deleted = {"detail": "There is no machine.", "code": "library.unknown"}
+    arguments = {"shelf": "machine", "name": "own", "known": []}
+    office.answer.update(status=404, body=json.dumps({**deleted, "arguments": arguments}).encode())
+    with pytest.raises(JobError) as refused:
+        start_machine("own", office.url, {}, kept)
+    assert not isinstance(refused.value, ServerSilent)
+    kept.write_text("{")
+    with pytest.raises(ServerSilent):
+        start_machine("own", "http://127.0.0.1:9", {}, kept)
