@@ -80,7 +80,11 @@ def get_profile(service: ServiceDep, response: Response, name: ProfileName) -> P
     return profile
 
 
-@router.put("/profiles/{name}", openapi_extra=_FORMS)
+@router.put(
+    "/profiles/{name}",
+    openapi_extra=_FORMS,
+    responses={201: {"model": ProfileOut, "description": "The profile is new"}},
+)
 @requires(AccessScope.DESIGNER)
 def keep_profile(
     service: ServiceDep,

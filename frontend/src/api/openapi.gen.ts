@@ -30567,6 +30567,56 @@ export interface operations {
                     "application/json": components["schemas"]["ProfileOut"];
                 };
             };
+            /** @description The profile is new */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    /**
+                     * @example {
+                     *       "name": "tray.dxf",
+                     *       "title": "ERP",
+                     *       "shipped": false,
+                     *       "extends": "text",
+                     *       "overrules": false,
+                     *       "version": 0,
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "rules": [
+                     *         {
+                     *           "type": "unclassified",
+                     *           "conditions": {
+                     *             "code": "job.unknown",
+                     *             "arguments": {
+                     *               "job": "5p256sc8xs7q"
+                     *             },
+                     *             "text": "Job 5p256sc8xs7q does not exist.",
+                     *             "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *           },
+                     *           "layer": [
+                     *             "CUT"
+                     *           ],
+                     *           "colour": [
+                     *             1
+                     *           ],
+                     *           "linetype": [
+                     *             "CONTINUOUS"
+                     *           ],
+                     *           "entity": [
+                     *             "text"
+                     *           ],
+                     *           "block": [
+                     *             "text"
+                     *           ],
+                     *           "inherited": false
+                     *         }
+                     *       ],
+                     *       "fault": "text"
+                     *     }
+                     */
+                    "application/json": components["schemas"]["ProfileOut"];
+                };
+            };
             /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
             400: {
                 headers: {
