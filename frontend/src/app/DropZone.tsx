@@ -1,10 +1,12 @@
 /** Accepts files dropped anywhere on the page. */
 
 import { useEffect, useState } from "react";
+import { useRoleReason } from "../state/accounts";
 import { uploadFiles } from "../state/actions";
 import css from "./app.module.css";
 
 export function DropZone() {
+  const reason = useRoleReason("designer");
   const [over, setOver] = useState(false);
   useEffect(() => {
     let depth = 0;
@@ -34,14 +36,14 @@ export function DropZone() {
     listen("drop", (event) => {
       depth = 0;
       setOver(false);
-      void uploadFiles([...(event.dataTransfer?.files ?? [])]);
+      if (reason === null) void uploadFiles([...(event.dataTransfer?.files ?? [])]);
     });
     return () => listeners.abort();
-  }, []);
+  }, [reason]);
   if (!over) return null;
   return (
     <div className={css.drop} data-testid="drop-zone">
-      <div className={css.dropCard}>Drop drawing files here to open them</div>
+      <div className={css.dropCard}>{reason ?? "Drop drawing files here to open them"}</div>
     </div>
   );
 }

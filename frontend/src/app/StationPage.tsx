@@ -3,6 +3,7 @@
 import { useEffect, useRef, useState } from "react";
 import { NotificationList } from "../panels/NotificationList";
 import { AskOperator, OperatorDialog } from "../panels/OperatorForm";
+import { Permitted } from "../panels/Permitted";
 import { StationAlarm } from "../panels/StationAlarm";
 import { StationControls } from "../panels/StationControls";
 import { StationHeader } from "../panels/StationHeader";
@@ -97,7 +98,9 @@ export function StationPage({ machine: name }: Props) {
         </div>
         <div id="station-tab" role="tabpanel" aria-labelledby={`tab-${tab}`}>
           {tab === "machine" ? (
-            <StationOperations {...shown} />
+            <Permitted to="operator">
+              <StationOperations {...shown} />
+            </Permitted>
           ) : job === undefined ? (
             <p className={css.message}>
               The queue of this machine is empty. A job appears here as soon as it is sent to the

@@ -1,6 +1,7 @@
 /** Start page. */
 
 import { ChooseFile } from "../panels/DrawingsPanel";
+import { Permitted } from "../panels/Permitted";
 import css from "./app.module.css";
 import { Logo } from "./Logo";
 
@@ -14,7 +15,9 @@ export function Welcome() {
           DXF, SVG, CF2 or PDF. knifetip recognises cuts, creases and grooves, calculates the tool
           paths for your machine, and checks the program before the machine moves.
         </p>
-        <ChooseFile large />
+        <Permitted to="designer">
+          <ChooseFile large />
+        </Permitted>
         <ol className={css.steps}>
           <li>
             <b>1. Open</b>Drop a drawing file, or choose a drawing from the list.

@@ -12,6 +12,7 @@ import { sheetText } from "../state/sheet";
 import { useUiStore } from "../state/store";
 import { useWornTools } from "../state/wornTools";
 import jobCss from "./job.module.css";
+import { Permitted } from "./Permitted";
 import css from "./panels.module.css";
 import { WornTools } from "./WornTools";
 
@@ -74,21 +75,23 @@ export function ConfirmationCard({ job }: { job: Job }) {
           </>
         )}
       </dl>
-      <WornTools tools={wornTools} />
-      {hint !== "" && <div className={css.hint}>{hint}</div>}
-      <Button
-        fullWidth
-        size="md"
-        px="xs"
-        color="green"
-        mt={10}
-        leftSection={<IconPlayerPlayFilled size={20} aria-hidden />}
-        disabled={busy || decision === null}
-        onClick={() => decision !== null && void confirmJob(job.id, decision)}
-        data-testid="confirm"
-      >
-        {buttonOf(job)}
-      </Button>
+      <Permitted to="operator">
+        <WornTools tools={wornTools} />
+        {hint !== "" && <div className={css.hint}>{hint}</div>}
+        <Button
+          fullWidth
+          size="md"
+          px="xs"
+          color="green"
+          mt={10}
+          leftSection={<IconPlayerPlayFilled size={20} aria-hidden />}
+          disabled={busy || decision === null}
+          onClick={() => decision !== null && void confirmJob(job.id, decision)}
+          data-testid="confirm"
+        >
+          {buttonOf(job)}
+        </Button>
+      </Permitted>
     </div>
   );
 }

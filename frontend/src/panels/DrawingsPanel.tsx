@@ -9,6 +9,7 @@ import { uploadFiles } from "../state/actions";
 import { formatSize, pluralize } from "../state/format";
 import { useDrawings, useFormats } from "../state/queries";
 import { useUiStore } from "../state/store";
+import { Permitted } from "./Permitted";
 import css from "./panels.module.css";
 import { Section } from "./Section";
 import { ShowMore } from "./ShowMore";
@@ -30,7 +31,9 @@ export function DrawingsPanel() {
       }
     >
       <div style={{ padding: "0 8px 10px" }}>
-        <ChooseFile />
+        <Permitted to="designer">
+          <ChooseFile />
+        </Permitted>
       </div>
       {isPending && [1, 2, 3].map((row) => <Skeleton key={row} height={44} mb={6} radius={8} />)}
       {error && <p className={css.note}>{errorText(error)}</p>}

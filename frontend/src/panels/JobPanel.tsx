@@ -15,6 +15,7 @@ import {
 import { type ReactNode, useState } from "react";
 import { type Job, type JobCommand, service } from "../api/client";
 import { renderHint, renderText } from "../messages/render";
+import { useRoleReason } from "../state/accounts";
 import { command } from "../state/actions";
 import { formatDuration, pluralize } from "../state/format";
 import {
@@ -36,6 +37,7 @@ import { ConfirmationCard } from "./ConfirmationCard";
 import { ConfirmDialog } from "./ConfirmDialog";
 import jobCss from "./job.module.css";
 import { OrderCard } from "./OrderDetails";
+import { Permitted } from "./Permitted";
 import css from "./panels.module.css";
 import { RestPanel } from "./RestPanel";
 import { Section } from "./Section";
@@ -86,7 +88,11 @@ function Rest({ job }: { job: Job }) {
       <summary className={jobCss.summary} data-testid="rest-open">
         Rest of the sheet, or one more copy
       </summary>
-      {open && <RestPanel job={job} />}
+      {open && (
+        <Permitted to="operator">
+          <RestPanel job={job} />
+        </Permitted>
+      )}
     </details>
   );
 }
@@ -266,13 +272,24 @@ const LOOKS: Readonly<
   },
 };
 
+/** What a designer may ask for: the server also compares who has ordered the job. */
+const OF_DESIGNERS: readonly JobCommand[] = ["recompile", "cancel"];
+
+const isBeforeQueue = ({ state }: Job): boolean =>
+  ["received", "compiling", "ready", "refused"].includes(state);
+
 function Controls({ job }: { job: Job }) {
+  const reasons = { designer: useRoleReason("designer"), operator: useRoleReason("operator") };
+  const reasonAgainst = (word: JobCommand) =>
+    // A queued job is the operator's.
+    OF_DESIGNERS.includes(word) && isBeforeQueue(job) ? reasons.designer : reasons.operator;
   const busy = useUiStore((ui) => ui.busy);
   const [asking, setAsking] = useState<JobCommand | null>(null);
   const words = commandsOf(job);
   // The job may change while the dialog is open: close it when the command is no longer possible.
   const open = asking !== null && words.includes(asking) ? confirmationBefore(job, asking) : null;
   if (words.length === 0) return null;
+  const refused = words.find((word) => reasonAgainst(word) !== null);
   const send = (word: JobCommand) => {
     if (confirmationBefore(job, word) === null) void command(job.id, word);
     else setAsking(word);
@@ -298,7 +315,8 @@ function Controls({ job }: { job: Job }) {
             leftSection={icon}
             color={colour}
             variant={variant}
-            disabled={busy}
+            disabled={busy || reasonAgainst(word) !== null}
+            title={reasonAgainst(word) ?? undefined}
             // Requested, but not executed by the machine yet.
             loading={job.requested_action === word}
             onClick={() => send(word)}
@@ -308,6 +326,11 @@ function Controls({ job }: { job: Job }) {
           </Button>
         );
       })}
+      {refused !== undefined && (
+        <p className={css.note} style={{ flexBasis: "100%", margin: 0 }} data-testid="role-reason">
+          {`${LOOKS[refused].title}: ${reasonAgainst(refused)}`}
+        </p>
+      )}
     </div>
   );
 }

@@ -12,6 +12,7 @@ import {
 } from "@tabler/icons-react";
 import { type DragEvent, type ReactNode, useState } from "react";
 import type { Machine, QueueEntry } from "../api/client";
+import { useRoleReason } from "../state/accounts";
 import { changeJob, moveJob, transferJob } from "../state/actions";
 import { formatDuration, pluralize } from "../state/format";
 import { isOnTable, needsOperator } from "../state/jobs";
@@ -42,6 +43,7 @@ export function MachineQueue({ machine, title }: { machine: string; title: strin
   const { data: queue } = useQueue(machine);
   const [dragged, setDragged] = useState<string | null>(null);
   const [target, setTarget] = useState<Target | null>(null);
+  const reason = useRoleReason("operator");
   const current = useUiStore((ui) => ui.job);
   const entries = queue?.entries ?? [];
   const ids = waitingIds(entries);
@@ -70,6 +72,11 @@ export function MachineQueue({ machine, title }: { machine: string; title: strin
       flush
       aside={<span className={css.count}>{ids.length > 0 ? `${ids.length} waiting` : ""}</span>}
     >
+      {entries.length > 0 && reason !== null && (
+        <p className={css.empty} data-testid="role-reason">
+          {reason}
+        </p>
+      )}
       {entries.length === 0 && <p className={css.empty}>No job waits for this machine.</p>}
       <ol className={css.queue} data-testid={`queue-of-${machine}`}>
         {entries.map((entry) => {
@@ -77,7 +84,7 @@ export function MachineQueue({ machine, title }: { machine: string; title: strin
           return (
             <li
               key={job.id}
-              draggable={place > 0}
+              draggable={place > 0 && reason === null}
               className={css.entry}
               data-place={place}
               data-hold={job.on_hold}
@@ -99,7 +106,7 @@ export function MachineQueue({ machine, title }: { machine: string; title: strin
               }}
             >
               <Row entry={entry} />
-              {place > 0 && (
+              {place > 0 && reason === null && (
                 <Actions
                   entry={entry}
                   last={place === ids.length}

@@ -14,6 +14,7 @@ import { hasLeastLift } from "../state/sheet";
 import { useUiStore } from "../state/store";
 import { CornersForm } from "./CornersForm";
 import { OrderDetailsForm } from "./OrderDetailsForm";
+import { Permitted } from "./Permitted";
 import css from "./panels.module.css";
 import { Section } from "./Section";
 import { SheetForm } from "./SheetForm";
@@ -65,79 +66,84 @@ export function OrderPanel() {
           : null;
   return (
     <Section title="New job">
-      <div style={{ display: "grid", gap: 10 }} data-can-prepare={open === 0 || undefined}>
-        <Select
-          label="Machine"
-          placeholder="Choose a machine"
-          data={(machines ?? []).map(({ name, title }) => ({ value: name, label: title || name }))}
-          value={machine}
-          allowDeselect={false}
-          onChange={(value) => set({ machine: value })}
-          data-testid="machine-select"
-        />
-        {chosen?.offset_cuts === true && <CornersForm />}
-        <Select
-          label="Board"
-          placeholder="Choose a board"
-          data={(boards ?? []).map(({ name, title }) => ({ value: name, label: title || name }))}
-          value={board}
-          allowDeselect={false}
-          onChange={(value) => set({ board: value })}
-          data-testid="board-select"
-        />
-        <SheetForm
-          width={drawing.bounds[2] - drawing.bounds[0]}
-          height={drawing.bounds[3] - drawing.bounds[1]}
-        />
-        {hasLeastLift(chosen) && (
-          <Checkbox
-            label={`Least lift in turns (${chosen?.turn_clearance} mm above the board)`}
-            description="Saves time. Only for board that lies flat on the table."
-            checked={lift === "least"}
-            onChange={({ currentTarget }) =>
-              set({ lift: currentTarget.checked ? "least" : "clearance" })
-            }
-            data-testid="least-lift"
+      <Permitted to="designer">
+        <div style={{ display: "grid", gap: 10 }} data-can-prepare={open === 0 || undefined}>
+          <Select
+            label="Machine"
+            placeholder="Choose a machine"
+            data={(machines ?? []).map(({ name, title }) => ({
+              value: name,
+              label: title || name,
+            }))}
+            value={machine}
+            allowDeselect={false}
+            onChange={(value) => set({ machine: value })}
+            data-testid="machine-select"
           />
-        )}
-        <OrderDetailsForm />
-        <div
-          style={{ display: "grid", gridTemplateColumns: "72px 1fr", gap: 8, alignItems: "end" }}
-        >
-          <NumberInput
-            label="Copies"
-            min={1}
-            max={1000}
-            allowDecimal={false}
-            clampBehavior="strict"
-            value={typed ?? copies}
-            onChange={(value) => {
-              setTyped(value);
-              set({ copies: Math.max(1, Number(value) || 1) });
-            }}
-            onBlur={() => setTyped(null)}
-            data-testid="copies"
+          {chosen?.offset_cuts === true && <CornersForm />}
+          <Select
+            label="Board"
+            placeholder="Choose a board"
+            data={(boards ?? []).map(({ name, title }) => ({ value: name, label: title || name }))}
+            value={board}
+            allowDeselect={false}
+            onChange={(value) => set({ board: value })}
+            data-testid="board-select"
           />
-          <Button
-            leftSection={<IconBolt size={17} aria-hidden />}
-            px="sm"
-            disabled={missing !== null}
-            loading={(busy && missing === null) || (job !== undefined && isCompiling(job))}
-            onClick={() => {
-              if (machine !== null && board !== null) void compile(machine, board);
-            }}
-            variant={job === undefined || job.state === "refused" ? "filled" : "default"}
-            data-testid="compile"
+          <SheetForm
+            width={drawing.bounds[2] - drawing.bounds[0]}
+            height={drawing.bounds[3] - drawing.bounds[1]}
+          />
+          {hasLeastLift(chosen) && (
+            <Checkbox
+              label={`Least lift in turns (${chosen?.turn_clearance} mm above the board)`}
+              description="Saves time. Only for board that lies flat on the table."
+              checked={lift === "least"}
+              onChange={({ currentTarget }) =>
+                set({ lift: currentTarget.checked ? "least" : "clearance" })
+              }
+              data-testid="least-lift"
+            />
+          )}
+          <OrderDetailsForm />
+          <div
+            style={{ display: "grid", gridTemplateColumns: "72px 1fr", gap: 8, alignItems: "end" }}
           >
-            {job === undefined ? "Prepare program" : "Prepare again"}
-          </Button>
+            <NumberInput
+              label="Copies"
+              min={1}
+              max={1000}
+              allowDecimal={false}
+              clampBehavior="strict"
+              value={typed ?? copies}
+              onChange={(value) => {
+                setTyped(value);
+                set({ copies: Math.max(1, Number(value) || 1) });
+              }}
+              onBlur={() => setTyped(null)}
+              data-testid="copies"
+            />
+            <Button
+              leftSection={<IconBolt size={17} aria-hidden />}
+              px="sm"
+              disabled={missing !== null}
+              loading={(busy && missing === null) || (job !== undefined && isCompiling(job))}
+              onClick={() => {
+                if (machine !== null && board !== null) void compile(machine, board);
+              }}
+              variant={job === undefined || job.state === "refused" ? "filled" : "default"}
+              data-testid="compile"
+            >
+              {job === undefined ? "Prepare program" : "Prepare again"}
+            </Button>
+          </div>
+          {missing !== null && (
+            <p className={css.note} style={{ margin: 0 }}>
+              {missing}
+            </p>
+          )}
         </div>
-        {missing !== null && (
-          <p className={css.note} style={{ margin: 0 }}>
-            {missing}
-          </p>
-        )}
-      </div>
+      </Permitted>
     </Section>
   );
 }

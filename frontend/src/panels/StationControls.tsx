@@ -9,6 +9,7 @@ import {
 } from "@tabler/icons-react";
 import { type ReactNode, useEffect, useState } from "react";
 import type { Job, JobCommand, Station } from "../api/client";
+import { useRoleReason } from "../state/accounts";
 import { awaitsEnd, confirmationBefore, needsOperator } from "../state/jobs";
 import { type Checked, commandJob, operate, startJob } from "../state/operations";
 import { runAboveBoard, type Stop, stopOf } from "../state/station";
@@ -60,6 +61,7 @@ const questionOf = (job: Job) =>
   };
 
 export function StationControls({ machine, station, job, reached, checked }: Props) {
+  const refusal = useRoleReason("operator");
   const [asking, setAsking] = useState<string | null>(null);
   const stop = stopOf(station, job);
   const asks = asking !== null && asking === job?.id && stop?.asks === true;
@@ -128,6 +130,11 @@ export function StationControls({ machine, station, job, reached, checked }: Pro
   ];
   return (
     <section className={css.controls} aria-label="Job controls">
+      {refusal !== null && (
+        <p className={css.message} data-testid="role-reason">
+          {refusal}
+        </p>
+      )}
       {asks && job !== undefined && (
         <AskOnce
           {...questionOf(job)}
@@ -141,7 +148,7 @@ export function StationControls({ machine, station, job, reached, checked }: Pro
       )}
       <div className={css.big}>
         {controls.map(({ name, testId, tone, icon, reason, act }) => {
-          const why = reached ? reason : "There is no connection to the server.";
+          const why = reached ? (refusal ?? reason) : "There is no connection to the server.";
           return (
             <button
               key={name}

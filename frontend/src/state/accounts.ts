@@ -1,7 +1,7 @@
 /** Who uses the page, and the users, keys and audit log of the server. */
 
 import { queryOptions, useQuery } from "@tanstack/react-query";
-import { accounts } from "../api/accounts";
+import { accounts, type Me, type UserRole } from "../api/accounts";
 import { queryClient } from "./queries";
 
 export const accountQueries = {
@@ -37,6 +37,22 @@ export async function signOut(): Promise<void> {
   globalThis.location.reload();
 }
 
+const ROLES: readonly UserRole[] = ["viewer", "designer", "operator", "admin"];
+const PLURALS: Readonly<Record<UserRole, string>> = {
+  viewer: "users",
+  designer: "designers, operators and administrators",
+  operator: "operators and administrators",
+  admin: "administrators",
+};
+
+/** Why a person may not do what needs a role; null: the person may, or it is not known yet. */
+export function roleReason(me: Me | undefined, role: UserRole): string | null {
+  if (me === undefined || me.scopes.includes(role)) return null;
+  return `Only ${PLURALS[role]} can do this. You are signed in as ${me.name} (${roleOf(me.scopes)}).`;
+}
+
+export const useRoleReason = (role: UserRole): string | null => roleReason(useMe(), role);
+
 /** Role of a person: the greatest of the scopes. */
 export const roleOf = (scopes: readonly string[]): string =>
-  ["admin", "operator", "designer", "viewer"].find((role) => scopes.includes(role)) ?? "gateway";
+  ROLES.findLast((role) => scopes.includes(role)) ?? "gateway";

@@ -1,0 +1,175 @@
+"""What each role can do on the page, and the account dialog: password, sign-out, users and keys."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import NamedTuple
+
+import httpx
+import pytest
+from playwright.sync_api import Browser, FilePayload, Page, expect
+
+from knifetip.api.service import Settings
+from knifetip.jobs.accounts.scopes import ROLES, AccessScope
+from knifetip.jobs.store import Store
+from tests.support.serving.server import (
+    LocalClient,
+    order_job,
+    run_server,
+    square,
+    upload_drawing,
+    wait_for_state,
+)
+
+pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(240)]
+
+PASSWORD = "four words of text"
+
+
+class Shop(NamedTuple):
+    """A server with a user of each role, who has the name of the role, and a compiled job."""
+
+    client: LocalClient
+    drawing: str
+    job: str
+
+    @property
+    def store(self) -> Store:
+        return self.client.service.store
+
+
+@pytest.fixture(scope="module")
+def shop(built: None, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Shop]:
+    folder = tmp_path_factory.mktemp("shop")
+    with run_server(Settings(f"sqlite:///{folder}/shop.sqlite")) as client:
+        drawing = upload_drawing(client, square())["id"]
+        job = order_job(client, drawing, machine="demo-table")["id"]
+        wait_for_state(client, job, "ready", seconds=200.0)
+        store = client.service.store
+        for role in ROLES:
+            store.users.add(role.value, PASSWORD, role)
+        client.app.state.accounts.clear_cache()
+        yield Shop(client, drawing, job)
+
+
+@contextmanager
+def signed_in(browser: Browser, shop: Shop, name: str, password: str = PASSWORD) -> Iterator[Page]:
+    context = browser.new_context(viewport={"width": 1440, "height": 900})
+    page = context.new_page()
+    page.set_default_timeout(30_000)
+    expect.set_options(timeout=30_000)
+    page.goto(str(shop.client.base_url))
+    page.get_by_label("Name").fill(name)
+    page.get_by_label("Password").fill(password)
+    page.get_by_role("button", name="Sign in").click()
+    expect(page.get_by_test_id("account")).to_be_visible()
+    yield page
+    context.close()
+
+
+@pytest.mark.parametrize("role", ROLES)
+def test_a_role_can_use_its_controls_only(
+    browser: Browser, shop: Shop, screenshots: Path, role: AccessScope
+) -> None:
+    rank = ROLES.index(role)
+    designs, operates = rank >= 1, rank >= 2
+    with signed_in(browser, shop, role.value) as page:
+        page.evaluate(
+            "(id) => { location.hash = id }", f"#/drawings/{shop.drawing}/jobs/{shop.job}"
+        )
+        send = page.get_by_test_id("send")
+        expect(send).to_be_visible()
+        if operates:
+            expect(send).to_be_enabled()
+            expect(page.get_by_test_id("role-reason")).to_have_count(0)
+        else:
+            expect(send).to_be_disabled()
+            reason = "Only operators and administrators can do this."
+            expect(send).to_have_attribute(
+                "title", f"{reason} You are signed in as {role} ({role})."
+            )
+            expect(page.get_by_test_id("role-reason").filter(has_text=reason)).to_be_visible()
+        for name in ("copies", "cancel", "machine-select"):
+            expect(page.get_by_test_id(name)).to_be_enabled(enabled=designs)
+        for width, height in ((1440, 900), (1024, 768), (820, 1180), (390, 844)):
+            page.set_viewport_size({"width": width, "height": height})
+            page.screenshot(path=screenshots / f"role-{role}-{width}.png")
+        page.set_viewport_size({"width": 1440, "height": 900})
+        page.evaluate("() => { location.hash = '#/' }")
+        expect(page.get_by_test_id("choose-file")).to_be_enabled(enabled=designs)
+        page.screenshot(path=screenshots / f"role-{role}-drawings.png")
+        if designs:
+            file = FilePayload(
+                name=f"{role}.dxf", mimeType="image/vnd.dxf", buffer=square(side=77.0 + rank)
+            )
+            page.get_by_test_id("file-input").set_input_files(file)
+            expect(page.get_by_role("heading", name=f"{role}.dxf")).to_be_visible()
+
+
+def test_the_page_of_a_machine_is_for_looking_only_without_the_role(
+    browser: Browser, shop: Shop, screenshots: Path
+) -> None:
+    with signed_in(browser, shop, "designer") as page:
+        page.evaluate("() => { location.hash = '#/station/demo-table' }")
+        expect(page.get_by_test_id("station-page")).to_be_visible()
+        for name in ("station-hold", "station-stop"):
+            expect(page.get_by_test_id(name)).to_be_disabled()
+        expect(page.get_by_test_id("role-reason").first).to_contain_text("Only operators")
+        page.screenshot(path=screenshots / "role-designer-station.png")
+
+
+def test_a_user_changes_the_password_and_signs_out(browser: Browser, shop: Shop) -> None:
+    shop.store.users.add("carol", PASSWORD, AccessScope.DESIGNER)
+    with signed_in(browser, shop, "carol") as page:
+        page.get_by_test_id("account").click()
+        expect(page.get_by_test_id("account-name")).to_contain_text("carol (designer)")
+        for name in ("users", "keys", "audit"):
+            expect(page.get_by_test_id(name)).to_have_count(0)
+        form = page.get_by_role("form", name="Change the password")
+        form.get_by_label("Present password").fill("not the password")
+        form.get_by_label("New password").fill("another long text")
+        form.get_by_role("button", name="Change the password").click()
+        expect(form.get_by_role("alert")).to_contain_text("The present password is wrong.")
+        form.get_by_label("Present password").fill(PASSWORD)
+        form.get_by_label("New password").fill("another long text")
+        form.get_by_role("button", name="Change the password").click()
+        expect(form.get_by_role("status")).to_contain_text("The password is changed.")
+        page.get_by_test_id("sign-out").click()
+        expect(page.get_by_role("button", name="Sign in")).to_be_visible()
+        assert not [one for one in page.context.cookies() if "session" in one["name"]]
+    assert shop.store.users.with_password("carol", PASSWORD) is None
+    with signed_in(browser, shop, "carol", "another long text") as page:
+        # The stream of events tells the page that its session has ended.
+        shop.store.users.change("carol", active=False)
+        expect(page.get_by_role("button", name="Sign in")).to_be_visible()
+
+
+def test_an_administrator_manages_users_and_keys(
+    browser: Browser, shop: Shop, screenshots: Path
+) -> None:
+    with signed_in(browser, shop, "admin") as page:
+        page.get_by_test_id("account").click()
+        page.get_by_role("tab", name="Users").click()
+        users = page.get_by_test_id("users")
+        users.get_by_label("Name").fill("dora")
+        users.get_by_label("Password").first.fill(PASSWORD)
+        users.get_by_role("button", name="Create a user").click()
+        expect(users.get_by_role("status")).to_contain_text("dora is created.")
+        page.get_by_role("tab", name="API keys").click()
+        keys = page.get_by_test_id("keys")
+        keys.get_by_label("What uses it").fill("ERP <b>")
+        keys.get_by_role("button", name="Create a key").click()
+        secret = page.get_by_test_id("key-secret").inner_text().strip()
+        page.screenshot(path=screenshots / "account-keys.png")
+        with httpx.Client(base_url=shop.client.base_url, trust_env=False) as program:
+            program.headers["Authorization"] = f"Bearer {secret}"
+            assert program.get("/api/me").json()["scopes"] == ["viewer", "designer"]
+            row = keys.locator("li").filter(has_text="ERP <b>")
+            row.get_by_role("button", name="Revoke").click()
+            expect(row).to_contain_text("revoked")
+            assert program.get("/api/me").status_code == 401
+    user = shop.store.users.with_password("dora", PASSWORD)
+    assert user is not None
+    assert user.role == "designer"
