@@ -1,7 +1,9 @@
 /** Connection state of the machine and of the server, in the top bar. */
 
 import { Tooltip } from "@mantine/core";
-import { useMachines } from "../state/queries";
+import { useQuery } from "@tanstack/react-query";
+import { machineWord, proposedMachine } from "../state/machines";
+import { queries, useMachines } from "../state/queries";
 import { useUiStore } from "../state/store";
 import css from "./panels.module.css";
 
@@ -9,7 +11,11 @@ export function MachineChip() {
   const connection = useUiStore((ui) => ui.connection);
   const chosen = useUiStore((ui) => ui.machine);
   const { data: machines, isError } = useMachines();
-  const machine = machines?.find(({ name }) => name === chosen) ?? machines?.[0];
+  const wanted = chosen ?? proposedMachine(machines ?? []);
+  const machine = machines?.find(({ name }) => name === wanted) ?? machines?.[0];
+  const name = machine?.name ?? "";
+  const { data: queue } = useQuery({ ...queries.queue(name), enabled: name !== "" });
+  const occupant = queue?.entries.find(({ place }) => place === 0)?.job;
   const lost = connection === "broken" || isError;
   const there = !lost && machine?.gateway === "connected";
   const label = lost
@@ -36,9 +42,7 @@ export function MachineChip() {
           {lost ? "Server not reachable" : machine?.title || machine?.name || "…"}
         </span>
         {!lost && machine !== undefined && (
-          <span className={css.detail}>
-            {there ? (machine.job === null ? "free" : "busy") : "offline"}
-          </span>
+          <span className={css.detail}>{machineWord(machine, occupant)}</span>
         )}
       </span>
     </Tooltip>
