@@ -1,4 +1,4 @@
-"""The least that an order costs: two inserted rows behind FastAPI.
+"""The least time of an order: two inserted rows behind FastAPI.
 
 python -m tests.benchmarks.bare_orders URL PORT
 """

@@ -31,7 +31,7 @@ Times = dict[str, list[float]]
 
 
 def run_gateways(store: Store, count: int) -> list[dict[str, Any]]:
-    """Let so many machines run a job each; return the bodies of their heartbeats."""
+    """Run a job on each of so many machines; return the bodies of their heartbeats."""
     bodies = []
     for number in range(count):
         machine = f"fleet-{number}"
@@ -86,7 +86,7 @@ async def work(
 async def load(
     store: Store, url: str, bodies: list[dict[str, Any]], period: float, seconds: float
 ) -> Times:
-    """Let gateways and orders run for some time; return the durations by request (s)."""
+    """Run gateways and orders for some time; return the durations by request (s)."""
     times: Times = defaultdict(list)
     limits = httpx.Limits(max_connections=None)
     async with (
@@ -131,7 +131,7 @@ def measure(urls: list[str], given: argparse.Namespace) -> None:
     for _ in range(2):
         for store, url, own, found in zip(stores, urls, bodies, times, strict=True):
             with run_knifetip(url) as server:
-                # Nobody has sent heartbeats while the other database was measured.
+                # No heartbeats were sent while the other database was measured.
                 lease = "UPDATE job SET lease = extract(epoch FROM clock_timestamp()) + 30"
                 execute(store, f"{lease} WHERE state = 'running'")
                 took = asyncio.run(load(store, server, own, given.period, given.seconds))

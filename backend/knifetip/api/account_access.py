@@ -177,7 +177,7 @@ class Accounts:
         Parameters
         ----------
         who
-            What the provider has said about the user.
+            The user, as the provider has confirmed it.
         address
             Address of the sender.
 

@@ -41,7 +41,7 @@ def doctor(
     contents: StoreOptions,
     access: KeyOptions,
 ) -> None:
-    """Check this installation, and say what to do.
+    """Check this installation, and print what to do.
 
     Nothing is changed.  Exit code: 0 if all is well, 1 with warnings, 2 with problems.
     """

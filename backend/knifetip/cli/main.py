@@ -54,7 +54,7 @@ COMMANDS: Final[dict[str, _Command]] = {
     "db": _Command("database", "Show or migrate the tables of a database."),
     "backup": _Command("database", "Copy an SQLite database to a file."),
     "restore": _Command("database", "Put a copy of an SQLite database in its place."),
-    "doctor": _Command("doctor", "Check this installation, and say what to do."),
+    "doctor": _Command("doctor", "Check this installation, and print what to do."),
     "schema": _Command("schema", "Print the JSON Schema of machine, board, tool or profile files."),
     "profile": _Command(
         "profile", "List, show, export and import classification profiles (rules for line types)."

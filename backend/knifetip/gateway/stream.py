@@ -215,7 +215,7 @@ async def _stop(
 
 
 def _states_same_alarm(error: Message, unsafe: Message) -> bool:
-    """Return whether the second of two messages says nothing that the first does not."""
+    """Return whether the first of two messages contains all that the second one states."""
     if error == unsafe:
         return True
     if error.code != "controller.alarm" or unsafe.code != "controller.locked":

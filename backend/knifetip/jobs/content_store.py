@@ -316,7 +316,7 @@ class ContentStore:
             with self._db.writing() as session:
                 if not rows(session, statement):
                     return False
-                # Before the commit: whoever writes this content again waits for it.
+                # Before the commit: a transaction that writes this content again waits for it.
                 if is_outside and self._objects is not None:
                     self._objects.delete(address)
         except IntegrityError:

@@ -58,7 +58,7 @@ def open_objects(url: str) -> Objects | None:
     try:
         if folder is not None:
             return _ObstoreObjects(LocalStore(folder, mkdir=True), url, folder)
-        # A store in the local network has no certificate; its address then says so.
+        # A store in the local network may have no certificate; its address is then one of HTTP.
         plain = os.environ.get("AWS_ENDPOINT_URL", "").startswith("http://")
         options: Any = {**_TIMES, "allow_http": plain}
         store = S3Store.from_url(url, client_options=options, retry_config=_RETRIES)

@@ -7048,7 +7048,7 @@ export interface components {
             name: string;
             /**
              * Kind
-             * @description How the user signs in: with a password, or at a provider of OpenID Connect, which also says the role
+             * @description How the user signs in: with a password, or at a provider of OpenID Connect, which also determines the role
              * @enum {string}
              */
             kind: "password" | "oidc";

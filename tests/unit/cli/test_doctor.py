@@ -1,4 +1,4 @@
-"""knifetip doctor: each check is well on a sound computer and says what is wrong on another."""
+"""knifetip doctor: each check succeeds on a sound computer and reports the fault on another."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ from knifetip.jobs.accounts.scopes import ROLES, AccessScope
 _log = logging.getLogger("knifetip.api.oidc")
 
 _KEPT: Final = 3600.0  # seconds for which metadata and keys are used
-_PAUSE: Final = 5.0  # seconds after a failure or a look for new keys before the next request
+_PAUSE: Final = 5.0  # seconds after a failure or a request for new keys before the next one
 _TIMEOUT: Final = 10.0
 _AT_ONCE: Final = 4  # exchanges of codes at the same time
 _LEEWAY: Final = 60  # seconds by which the clocks may differ
@@ -48,7 +48,7 @@ class Identity:
 
 
 class Provider:
-    """The provider of a server, and what is known about it."""
+    """The provider of a server, with its cached metadata and keys."""
 
     def __init__(self, settings: OidcSettings) -> None:
         self.settings = settings

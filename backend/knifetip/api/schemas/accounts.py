@@ -61,7 +61,7 @@ class UserOut(BaseModel):
     name: str = Field(description="Name of the user, in small letters")
     kind: Literal["password", "oidc"] = Field(
         description="How the user signs in: with a password, or at a provider of OpenID Connect, "
-        "which also says the role"
+        "which also determines the role"
     )
     role: UserRole = _ROLE
     active: bool = Field(description="Whether the user can sign in")

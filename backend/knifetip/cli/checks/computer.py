@@ -119,7 +119,7 @@ def check_disks(
     folders
         Folders in which a server stores data.
     free
-        Returns the free bytes of a folder; None to ask the system.
+        Returns the free bytes of a folder; None for those of the system.
     """
     for folder in dict.fromkeys([*folders, Path(tempfile.gettempdir())]):
         yield _check_disk(folder, free or _free)

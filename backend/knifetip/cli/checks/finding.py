@@ -1,4 +1,4 @@
-"""What a check of an installation found."""
+"""Findings of the checks of an installation."""
 
 from __future__ import annotations
 

@@ -19,9 +19,9 @@ def check_ports(
     Parameters
     ----------
     ports
-        Returns the names of the ports; None to ask the system.
+        Returns the names of the ports; None for those of the system.
     may_open
-        Returns whether the user may open a port; None to ask the system.
+        Returns whether the user may open a port; None for the check of the system.
     """
     from knifetip.gateway.transports.serial import port_names
 
@@ -52,7 +52,7 @@ def check_machine(
     controller
         Address of the controller; empty if none is given.  Nothing is sent to it.
     ports
-        Returns the names of the serial ports; None to ask the system.
+        Returns the names of the serial ports; None for those of the system.
     """
     from knifetip.gateway.hot_folder import find_driver
     from knifetip.gateway.transports.serial import port_names

@@ -61,7 +61,7 @@ def _key(answer: Any, given: bool) -> Finding:
     if answer.is_success:
         return ok("key", "the server accepts the key" if given else "no key is necessary here")
     if answer.status_code in (401, 403):
-        text = "the server refuses the key" if given else "the server asks for a key"
+        text = "the server refuses the key" if given else "the server requires a key"
         return problem(
             "key", text, "Create one at the server: knifetip key add NAME; give --key-file."
         )

@@ -28,7 +28,7 @@ _NOT_IN_NAMES: Final = re.compile(r"[^a-z0-9._@+-]+")
 
 @dataclass(frozen=True, slots=True)
 class ProviderUser:
-    """What a provider has said about a user, in one attempt to sign in."""
+    """A user as a provider has confirmed it, in one attempt to sign in."""
 
     issuer: str
     subject: str  #: identifier of the user at the provider
@@ -53,7 +53,7 @@ class ProviderUsers:
         """Return the user that a provider has confirmed, created or with the present role.
 
         A user who has signed in before is found by the identifier, never by the name.  If the name
-        belongs to somebody else, a number is added to it.
+        belongs to another user, a number is added to it.
 
         Raises
         ------
