@@ -134,6 +134,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             chosen.limit,
             warm_up=warm_up,
             observe=metrics.observe_stage,
+            observe_compile=metrics.compiles.observe,
         )
         # One thread more than processes, so that none is idle while a request is parsed.
         work = WorkQueue(
@@ -146,7 +147,6 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         app.state.documents = Documents(service)
         app.state.readiness = Readiness(store, storage, compiling, service.threads)
         app.state.stream = events.Stream(service)
-        app.state.metrics = metrics
         add_numbers(metrics, service, clients)
         await asyncio.to_thread(store.prepare)
         access.store = store
@@ -220,6 +220,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_exception_handler(OSError, _system_problem)
     app.add_exception_handler(Exception, _internal_problem)
 
+    app.state.metrics = metrics
     # The documented way to customise FastAPI's schema.
     app.openapi = description.versioned  # type: ignore[method-assign]  # mypy permits no assignment to methods
     return app

@@ -45,6 +45,7 @@ from knifetip.jobs.process_pool import TaskCancelled
 from knifetip.jobs.store import Store
 from knifetip.languages.registry import find_language
 from knifetip.library import load
+from knifetip.metrics_server import serve_metrics
 
 MACHINE = "demo-table"
 _FILES = 256  # open files besides connections
@@ -112,6 +113,7 @@ def serve(
     name: str = "",
     limits: ServerLimits = _LIMITS,
     store: str = "",
+    metrics_address: str = "",
 ) -> None:
     """Run the embedded service until SIGINT or SIGTERM.
 
@@ -137,6 +139,8 @@ def serve(
         Limits of connections, clients and the size of requests.
     store
         Folder or bucket for large values, see ``open_objects``; "" to keep them in the database.
+    metrics_address
+        HOST:PORT at which Prometheus needs no key; "" for none.
 
     Raises
     ------
@@ -193,7 +197,9 @@ def serve(
                 "Create one with: knifetip user add NAME --role admin"
             )
         raise_file_limit(limits.connections.total + _FILES)
-        server = _Server(create_app(settings), lines, announce, parts.samples, limits.connections)
+        app = create_app(settings)
+        open_sockets.enter_context(serve_metrics(metrics_address, app.state.metrics.registry))
+        server = _Server(app, lines, announce, parts.samples, limits.connections)
         if parts.simulator:
             server.table = _SimulatedMachine(
                 _local(host), taken, parts.speed, _journal_path(database), rules.gateway_key

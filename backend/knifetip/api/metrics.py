@@ -7,15 +7,12 @@ on all servers.  Labels are bounded: routes by their template, never by the path
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from typing import Final
 
-import sqlalchemy.exc
 from fastapi import Request, Response
 from fastapi.routing import APIRoute, iter_route_contexts
-from prometheus_client import CollectorRegistry, Counter, Histogram, generate_latest
-from prometheus_client.core import CounterMetricFamily, GaugeMetricFamily, Metric
-from prometheus_client.registry import Collector
+from prometheus_client import Counter, Histogram, generate_latest
 from starlette.routing import BaseRoute
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
@@ -23,22 +20,19 @@ from knifetip.api.client_limits import Clients
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.service import Service, ServiceDep
 from knifetip.jobs.accounts.scopes import AccessScope
-from knifetip.jobs.measures import Measures, measure
-from knifetip.model.stage import Stage
+from knifetip.jobs.metrics import SECONDS, CompileMetrics, add_database
 
-_MACHINES: Final = 100  # machines with a label of their own
 _METHODS: Final = frozenset({"GET", "HEAD", "POST", "PUT", "PATCH", "DELETE", "OPTIONS"})
 _CONTENT: Final = "text/plain; version=0.0.4; charset=utf-8"
-_SECONDS: Final = (0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0, 30.0, 60.0, 120.0)
 
 router = ScopedRouter(tags=["health"])
 
 
-class Metrics:
+class Metrics(CompileMetrics):
     """The metrics of one server."""
 
     def __init__(self) -> None:
-        self.registry = CollectorRegistry()
+        super().__init__()
         self.requests = Counter(
             "knifetip_requests",
             "Requests by template of the route and status.",
@@ -49,79 +43,9 @@ class Metrics:
             "knifetip_request_seconds",
             "Duration of requests, without streams of events and waiting claims.",
             ("method", "route"),
-            buckets=_SECONDS,
+            buckets=SECONDS,
             registry=self.registry,
         )
-        self.stages = Histogram(
-            "knifetip_compile_stage_seconds",
-            "Duration of the stages of compiles in this process.",
-            ("stage",),
-            buckets=_SECONDS,
-            registry=self.registry,
-        )
-
-    def observe_stage(self, stage: Stage, seconds: float) -> None:
-        """Count a stage of a compile that has ended."""
-        self.stages.labels(stage.value).observe(seconds)
-
-
-class Numbers(Collector):
-    """Numbers that are read when the metrics are requested.
-
-    Parameters
-    ----------
-    database
-        Returns the numbers of the database.
-    process
-        Returns the numbers of this process by name of the metric.
-    """
-
-    def __init__(
-        self, database: Callable[[], Measures], process: Callable[[], dict[str, tuple[str, float]]]
-    ) -> None:
-        self._database = database
-        self._process = process
-
-    def describe(self) -> Iterable[Metric]:
-        """Return nothing: the database must not be queried when the collector is registered."""
-        return ()
-
-    def collect(self) -> Iterator[Metric]:
-        """Yield the present numbers; only whether it is available if the database is not."""
-        for name, (text, value) in self._process().items():
-            kind = CounterMetricFamily if name.endswith("_total") else GaugeMetricFamily
-            yield kind(f"knifetip_{name}", text, value=value)
-        try:
-            found = self._database()
-        except sqlalchemy.exc.SQLAlchemyError:
-            yield _available(0)
-            return
-        yield _available(1)
-        jobs = GaugeMetricFamily(
-            "knifetip_jobs", "Jobs that have not ended.", labels=("machine", "state")
-        )
-        for (machine, state), count in found.jobs.items():
-            jobs.add_metric((machine, state), count)
-        yield jobs
-        silent = GaugeMetricFamily(
-            "knifetip_gateway_silent_seconds",
-            "Seconds since the last request of a gateway of the machine.",
-            labels=("machine",),
-        )
-        for machine, seconds in found.silent.items():
-            silent.add_metric((machine,), seconds)
-        yield silent
-        yield GaugeMetricFamily(
-            "knifetip_webhook_deliveries_pending",
-            "Webhook deliveries that wait or are tried again.",
-            value=found.deliveries,
-        )
-
-
-def _available(value: int) -> Metric:
-    return GaugeMetricFamily(
-        "knifetip_database_available", "1 if the database answers.", value=value
-    )
 
 
 class CountRequests:
@@ -186,8 +110,7 @@ def add_numbers(metrics: Metrics, service: Service, clients: Clients) -> None:
             ),
         }
 
-    database = service.store.database
-    metrics.registry.register(Numbers(lambda: measure(database, _MACHINES), process))
+    add_database(metrics.registry, service.store.database, process)
 
 
 @router.get("/metrics", include_in_schema=False)

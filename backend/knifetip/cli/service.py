@@ -17,6 +17,7 @@ import typer
 from knifetip.cli.access_key import KeyOptions
 from knifetip.cli.database_options import DatabaseOptions, StoreOptions
 from knifetip.cli.log_options import LogOptions
+from knifetip.cli.metrics_options import MetricsOptions
 from knifetip.cli.oidc_options import OidcOptions
 from knifetip.cli.options import expand
 from knifetip.cli.terminal import print_stderr
@@ -235,6 +236,7 @@ def serve(
     access: AccessOptions,
     oidc: OidcOptions,
     limits: LimitOptions,
+    scraping: MetricsOptions,
     log: LogOptions,
 ) -> None:
     """Run the server with its page, a compile worker and a simulated machine.
@@ -280,6 +282,7 @@ def serve(
             limits.min_free << 20,
         ),
         contents.store,
+        scraping.metrics_address,
     )
 
 
@@ -303,17 +306,32 @@ def worker(
     *,
     storage: DatabaseOptions,
     contents: StoreOptions,
+    scraping: MetricsOptions,
     log: LogOptions,
 ) -> None:
     """Run a compile worker for a database until Ctrl-C."""
     from knifetip.jobs.compile_service import CompileService
+    from knifetip.jobs.metrics import CompileMetrics, add_worker
     from knifetip.jobs.process_pool import ProcessPool
     from knifetip.jobs.store import Store
+    from knifetip.metrics_server import serve_metrics
 
     log.apply()
     _prepare(storage, migrate)
     store = Store(storage.url, objects=contents.store)
-    service = CompileService(store, ProcessPool(processes), name, True, processes, gateways=False)
+    metrics = CompileMetrics()
+    service = CompileService(
+        store,
+        ProcessPool(processes),
+        name,
+        True,
+        processes,
+        gateways=False,
+        observe=metrics.observe_stage,
+        observe_compile=metrics.compiles.observe,
+    )
+    add_worker(metrics, service)
+    scraped = serve_metrics(scraping.metrics_address, metrics.registry)
     stop_requested = threading.Event()
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda _number, _frame: stop_requested.set())
@@ -321,6 +339,7 @@ def worker(
     print_stderr(f"compile worker for {storage.shown}")
     stop_requested.wait()
     service.stop()
+    scraped.close()
     store.close()
 
 
@@ -355,6 +374,7 @@ def gateway(
     ] = None,
     *,
     access: KeyOptions,
+    scraping: MetricsOptions,
     log: LogOptions,
 ) -> None:
     """Fetch the jobs of a machine from the server and send them to its controller.
@@ -368,17 +388,23 @@ def gateway(
     from knifetip.gateway.hot_folder import find_driver
     from knifetip.gateway.job_server import GatewaySettings
     from knifetip.gateway.journal import default_path
+    from knifetip.gateway.metrics import RunMetrics
     from knifetip.logs import hide
+    from knifetip.metrics_server import serve_metrics
 
     headers = access.headers
     hide(headers.get("Authorization", "").removeprefix("Bearer "))
     record = journal or default_path(machine, server)
     kept = record.with_name(f"{record.name}.machine.json")
     table = start_machine(machine, server, headers, kept)
+    metrics = RunMetrics(table.name)
+    serve_metrics(scraping.metrics_address, metrics.registry)  # until the process ends
     while True:
         dial = find_driver(table, controller)
         print_stderr(f"{table.title}: controller {controller}, server {server}")
-        settings = GatewaySettings(server, table, name, headers=headers, journal=record)
+        settings = GatewaySettings(
+            server, table, name, headers=headers, journal=record, observe=metrics.observe
+        )
         connect = partial(_connect, dial, controller)
         try:
             _run_until_terminated(claim.run_gateway(settings, connect))

@@ -31,6 +31,7 @@ from __future__ import annotations
 
 import asyncio
 import logging
+import time
 from contextlib import aclosing, suppress
 
 import httpx
@@ -191,6 +192,7 @@ class _GatewayLoop:
     async def _run_job(self, claim: Lease) -> None:
         run = self._link.run = JobRun(claim, self._now())
         heartbeats = asyncio.create_task(self._server.send_heartbeats(run), name="heartbeats")
+        begun = time.monotonic()
         outcome: str = "interrupted"
         cause: Message | None = None
         try:
@@ -219,6 +221,7 @@ class _GatewayLoop:
                     await self._server.finish(JobEnd.of(run, outcome, cause), tries=1)
                 raise
         finally:
+            self._settings.observe(outcome, time.monotonic() - begun)
             self._link.run = None
             heartbeats.cancel()
             await asyncio.gather(heartbeats, return_exceptions=True)

@@ -8,7 +8,7 @@ from __future__ import annotations
 import asyncio
 import hashlib
 import logging
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -43,6 +43,8 @@ class GatewaySettings:
     journal: Path | None = None  #: file in which the progress is recorded
     wait: float = 20.0  #: longest time that the server may delay the answer to a claim (s)
     beat: float = 0.25  #: time between two heartbeats (s)
+    #: called with the outcome of each run and its duration (s)
+    observe: Callable[[str, float], None] = lambda _outcome, _seconds: None
 
 
 class JobServer:

@@ -141,6 +141,8 @@ class CompileService:
     warm_up: WarmUp = field(default_factory=WarmUp)  #: started with the service
     #: called with each stage of a compile that has ended, and its duration (s)
     observe: Callable[[Stage, float], None] = lambda _stage, _seconds: None
+    #: called with the duration of each compile (s), whatever its result
+    observe_compile: Callable[[float], None] = lambda _seconds: None
 
     _stopping: threading.Event = field(default_factory=threading.Event)
     _swept: float | None = None  # time.monotonic() of the last sweep
@@ -236,6 +238,7 @@ class CompileService:
         with logs.about(job=job.id):
             begun = time.monotonic()
             self._compile(job)
+            self.observe_compile(time.monotonic() - begun)
             fields = {"duration": round(time.monotonic() - begun, 4)}
             _log.info("compiled", extra={logs.FIELDS: fields})
 

@@ -13767,6 +13767,12 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "server.bad-metrics-address";
+            arguments: {
+                address: string;
+            };
+        } | {
+            /** @constant */
             code: "server.busy";
             arguments: {
                 waiting: number;

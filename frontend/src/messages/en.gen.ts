@@ -4111,6 +4111,10 @@ export const TEXTS = {
     "text": "The request to {url} failed with the HTTP status {status}.",
     "hint": "Check the address and the log of the server."
   },
+  "server.bad-metrics-address": {
+    "text": "{address!r} is not an address for metrics.",
+    "hint": "Write it as HOST:PORT, such as 127.0.0.1:9464 or [::1]:9464."
+  },
   "server.busy": {
     "text": "The server is busy: {waiting:# request is|# requests are} already waiting, so this request was not started.",
     "hint": "Send the request again in {seconds} s."

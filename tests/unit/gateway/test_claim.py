@@ -165,6 +165,16 @@ async def test_a_job_is_claimed_run_and_finished() -> None:
     assert all(headers["X-Knifetip"] == "gateway" for headers in office.headers)
 
 
+@pytest.mark.parametrize(("sha256", "outcome"), [(None, "done"), ("0" * 64, "interrupted")])
+async def test_the_end_of_a_run_is_counted_once(sha256: str | None, outcome: str) -> None:
+    runs: list[tuple[str, float]] = []
+    office = Office(sha256=sha256)
+    async with table() as server:
+        await gateway(office, server, observe=lambda *run: runs.append(run))
+    assert [run[0] for run in runs] == [office.finished[0]["outcome"]] == [outcome]
+    assert 0.0 < runs[0][1] < 20.0
+
+
 async def test_positions_are_those_of_the_head_on_the_sheet() -> None:
     office = Office()
     async with table(speed=5.0) as server:

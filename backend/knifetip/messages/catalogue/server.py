@@ -12,6 +12,11 @@ MESSAGES: Final[Entries] = {
         "Give each process a name of its own with --name, or stop the other process.",
         name="text",
     ),
+    "server.bad-metrics-address": entry(
+        "{address!r} is not an address for metrics.",
+        "Write it as HOST:PORT, such as 127.0.0.1:9464 or [::1]:9464.",
+        address="text",
+    ),
     "server.address-in-use": entry(
         "The server cannot use the address {host}:{port}: {reason}.",
         "Stop the program that uses the port, or choose another port with --port.",
