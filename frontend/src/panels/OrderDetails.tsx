@@ -10,7 +10,7 @@ export function OrderLine({ job, now = Date.now() / 1000 }: { job: Job; now?: nu
   if (!hasDetails(job)) return null;
   const overdue = isOverdue(job, now);
   return (
-    <small className={css.line} data-testid="order-line">
+    <span className={css.line} data-testid="order-line">
       {job.external_id !== "" && <span className={css.number}>{job.external_id}</span>}
       {job.customer !== "" && <span>{job.customer}</span>}
       {job.due != null && (
@@ -18,7 +18,7 @@ export function OrderLine({ job, now = Date.now() / 1000 }: { job: Job; now?: nu
           {overdue ? "overdue since" : "due"} {dateTimeText(job.due)}
         </time>
       )}
-    </small>
+    </span>
   );
 }
 
