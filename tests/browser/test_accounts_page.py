@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -14,6 +15,7 @@ from playwright.sync_api import Browser, FilePayload, Page, expect
 from knifetip.api.service import Settings
 from knifetip.jobs.accounts.scopes import ROLES, AccessScope
 from knifetip.jobs.store import Store
+from tests.support.hostile_names import HOSTILE_NAMES
 from tests.support.serving.server import (
     LocalClient,
     order_job,
@@ -173,3 +175,50 @@ def test_an_administrator_manages_users_and_keys(
     user = shop.store.users.with_password("dora", PASSWORD)
     assert user is not None
     assert user.role == "designer"
+
+
+def test_hostile_titles_of_keys_and_webhooks_are_text(
+    browser: Browser, shop: Shop, screenshots: Path
+) -> None:
+    with signed_in(browser, shop, "admin") as page:
+        session = {one["name"]: one["value"] for one in page.context.cookies()}
+        with httpx.Client(
+            base_url=shop.client.base_url,
+            trust_env=False,
+            cookies=session,
+            headers={"X-Knifetip": "test"},
+        ) as admin:
+
+            def send(path: str, **fields: object) -> int:
+                # Escapes, since UTF-8 has no lone surrogates.
+                return admin.post(
+                    path,
+                    content=json.dumps(fields),
+                    headers={"Content-Type": "application/json"},
+                ).status_code
+
+            for position, name in enumerate([*HOSTILE_NAMES.values(), 100 * "W"]):
+                url = f"http://127.0.0.1:9/{position}"
+                # A name is stored or refused, and never an error of the server.
+                assert send("/api/keys", title=name[:100], scopes=["viewer"]) in (201, 422), name
+                assert send("/api/webhooks", url=url, description=name) in (201, 422, 409), name
+            assert send("/api/keys", title=10_000 * "x", scopes=["viewer"]) == 422
+            assert send("/api/users", name=10_000 * "x", password=PASSWORD, role="viewer") == 422
+            made = len(admin.get("/api/keys").json())
+        page.get_by_test_id("account").click()
+        page.get_by_role("tab", name="API keys").click()
+        expect(page.get_by_test_id("keys").locator("li")).to_have_count(made)
+        assert_harmless(page)
+        page.screenshot(path=screenshots / "hostile-keys.png")
+        page.goto(f"{shop.client.base_url}/#/webhooks")
+        page.reload()
+        expect(page.get_by_text("http://127.0.0.1:9/0").first).to_be_visible()
+        assert_harmless(page)
+        page.screenshot(path=screenshots / "hostile-webhooks.png")
+
+
+def assert_harmless(page: Page) -> None:
+    assert page.evaluate("window.hacked") is None
+    assert page.locator("img[src=x]").count() == 0
+    # Nothing is wider than the window because of a long name.
+    assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth")
