@@ -15,7 +15,7 @@ from playwright.sync_api import Browser, FilePayload, Page, expect
 from knifetip.api.service import Settings
 from knifetip.jobs.accounts.scopes import ROLES, AccessScope
 from knifetip.jobs.store import Store
-from tests.support.hostile_names import HOSTILE_NAMES
+from tests.support.hostile_names import HOSTILE_NAMES, acting
 from tests.support.serving.server import (
     LocalClient,
     order_job,
@@ -209,6 +209,8 @@ def test_hostile_titles_of_keys_and_webhooks_are_text(
         page.get_by_role("tab", name="API keys").click()
         expect(page.get_by_test_id("keys").locator("li")).to_have_count(made)
         assert_harmless(page)
+        text = page.get_by_test_id("keys").inner_text()
+        assert acting(text, permitted="\n\t") == set()
         page.screenshot(path=screenshots / "hostile-keys.png")
         page.goto(f"{shop.client.base_url}/#/webhooks")
         page.reload()

@@ -16,12 +16,12 @@ from typing import Final
 import sqlalchemy as sa
 
 from knifetip.errors import NoSuchJob, RequestError, WrongState
+from knifetip.harmless import harmless
 from knifetip.jobs.accounts.account_tables import ApiKey
 from knifetip.jobs.accounts.acting import set_subject
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.database import Database, short
 from knifetip.jobs.job import new_id
-from knifetip.messages import printable
 
 #: Shortest time between two records of the use of a key (s).
 USE_INTERVAL: Final = 60.0
@@ -66,7 +66,7 @@ class KeyStore:
             The key has no title or no scope, or would be expired.
         """
         now = self._db.clock()
-        title = printable(title).strip()[:100]
+        title = harmless(title).strip()[:100]
         if not title or not scopes:
             raise RequestError("key.incomplete", source=["title", "scopes"])
         if expires is not None and expires <= now:
