@@ -147,7 +147,7 @@ def test_a_key_is_found_by_its_whole_secret(store: Store, clock: Clock) -> None:
     for title, scopes in (("", [VIEWER]), ("x", [])):
         with pytest.raises(RequestError):
             store.keys.add(title, scopes)
-    with pytest.raises(RequestError, match="expired"):
+    with pytest.raises(WrongState, match="expired"):
         store.keys.add("x", [VIEWER], clock.now)
 
 
