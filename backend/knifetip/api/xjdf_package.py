@@ -96,7 +96,7 @@ class ZipPackage:
             raise RequestError("xjdf.many-files", limit=_MOST_FILES)
         self._entries = {_safe_name(entry.orig_filename): entry for entry in entries}
         if len(self._entries) != len(entries):
-            raise RequestError("xjdf.bad-package", reason="two files have the same name")
+            raise RequestError("xjdf.same-names")
         self.root = self._read(_root_name(list(self._entries), kind), LARGEST)
 
     def file(self, url: str) -> bytes:
@@ -141,7 +141,7 @@ class MimePackage:
         assert isinstance(message, EmailMessage)
         parts = list(message.iter_parts()) if message.is_multipart() else []
         if not parts:
-            raise RequestError("xjdf.bad-package", reason="it has no parts")
+            raise RequestError("xjdf.no-parts")
         if len(parts) > _MOST_FILES:
             raise RequestError("xjdf.many-files", limit=_MOST_FILES)
         self._parts: dict[str, MIMEPart] = {}
@@ -206,13 +206,11 @@ def _safe_name(name: str) -> str:
 def _root_name(names: list[str], kind: str) -> str:
     if kind == "XJMF":
         if ROOT_XJMF not in names:
-            raise RequestError("xjdf.bad-package", reason=f"it has no {ROOT_XJMF}")
+            raise RequestError("xjdf.wrong-count", names=ROOT_XJMF, count=0)
         return ROOT_XJMF
     found = [name for name in names if name.lower().endswith(".xjdf")]
     if len(found) != 1:
-        raise RequestError(
-            "xjdf.bad-package", reason=f"it has {len(found)} files *.xjdf in place of one"
-        )
+        raise RequestError("xjdf.wrong-count", names="*.xjdf", count=len(found))
     return found[0]
 
 
@@ -225,5 +223,5 @@ def _part_names(part: MIMEPart) -> list[str]:
 def _payload(part: MIMEPart) -> bytes:
     content = None if part.is_multipart() else part.get_payload(decode=True)
     if not isinstance(content, bytes):
-        raise RequestError("xjdf.bad-package", reason="a part contains further parts")
+        raise RequestError("xjdf.nested-parts")
     return content

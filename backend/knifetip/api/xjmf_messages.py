@@ -80,7 +80,7 @@ def read_messages(content: bytes) -> list[XjmfMessage]:
             id = heads[0].get("ID", "") if heads else ""
             found.append(XjmfMessage(match[1], match[2], id, element))
     if not found:
-        raise RequestError("xjdf.missing", place="XJMF/Command… or XJMF/Query…")
+        raise RequestError("xjdf.missing", place="XJMF/(Command…|Query…)")
     if len(found) > _MOST_MESSAGES:
         raise RequestError("xjmf.many-messages", limit=_MOST_MESSAGES)
     return found

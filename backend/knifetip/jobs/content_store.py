@@ -266,7 +266,7 @@ class ContentStore:
         name = address_of(data)
         self._objects.put(name, data)
         if self._objects.get(name) != data:
-            raise ContentLost("content.altered", owner="a probe", address=name)
+            raise ContentLost("content.altered", owner="probe", address=name)
         self._objects.delete(name)
 
     def sweep(self) -> int:

@@ -15628,10 +15628,18 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "xjdf.nested-parts";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "xjdf.no-file";
             arguments: {
                 url: string;
             };
+        } | {
+            /** @constant */
+            code: "xjdf.no-parts";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "xjdf.not-xjdf";
@@ -15640,6 +15648,10 @@ export interface components {
                 wanted: string;
                 namespace: string;
             };
+        } | {
+            /** @constant */
+            code: "xjdf.same-names";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "xjdf.too-large";
@@ -15658,6 +15670,13 @@ export interface components {
             code: "xjdf.unreadable";
             arguments: {
                 reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "xjdf.wrong-count";
+            arguments: {
+                names: string;
+                count: number;
             };
         } | {
             /** @constant */
@@ -33312,7 +33331,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `override.ambiguous`, `override.no-edges-there`, `override.no-such-edge`, `override.no-such-handle`, `reading.crashed`, `request.key-reused`, `xjdf.bad-name`, `xjdf.bad-package`, `xjdf.bad-value`, `xjdf.many-files`, `xjdf.missing`, `xjdf.no-file`, `xjdf.not-xjdf`, `xjdf.too-large`, `xjdf.twice`, `xjdf.unreadable` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `override.ambiguous`, `override.no-edges-there`, `override.no-such-edge`, `override.no-such-handle`, `reading.crashed`, `request.key-reused`, `xjdf.bad-name`, `xjdf.bad-package`, `xjdf.bad-value`, `xjdf.many-files`, `xjdf.missing`, `xjdf.nested-parts`, `xjdf.no-file`, `xjdf.no-parts`, `xjdf.not-xjdf`, `xjdf.same-names`, `xjdf.too-large`, `xjdf.twice`, `xjdf.unreadable`, `xjdf.wrong-count` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -33458,7 +33477,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `xjdf.bad-name`, `xjdf.bad-package`, `xjdf.many-files`, `xjdf.missing`, `xjdf.no-file`, `xjdf.not-xjdf`, `xjdf.too-large`, `xjdf.unreadable`, `xjmf.many-messages` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `xjdf.bad-name`, `xjdf.bad-package`, `xjdf.many-files`, `xjdf.missing`, `xjdf.nested-parts`, `xjdf.no-file`, `xjdf.no-parts`, `xjdf.not-xjdf`, `xjdf.same-names`, `xjdf.too-large`, `xjdf.unreadable`, `xjdf.wrong-count`, `xjmf.many-messages` */
             422: {
                 headers: {
                     [name: string]: unknown;

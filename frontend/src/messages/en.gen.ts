@@ -5243,13 +5243,25 @@ export const TEXTS = {
     "text": "The order has no {place}.",
     "hint": "Add it, or give the value as a parameter of the request if there is one."
   },
+  "xjdf.nested-parts": {
+    "text": "A part of the package contains further parts.",
+    "hint": "Send all documents and the drawing as parts of one multipart/related."
+  },
   "xjdf.no-file": {
     "text": "The file {url!r} is not in the package.",
     "hint": "Send a package that contains it under this name, or upload the drawing and name it as /api/v1/drawings/ID. Files of other servers are not fetched."
   },
+  "xjdf.no-parts": {
+    "text": "The multipart message has no parts.",
+    "hint": "Separate its parts by the boundary of the header Content-Type."
+  },
   "xjdf.not-xjdf": {
     "text": "The root element of the document is {element}.",
     "hint": "Send an element {wanted} of the namespace {namespace}."
+  },
+  "xjdf.same-names": {
+    "text": "The package has two files with the same name.",
+    "hint": "Give each file a name of its own."
   },
   "xjdf.too-large": {
     "text": "{name} is larger than {limit} MB.",
@@ -5262,6 +5274,10 @@ export const TEXTS = {
   "xjdf.unreadable": {
     "text": "The document is not readable as XML: {reason}.",
     "hint": "Send an XJDF or XJMF document without a document type declaration."
+  },
+  "xjdf.wrong-count": {
+    "text": "The package contains {names} {count} times instead of once.",
+    "hint": "Send a ZIP file or multipart/related with one XJDF or XJMF and the drawing."
   },
   "xjmf.many-messages": {
     "text": "The document has more than {limit} messages.",

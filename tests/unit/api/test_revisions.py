@@ -12,6 +12,7 @@ import pytest
 
 from knifetip.api import revisions
 from knifetip.jobs import tasks
+from knifetip.jobs.tables import Drawing
 from knifetip.model.dieline import LineType
 from knifetip.model.interpretation import NO_OVERRIDE
 from tests.support.messages import stored
@@ -112,7 +113,7 @@ def test_an_order_of_an_older_revision_is_refused(client: httpx.Client) -> None:
     id = upload_drawing(client, square())["id"]
     client.patch(f"/api/drawings/{id}/edges", json=CREASE)
     jobs = len(client.get("/api/jobs?limit=500").json())
-    order = {"drawing": id, "board": "e-flute"}
+    order: dict[str, Any] = {"drawing": id, "board": "e-flute"}
     assert_stale(client.post("/api/jobs", json={**order, "revision": 1}), 2)
     assert_stale(client.post("/api/jobs", json={**order, "revision": 3}), 2)
     assert len(client.get("/api/jobs?limit=500").json()) == jobs
@@ -123,27 +124,30 @@ def test_an_order_of_an_older_revision_is_refused(client: httpx.Client) -> None:
 @pytest.mark.parametrize("wrong", [0, -1, "x", 1.5, 2**40, [1]])
 def test_invalid_revisions_are_refused(client: httpx.Client, wrong: object) -> None:
     id = upload_drawing(client, square())["id"]
-    order = {"drawing": id, "board": "e-flute", "revision": wrong}
+    order: dict[str, Any] = {"drawing": id, "board": "e-flute", "revision": wrong}
     assert client.post("/api/jobs", json=order).status_code == 422
+
+
+def change_to_inches(client: LocalClient, id: str) -> None:
+    store = client.service.store
+    row = store.drawings.get_with(id, "overrides")
+    flipped = bytes([LineType.from_word("crease")]) + row.overrides[1:]
+    store.drawings.change(id, row.version, stored("x"), overrides=flipped, unit_given="in")
 
 
 def test_a_job_uses_the_ordered_revision_and_no_later_one(
     client: LocalClient, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     id = upload_drawing(client, square())["id"]
-    run = client.service.pool.run
+    add = client.service.store.jobs.add
     between: list[int] = []
 
-    def changed_meanwhile(task: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
-        if task is tasks.open_questions:
-            store = client.service.store
-            row = store.drawings.get_with(id, "overrides")
-            flipped = bytes([LineType.from_word("crease")]) + row.overrides[1:]
-            store.drawings.change(id, row.version, stored("x"), overrides=flipped, unit_given="in")
-            between.append(row.version)
-        return run(task, *arguments, **named)
+    def changed_meanwhile(drawing: Drawing, *arguments: Any) -> Any:
+        change_to_inches(client, id)
+        between.append(drawing.version)
+        return add(drawing, *arguments)
 
-    monkeypatch.setattr(client.service.pool, "run", changed_meanwhile)
+    monkeypatch.setattr(client.service.store.jobs, "add", changed_meanwhile)
     job = order_job(client, id, revision=1)
     assert between == [1]
     row = client.service.store.jobs.get(job["id"])
@@ -152,6 +156,28 @@ def test_a_job_uses_the_ordered_revision_and_no_later_one(
     assert (kept == NO_OVERRIDE).all()
     program = wait_for_state(client, job["id"], "ready")
     assert program["seconds"] > 0
+
+
+def test_an_order_is_refused_if_its_revision_changes_while_questions_are_searched(
+    client: LocalClient, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    id = upload_drawing(client, square())["id"]
+    run = client.service.pool.run
+    searched: list[str] = []
+
+    def changed_meanwhile(task: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
+        if task is tasks.open_questions:
+            searched.append(id)
+            change_to_inches(client, id)
+        return run(task, *arguments, **named)
+
+    monkeypatch.setattr(client.service.pool, "run", changed_meanwhile)
+    # Line types of its own need a search for questions.
+    table = {"machine": "demo-table", "board": "b-flute"}
+    order = {**table, **CREASE, "drawing": id, "revision": 1}
+    answer = client.post("/api/jobs", json=order)
+    assert (answer.status_code, searched) == (412, [id])
+    assert client.get("/api/jobs").json() == []
 
 
 def test_of_two_simultaneous_changes_both_are_made_or_one_is_refused(

@@ -136,21 +136,21 @@ def test_what_is_no_package_is_refused() -> None:
     assert fault(good.replace(b"x" * 100, b"y" * 100)) == "xjdf.bad-package"  # check sum
     assert fault(good[:-30]) == "xjdf.bad-package"
     assert fault(b"no zip") == "xjdf.bad-package"
-    assert fault(zipped({"tray.dxf": b""})) == "xjdf.bad-package"
-    assert fault(zipped({"a.xjdf": b"", "b.xjdf": b""})) == "xjdf.bad-package"
-    assert fault(zipped({"order.xjmf": b""}), kind="XJMF") == "xjdf.bad-package"
+    assert fault(zipped({"tray.dxf": b""})) == "xjdf.wrong-count"
+    assert fault(zipped({"a.xjdf": b"", "b.xjdf": b""})) == "xjdf.wrong-count"
+    assert fault(zipped({"order.xjmf": b""}), kind="XJMF") == "xjdf.wrong-count"
     many = {f"{index}.dxf": b"" for index in range(300)}
     assert fault(zipped({"order.xjdf": b"", **many})) == "xjdf.many-files"
     assert fault(zipped({"order.xjdf": b"<XJDF/>"})) == "xjdf.no-file"
     for media in ("multipart/related", "multipart/related; boundary=A", "multipart/related;;="):
-        assert fault(b"--B\r\n\r\n", media) == "xjdf.bad-package"
+        assert fault(b"--B\r\n\r\n", media) == "xjdf.no-parts"
     assert fault(b"--A\r\n\r\n<XJDF/>\r\n--A--", "multipart/related; boundary=A; start=x") == (
         "xjdf.no-file"
     )
     nested = (
         b"--A\r\nContent-Type: multipart/mixed; boundary=B\r\n\r\n--B\r\n\r\n1\r\n--B--\r\n--A--"
     )
-    assert fault(nested, "multipart/related; boundary=A") == "xjdf.bad-package"
+    assert fault(nested, "multipart/related; boundary=A") == "xjdf.nested-parts"
     assert fault(b"<XJDF/>", "application/xml") == "xjdf.no-file"
 
 

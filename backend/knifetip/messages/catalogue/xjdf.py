@@ -45,6 +45,24 @@ MESSAGES: Final[Entries] = {
         "Send a ZIP file or multipart/related, not encrypted, with one XJDF and the drawing.",
         reason="text",
     ),
+    "xjdf.wrong-count": entry(
+        "The package contains {names} {count} times instead of once.",
+        "Send a ZIP file or multipart/related with one XJDF or XJMF and the drawing.",
+        names="text",
+        count="count",
+    ),
+    "xjdf.no-parts": entry(
+        "The multipart message has no parts.",
+        "Separate its parts by the boundary of the header Content-Type.",
+    ),
+    "xjdf.same-names": entry(
+        "The package has two files with the same name.",
+        "Give each file a name of its own.",
+    ),
+    "xjdf.nested-parts": entry(
+        "A part of the package contains further parts.",
+        "Send all documents and the drawing as parts of one multipart/related.",
+    ),
     "xjdf.many-files": entry(
         "The package has more than {limit} files.",
         "Send only the documents of one order and its drawing.",
