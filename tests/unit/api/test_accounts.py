@@ -64,7 +64,9 @@ def test_the_first_administrator_closes_this_computer_to_others(server: LocalCli
     assert server.get("/api/jobs").status_code == 200
     made = server.post("/api/users", json=ADMIN)
     assert made.status_code == 201
-    assert "password" not in made.text
+    assert "password" not in made.json()
+    assert ADMIN["password"] not in made.text
+    assert "$argon2" not in made.text
     for path in ("/api/jobs", "/api/me", "/api/users", "/api/openapi.json"):
         assert server.get(path).status_code == 401, path
     assert server.get("/healthz").status_code == 200
