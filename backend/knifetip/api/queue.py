@@ -79,6 +79,8 @@ class _Ticket:
         self.client = client
         self.result: asyncio.Future[Any] = asyncio.get_running_loop().create_future()
         self.gone = threading.Event()
+        #: of the request: a waiting call is begun by the end of another request's call
+        self.context = copy_context()
 
 
 class WorkQueue:
@@ -160,7 +162,7 @@ class WorkQueue:
             ticket = min(ready, key=lambda one: self._running[one.client])
             self._waiting.remove(ticket)
             self._running[ticket.client] += 1
-            execute = partial(copy_context().run, self._execute, ticket)
+            execute = partial(ticket.context.run, self._execute, ticket)
             work = asyncio.get_running_loop().run_in_executor(self._threads, execute)
             work.add_done_callback(partial(self._end, ticket))
 

@@ -18,6 +18,7 @@ from knifetip.api import queue
 from knifetip.api.queue import Client, WorkQueue, is_client_gone
 from knifetip.errors import ServerBusy
 from knifetip.jobs import tasks
+from knifetip.jobs.accounts.acting import Acting, acting_as, acting_principal
 from knifetip.jobs.process_pool import TaskCancelled
 from knifetip.model.stage import Stage
 from tests.support.serving.server import (
@@ -51,6 +52,27 @@ async def test_calls_are_made_in_order_with_limited_concurrency() -> None:
     assert found == list(range(12))
     assert order == list(range(12))
     assert most == 2
+    work.close()
+
+
+async def test_a_waiting_call_runs_in_the_context_of_its_own_request() -> None:
+    work = WorkQueue(1, 10)
+    gate = threading.Event()
+
+    def call() -> str:
+        gate.wait(10.0)
+        return acting_principal()
+
+    async def request(user: str) -> str:
+        with acting_as(Acting("user", user, user, "create_job")):
+            return await work.run(call)
+
+    waiting = [asyncio.create_task(request(user)) for user in ("anna", "ben", "carla")]
+    async with asyncio.timeout(10.0):
+        while work.waiting < 2:
+            await asyncio.sleep(0.001)
+    gate.set()
+    assert await asyncio.gather(*waiting) == ["user:anna", "user:ben", "user:carla"]
     work.close()
 
 
