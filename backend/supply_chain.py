@@ -66,7 +66,7 @@ def write_sbom() -> int:
     return 0
 
 
-def judge_python(output: str) -> tuple[Status, list[str]]:
+def python_status(output: str) -> tuple[Status, list[str]]:
     """Return the result that the JSON output of pip-audit states, and lines about it."""
     try:
         packages = json.loads(output)["dependencies"]
@@ -85,7 +85,7 @@ def judge_python(output: str) -> tuple[Status, list[str]]:
     return Status.CLEAN, [f"{len(packages)} packages, no known vulnerability"]
 
 
-def judge_page(output: str) -> tuple[Status, list[str]]:
+def page_status(output: str) -> tuple[Status, list[str]]:
     """Return the result that the JSON output of npm audit states, and lines about it."""
     try:
         report: dict[str, Any] = json.loads(output)
@@ -101,7 +101,7 @@ def judge_page(output: str) -> tuple[Status, list[str]]:
 def _audit_python(lock: Path) -> tuple[Status, list[str]]:
     words = [_tool("pip-audit"), "--requirement", str(lock), "--disable-pip", "--no-deps"]
     done = _run([*words, "--format", "json", "--progress-spinner", "off"])
-    status, lines = judge_python(done.stdout)
+    status, lines = python_status(done.stdout)
     if not done.stdout.strip():
         lines += done.stderr.strip().splitlines()[-1:]
     return status, lines
@@ -119,7 +119,7 @@ def audit_server() -> tuple[Status, list[str]]:
 def audit_page() -> tuple[Status, list[str]]:
     """Request the vulnerabilities of the packages of the page."""
     done = _run([*_NPM, "audit", "--json", "--package-lock-only", "--omit", "dev"])
-    status, lines = judge_page(done.stdout)
+    status, lines = page_status(done.stdout)
     if status is Status.UNREACHED:
         lines += [line for line in done.stderr.splitlines() if line.startswith("npm error")][:2]
     return status, lines

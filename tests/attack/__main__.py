@@ -1,10 +1,11 @@
-"""Attack the judge: count the mutants of correct programs that it accepts although they do harm.
+"""Attack the verifier: count the mutants of correct programs that it accepts despite damage.
 
     python -m tests.attack --mutants 5000 --seed 1 [--only NAME] [--keep FOLDER]
 
 Each mutant is a program of one of the ``subjects`` with one or two random changes (``mutation``).
-Harm is measured without the verifier (``harm``), by the tests' own ``controller`` and ``plotter``;
-if rs274 is installed, LinuxCNC's interpreter must agree with ``controller`` on accepted mutants.
+Damage is measured without the verifier (``damage``), by the tests' own ``controller`` and
+``plotter``; if rs274 is installed, LinuxCNC's interpreter must agree with ``controller`` on
+accepted mutants.
 Prints the escapes, a table of all subjects, and the rate, also if it is interrupted; the exit
 status is 1 if any escaped.
 """

@@ -1,4 +1,4 @@
-"""Run an attack: make mutants, verify them, and measure the harm of the accepted ones."""
+"""Run an attack: make mutants, verify them, and measure the damage of the accepted ones."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from random import Random
 
-from tests.attack.harm import Oracle
+from tests.attack.damage import Oracle
 from tests.attack.mutation import mutate
 from tests.attack.subjects import Subject
 
@@ -22,16 +22,16 @@ _POOL = 40
 
 @dataclass(frozen=True)
 class Escape:
-    """An accepted mutant that does harm."""
+    """An accepted mutant that does damage."""
 
     number: int
     subject: str
     changes: str
-    harm: str
+    damage: str
     text: bytes
 
     def __str__(self) -> str:
-        return f"{self.number} {self.subject}: {self.changes}: {self.harm}"
+        return f"{self.number} {self.subject}: {self.changes}: {self.damage}"
 
 
 @dataclass
@@ -92,10 +92,10 @@ def run(subjects: Sequence[Subject], count: int, seed: int, tally: Tally) -> Ite
         if not subject.accepts(text):
             tally.add(subject.name, changes, "refused")
             continue
-        harm = oracles[subject.name].harm(text)
-        tally.add(subject.name, changes, "escape" if harm else "harmless")
-        if harm:
-            yield Escape(number, subject.name, changes, harm, text)
+        damage = oracles[subject.name].damage(text)
+        tally.add(subject.name, changes, "escape" if damage else "harmless")
+        if damage:
+            yield Escape(number, subject.name, changes, damage, text)
         elif " + " not in changes:
             pool = pools[subject.name]
             if len(pool) < _POOL:

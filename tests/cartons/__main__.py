@@ -1,4 +1,4 @@
-"""Compile random cartons, follow the hints of refusals, and judge the accepted programs.
+"""Compile random cartons, follow the hints of refusals, and check the accepted programs.
 
     python -m tests.cartons --count 1000 --seed 1 [--first 0] [--oracle 10] [--keep FOLDER]
 
@@ -15,7 +15,7 @@ import sys
 from pathlib import Path
 
 from tests.cartons.campaign import Tally, run
-from tests.cartons.oracle import judge
+from tests.cartons.oracle import check_tip_path
 from tests.support.campaign import keep_file, until_interrupted
 
 
@@ -25,7 +25,7 @@ def main() -> int:
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--first", type=int, default=0, help="number of the first job")
-    parser.add_argument("--oracle", type=int, default=0, help="judge the program of one in so many")
+    parser.add_argument("--oracle", type=int, default=0, help="check the program of one in so many")
     parser.add_argument("--keep", type=Path, help="folder for the files of failures")
     options = parser.parse_args()
     tally = Tally()
@@ -35,7 +35,7 @@ def main() -> int:
             options.seed,
             tally,
             first=options.first,
-            judge=judge,
+            check=check_tip_path,
             every=options.oracle,
         ):
             print(f"{outcome.fate.upper()} {job}: {outcome.followed} {outcome.text}", flush=True)

@@ -1,4 +1,4 @@
-"""Run a campaign: compile many jobs, count what becomes of them, and judge some programs."""
+"""Run a campaign: compile many jobs, count what becomes of them, and check some programs."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from tests.cartons.job import Job, random_job
 from tests.cartons.trial import Outcome, attempt_job
 
-FATES = ("accepted", "excepted", "by hint", "left out", "stuck", "error", "misjudged")
+FATES = ("accepted", "excepted", "by hint", "left out", "stuck", "error", "wrongly accepted")
 
 
 @dataclass
@@ -24,7 +24,7 @@ class Tally:
     hints: Counter[str] = field(default_factory=Counter)  #: "code: what was done → fate"
     asked: int = 0
     mistyped: int = 0
-    judged: int = 0
+    checked: int = 0
     seconds: float = 0.0
 
     @property
@@ -38,7 +38,7 @@ class Tally:
         return sum(
             fates[fate]
             for fates in self.by_machine.values()
-            for fate in ("left out", "stuck", "error", "misjudged")
+            for fate in ("left out", "stuck", "error", "wrongly accepted")
         )
 
     def add(self, job: Job, outcome: Outcome) -> None:
@@ -71,7 +71,7 @@ class Tally:
             f"without a question"
         )
         lines.append(
-            f"{self.jobs} jobs, {self.failures} failures, {self.judged} programs judged, "
+            f"{self.jobs} jobs, {self.failures} failures, {self.checked} programs checked, "
             f"{self.seconds:.0f} s"
         )
         return "\n".join(lines)
@@ -83,7 +83,7 @@ def run(
     tally: Tally,
     *,
     first: int = 0,
-    judge: Callable[[Job, Outcome], str] | None = None,
+    check: Callable[[Job, Outcome], str] | None = None,
     every: int = 0,
 ) -> Iterator[tuple[Job, Outcome]]:
     """Compile jobs, count them, and yield those that fail.
@@ -92,20 +92,20 @@ def run(
     ----------
     first
         Number of the first job.
-    judge
+    check
         Returns what is wrong with an accepted program, "" if nothing.
     every
-        The programs of one in so many jobs are judged; 0 for none.
+        The programs of one in so many jobs are checked; 0 for none.
     """
     begin = time.perf_counter()
     for number in range(first, first + count):
         job = random_job(seed, number)
         outcome = attempt_job(job)
-        if judge is not None and every and number % every == 0 and outcome.compiled is not None:
-            tally.judged += 1
-            if fault := judge(job, outcome):
-                outcome.fate, outcome.text = "misjudged", fault
+        if check is not None and every and number % every == 0 and outcome.compiled is not None:
+            tally.checked += 1
+            if fault := check(job, outcome):
+                outcome.fate, outcome.text = "wrongly accepted", fault
         tally.add(job, outcome)
         tally.seconds = time.perf_counter() - begin
-        if outcome.fate in ("left out", "stuck", "error", "misjudged"):
+        if outcome.fate in ("left out", "stuck", "error", "wrongly accepted"):
             yield job, outcome

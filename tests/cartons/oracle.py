@@ -1,4 +1,4 @@
-"""Judge accepted programs without the verifier, by the tests' own controllers and LinuxCNC's
+"""Check accepted programs without the verifier, by the tests' own controllers and LinuxCNC's
 interpreter.
 
 The program must do nothing dangerous, and each tip must work only on drawn lines: a knife or a
@@ -17,8 +17,8 @@ from knifetip.languages.registry import with_language
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import CreaseWheel, Cutter, Knife, Laser, VCutter
 from tests.attack.controller import NotExecuted
+from tests.attack.damage import Oracle, interpreter_difference
 from tests.attack.effects import Contact
-from tests.attack.harm import Oracle, interpreter_difference
 from tests.attack.subjects import DIALECTS, Subject
 from tests.cartons.job import Job
 from tests.cartons.trial import Outcome
@@ -38,7 +38,7 @@ _MAKES: Final = {
 }
 
 
-def judge(_job: Job, outcome: Outcome) -> str:
+def check_tip_path(_job: Job, outcome: Outcome) -> str:
     """Return what is wrong with the accepted program of a job, "" if nothing."""
     attempt, compiled = outcome.attempt, outcome.compiled
     assert attempt is not None

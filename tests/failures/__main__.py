@@ -45,10 +45,10 @@ def main() -> int:
             print(campaign.findings, flush=True)
             if given.logs is not None:
                 keep_logs(shop, given.logs)
-    for name, rows in found.harm.cases.items():
+    for name, rows in found.violations.cases.items():
         for row in rows:
             print(f"{name}: {row}")
-    return 1 if found.harm else 0
+    return 1 if found.violations else 0
 
 
 if __name__ == "__main__":

@@ -15,9 +15,9 @@ from typing import Final
 
 from knifetip.jobs.job import State
 from knifetip.jobs.store import Store
-from tests.failures.judgement import Harm, JobRecord, judge
 from tests.failures.operator import Operator, upload_drawings
 from tests.failures.shop import SERVERS, WORKERS, Shop
+from tests.failures.violations import JobRecord, Violations, check_jobs
 
 _log = logging.getLogger(__name__)
 
@@ -37,14 +37,14 @@ class Findings:
     again: int = 0  #: decisions to make an interrupted job again
     seconds: float = 0.0
     answers: Counter[str] = field(default_factory=Counter)  #: to the operator's requests
-    harm: Harm = field(default_factory=Harm)
+    violations: Violations = field(default_factory=Violations)
 
     def __str__(self) -> str:
         done = ", ".join(f"{count} × {name}" for name, count in sorted(self.faults.items()))
         kills = sum(count for name, count in self.faults.items() if name.startswith(KILL))
         return (
             f"{kills} kills ({done}) in {self.seconds:.0f} s; {self.jobs} jobs, {self.runs} runs "
-            f"with a tool in the board, {self.again} made again; {self.harm}; answers to the "
+            f"with a tool in the board, {self.again} made again; {self.violations}; answers to the "
             f"operator: {dict(self.answers)}"
         )
 
@@ -172,7 +172,7 @@ class Campaign:
                 if working or gateway not in self._shop.processes:
                     self._low_since[gateway] = now
                 elif now - self._low_since[gateway] > _SAFE_WITHIN:
-                    self.findings.harm.heads_down.append(f"{gateway} {table.table.position}")
+                    self.findings.violations.heads_down.append(f"{gateway} {table.table.position}")
                     self._low_since[gateway] = now
             if now >= end:
                 return
@@ -209,10 +209,10 @@ class Campaign:
         found = self.findings
         found.jobs, found.runs = len(operator.accepted), sum(run.has_cut for run in runs)
         found.again = sum(job.decisions for job in stored.values())
-        judge(operator.accepted, stored, runs, found.harm)
+        check_jobs(operator.accepted, stored, runs, found.violations)
         for gateway, table in zip(self._shop.gateways, self._shop.tables, strict=True):
             if not table.wait_until_safe(10.0):
-                found.harm.heads_down.append(f"{gateway} {table.table.position} at the end")
+                found.violations.heads_down.append(f"{gateway} {table.table.position} at the end")
 
 
 def keep_logs(shop: Shop, folder: Path) -> None:

@@ -1,4 +1,4 @@
-"""A short attack on the verifier: no mutant that does harm is accepted.
+"""A short attack on the verifier: no mutant that does damage is accepted.
 
 ``python -m tests.attack`` runs longer ones.
 """
@@ -10,13 +10,13 @@ from dataclasses import replace
 import pytest
 
 from tests.attack.campaign import Tally, run
-from tests.attack.harm import Oracle
+from tests.attack.damage import Oracle
 from tests.attack.rests import rests
 from tests.attack.subjects import Subject, subjects
 
 
 @pytest.mark.parametrize("seed", [11, 12])
-def test_no_harmful_mutant_is_accepted(seed: int) -> None:
+def test_no_damaging_mutant_is_accepted(seed: int) -> None:
     tally = Tally()
     escaped = [str(escape) for escape in run(subjects(), 300, seed, tally)]
     assert escaped == []
@@ -25,7 +25,7 @@ def test_no_harmful_mutant_is_accepted(seed: int) -> None:
     assert fates["refused"] > 150
 
 
-def test_no_harmful_mutant_of_a_rest_is_accepted() -> None:
+def test_no_damaging_mutant_of_a_rest_is_accepted() -> None:
     tally = Tally()
     assert [str(escape) for escape in run(rests(), 200, 21, tally)] == []
     fates = sum((fates for fates in tally.fates.values()), start=tally.kinds["none"])
@@ -40,18 +40,18 @@ def _named(name: str) -> Subject:
 def test_a_rest_is_measured_with_what_earlier_programs_have_cut() -> None:
     subject = next(each for each in rests() if each.name == "rest half, demo-table, grblhal")
     oracle, (work,) = Oracle(subject), subject.earlier
-    assert oracle.harm(subject.text) == ""
+    assert oracle.damage(subject.text) == ""
     # The part whose outline was cut before must not be worked again.
     cut = replace(subject, earlier=(replace(work, text=subject.text, repeated=((1, 999),)),))
     window = subject.text.index(b"G1 X100.0000")
     turned = subject.text[:window] + b"G1 X100.0001" + subject.text[window + 12 :]
-    assert oracle.harm(turned) == ""
-    assert "works on a part after its outline" in Oracle(cut).harm(turned)
+    assert oracle.damage(turned) == ""
+    assert "works on a part after its outline" in Oracle(cut).damage(turned)
     assert not cut.accepts(subject.text)
 
 
 @pytest.mark.parametrize(
-    ("name", "old", "new", "harm"),
+    ("name", "old", "new", "damage"),
     [
         ("knife, grblhal", b"G4 P0\nM65 P0", b"M65 P0", "switches while the head moves"),
         ("knife, linuxcnc", b"G4 P0\nG3", b"G3", "without a stop"),
@@ -66,22 +66,22 @@ def test_a_rest_is_measured_with_what_earlier_programs_have_cut() -> None:
         ("flat cutter, hpgl", b"FS12;", b"FS30;", "force 30"),
     ],
 )
-def test_the_measure_of_harm_sees_harm(name: str, old: bytes, new: bytes, harm: str) -> None:
+def test_each_kind_of_damage_is_found(name: str, old: bytes, new: bytes, damage: str) -> None:
     subject = _named(name)
     assert old in subject.text
     oracle = Oracle(subject)
-    assert oracle.harm(subject.text) == ""
-    assert harm in oracle.harm(subject.text.replace(old, new, 1))
+    assert oracle.damage(subject.text) == ""
+    assert damage in oracle.damage(subject.text.replace(old, new, 1))
 
 
-@pytest.mark.parametrize(("end", "harm"), [(b"Y179.2000", ""), (b"Y179.5000", "is off by")])
-def test_a_reversed_blade_does_no_harm_within_its_slit(end: bytes, harm: str) -> None:
+@pytest.mark.parametrize(("end", "damage"), [(b"Y179.2000", ""), (b"Y179.5000", "is off by")])
+def test_a_reversed_blade_does_no_damage_within_its_slit(end: bytes, damage: str) -> None:
     subject = _named("bridges, grblhal")
     last = b"G1 Y167.4722 F24000\nG1 Z4.0000 F6000\n"
     assert last in subject.text
     back = last + b"G0 C90.0000\nG1 Z-0.3000 F6000\nG1 " + end + b" F24000\nG1 Z4.0000 F6000\n"
-    found = Oracle(subject).harm(subject.text.replace(last, back, 1))
-    assert found.startswith("station 0 " + harm) if harm else found == ""
+    found = Oracle(subject).damage(subject.text.replace(last, back, 1))
+    assert found.startswith("station 0 " + damage) if damage else found == ""
 
 
 def test_a_corner_may_be_rounded_in_the_waste_only() -> None:
@@ -89,10 +89,10 @@ def test_a_corner_may_be_rounded_in_the_waste_only() -> None:
     oracle = Oracle(subject)
     before, found, lead = subject.text.rpartition(b"G1 Y95.5000")
     assert found
-    assert oracle.harm(before + b"G64 P0.5 Q0.5\n" + found + lead) == ""
+    assert oracle.damage(before + b"G64 P0.5 Q0.5\n" + found + lead) == ""
     line = before.rindex(b"G1 Y143.0000")
     rounded = before[:line] + b"G64 P0.5 Q0.5\n" + before[line:] + found + lead
-    assert "rounded by 0.5 mm" in oracle.harm(rounded)
+    assert "rounded by 0.5 mm" in oracle.damage(rounded)
 
 
 def test_a_drag_knife_must_not_cut_a_hole_again_in_a_released_part() -> None:
@@ -102,5 +102,5 @@ def test_a_drag_knife_must_not_cut_a_hole_again_in_a_released_part() -> None:
     before, found, rest = subject.text.rpartition(b"G0 X0.0000 Y0.0000")
     assert found
     text = before + hole + found + rest
-    assert "works on a part after its outline" in Oracle(subject).harm(text)
+    assert "works on a part after its outline" in Oracle(subject).damage(text)
     assert not subject.accepts(text)

@@ -17,8 +17,8 @@ import pytest
 from knifetip.library import load
 from tests.failures.campaign import Campaign
 from tests.failures.clocks import Clocks
-from tests.failures.judgement import Harm, JobRecord, judge
 from tests.failures.shop import Shop
+from tests.failures.violations import JobRecord, Violations, check_jobs
 from tests.failures.watched_table import Run, WatchedTable
 from tests.support.serving.postgresql import installed_binaries
 
@@ -33,7 +33,7 @@ def test_killed_processes_lose_no_job_and_cut_none_twice() -> None:
         faults = ["kill gateway", "kill database", "kill worker", "kill server"]
         found = Campaign(shop, seed=2).run(faults, pause=(0.5, 2.0), settle=120.0)
     assert found.jobs >= found.runs - found.again > 0
-    assert not found.harm, found.harm.cases
+    assert not found.violations, found.violations.cases
 
 
 def table() -> WatchedTable:
@@ -58,43 +58,43 @@ def test_a_watched_table_keeps_its_programs_apart() -> None:
     assert all(run.is_of("ab12ffff") for run in one.runs if run.has_cut)
 
 
-def judged(state: str, runs: list[list[bytes]], *codes: str) -> set[str]:
-    """Return the names of the harm to one job."""
-    harm = Harm()
+def violations_of(state: str, runs: list[list[bytes]], *codes: str) -> set[str]:
+    """Return the names of the violations by one job."""
+    violations = Violations()
     record = JobRecord("j", state, Counter(codes), b"\n".join(LINES))
     done = [Run("ab12", lines) for lines in runs]
-    judge({"j": "ab12ffff"}, {"j": record}, done, harm)
-    return {name for name, rows in harm.cases.items() if rows}
+    check_jobs({"j": "ab12ffff"}, {"j": record}, done, violations)
+    return {name for name, rows in violations.cases.items() if rows}
 
 
 CONFIRMED, AGAIN = "job.confirmed-table", "job.requeued"
 
 
 @pytest.mark.parametrize(
-    ("harm", "state", "runs", "codes"),
+    ("violations", "state", "runs", "codes"),
     [
         ((), "done", [LINES], [CONFIRMED]),
         ((), "done", [LINES[:5], LINES], [CONFIRMED, AGAIN, CONFIRMED]),
         # The gateway moves to the first point and back: nothing was cut.
         ((), "done", [LINES[:3], LINES], [CONFIRMED]),
         (["stuck"], "interrupted", [LINES[:5]], [CONFIRMED]),
-        (["not_carried_out"], "done", [LINES[:5]], [CONFIRMED]),
-        (["not_carried_out"], "done", [], [CONFIRMED]),
+        (["not_executed"], "done", [LINES[:5]], [CONFIRMED]),
+        (["not_executed"], "done", [], [CONFIRMED]),
         (["cut_twice"], "done", [LINES[:5], LINES], [CONFIRMED, CONFIRMED]),
         (["unconfirmed"], "done", [LINES], []),
         (["cut_twice", "unconfirmed"], "done", [LINES, LINES], [CONFIRMED]),
     ],
 )
-def test_harm_is_found(
-    harm: list[str], state: str, runs: list[list[bytes]], codes: list[str]
+def test_each_violation_is_found(
+    violations: list[str], state: str, runs: list[list[bytes]], codes: list[str]
 ) -> None:
-    assert judged(state, runs, *codes) == set(harm)
+    assert violations_of(state, runs, *codes) == set(violations)
 
 
 def test_a_job_that_is_not_stored_is_lost_and_a_run_without_a_job_is_not_confirmed() -> None:
-    harm = Harm()
-    judge({"j": "ab12ffff"}, {}, [Run("cd34", LINES)], harm)
-    assert {name for name, rows in harm.cases.items() if rows} == {"lost", "unconfirmed"}
+    violations = Violations()
+    check_jobs({"j": "ab12ffff"}, {}, [Run("cd34", LINES)], violations)
+    assert {name for name, rows in violations.cases.items() if rows} == {"lost", "unconfirmed"}
 
 
 def test_a_stepped_clock_changes_the_time_of_day_and_no_duration(tmp_path: Path) -> None:

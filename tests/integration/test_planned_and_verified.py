@@ -398,7 +398,7 @@ def test_a_knife_does_not_cut_the_panel_behind_a_slit(
     assert verdict.overcut[ended].max() == pytest.approx(past, abs=1e-3)
 
 
-def test_the_judge_refuses_a_tip_that_passes_a_slit(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_verifier_refuses_a_tip_that_passes_a_slit(monkeypatch: pytest.MonkeyPatch) -> None:
     line = dieline(OUTLINE, SLIT, (CUT, edges(((250, 150), (250, 200)))))
     monkeypatch.setattr(
         blade_operations, "ends_at_waste", lambda points, *_: np.ones(len(points), np.bool_)

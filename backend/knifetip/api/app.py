@@ -85,7 +85,7 @@ STATUS: Mapping[type[errors.KnifetipError], int] = {
     errors.DrawingTooLarge: 413,
     errors.OpenQuestions: 409,
     errors.JobError: 409,
-    errors.NoSuchJob: 404,
+    errors.NotFound: 404,
     errors.KeyReused: 422,
     errors.StaleVersion: 412,
     errors.StoreError: 503,

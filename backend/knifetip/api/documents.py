@@ -38,7 +38,7 @@ class Document(Generic[Row]):
     """A kind of large answer about drawings or jobs, and how it is made."""
 
     kind: str
-    #: returns the row with an id, with these large columns; raises NoSuchJob
+    #: returns the row with an id, with these large columns; raises NotFound
     read: Callable[..., Row]
     columns: tuple[str, ...]  #: large columns from which it is made
     version: Callable[[Row], str]  #: changes whenever the document changes; the ETag
@@ -151,7 +151,7 @@ class Answer:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no drawing or job with this id.
         ServerBusy
             A worker process must make the document, and too many requests wait for one.

@@ -32,7 +32,7 @@ from knifetip.api.schemas.stations import StationOut
 from knifetip.api.service import Service
 from knifetip.api.waiting import WaitingFor
 from knifetip.api.wake import wake_on_change
-from knifetip.errors import NoSuchJob
+from knifetip.errors import NotFound
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.job import State
 from knifetip.jobs.tables import Event
@@ -214,7 +214,7 @@ class Stream:
     def _drawing(self, id: str, number: int) -> ServerSentEvent:
         try:
             drawing = summary_out(self._service.store.drawings.get(id))
-        except NoSuchJob:
+        except NotFound:
             return _message("deleted", json.dumps({"drawing": id}), number)
         return _message("drawing", drawing.model_dump_json(), number)
 

@@ -37,7 +37,7 @@ def job_archive(store: Store, id: str) -> bytes:
 
     Raises
     ------
-    NoSuchJob
+    NotFound
         There is no job with this id.
     """
     row = store.jobs.get(id)

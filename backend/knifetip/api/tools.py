@@ -8,7 +8,7 @@ from knifetip.api.parameters import MachineName, StationNumber
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.history import ToolChangeIn, ToolEventOut, ToolLifeIn, ToolUseOut
 from knifetip.api.service import Service, ServiceDep
-from knifetip.errors import NoSuchJob
+from knifetip.errors import NotFound
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.job import Actor, ActorKind
 from knifetip.jobs.tool_store import ToolUse, warning_message
@@ -77,12 +77,12 @@ def _with_station(service: Service, name: str, station: int) -> Machine:
 
     Raises
     ------
-    NoSuchJob
+    NotFound
         The machine has no such station.
     """
     machine = _machine(service, name)
     if station not in (one.number for one in machine.stations):
-        raise NoSuchJob("tool-life.no-station", machine=name, station=station)
+        raise NotFound("tool-life.no-station", machine=name, station=station)
     return machine
 
 

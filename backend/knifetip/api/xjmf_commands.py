@@ -23,7 +23,7 @@ from knifetip.errors import (
     AccessDenied,
     KnifetipError,
     LibraryError,
-    NoSuchJob,
+    NotFound,
     RequestError,
     ServerBusy,
     WrongState,
@@ -244,7 +244,7 @@ def _selected(answering: Answering, parameters: Element | None) -> list[Job]:
 
     Raises
     ------
-    NoSuchJob
+    NotFound
         An entry that is named by its id does not exist.
     """
     filters = [] if parameters is None else list(parameters)
@@ -297,6 +297,6 @@ _REQUEST_CODES: Final[Mapping[str, ReturnCode]] = {
 _ERROR_CODES: Final = (
     (AccessDenied, ReturnCode.DENIED),
     (ServerBusy, ReturnCode.BUSY),
-    (NoSuchJob, ReturnCode.UNKNOWN_ENTRY),
+    (NotFound, ReturnCode.UNKNOWN_ENTRY),
     (LibraryError, ReturnCode.UNKNOWN_DEVICE),
 )

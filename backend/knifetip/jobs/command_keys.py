@@ -35,7 +35,7 @@ class CommandKeys:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no job with this id.
         KeyReused
             The key was used for another command, or for another job.

@@ -26,7 +26,7 @@ from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session, aliased
 
-from knifetip.errors import ContentLost, NoSuchJob, StoreError, WrongState
+from knifetip.errors import ContentLost, NotFound, StoreError, WrongState
 from knifetip.jobs.database import Database, rows, short
 from knifetip.jobs.objects import Objects
 from knifetip.jobs.tables import Base, Content, Drawing, Job
@@ -212,7 +212,7 @@ class ContentStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no drawing or job with this id.
         WrongState
             It has no such value.
@@ -226,7 +226,7 @@ class ContentStore:
         with self._db.reading() as session:
             found = session.execute(query.where(table.id == id)).first()
         if found is None:
-            raise NoSuchJob("store.unknown", kind=kind, id=short(id))
+            raise NotFound("store.unknown", kind=kind, id=short(id))
         if found[0] is None:
             raise WrongState("store.no-column", kind=kind, id=id, column=name)
         return self._checked(found[0], found[1], id)

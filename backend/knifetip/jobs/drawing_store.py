@@ -9,7 +9,7 @@ from typing import Any
 import sqlalchemy as sa
 from sqlalchemy.exc import IntegrityError
 
-from knifetip.errors import NoSuchJob, StaleRevision, WrongState
+from knifetip.errors import NotFound, StaleRevision, WrongState
 from knifetip.jobs.content_store import ContentStore
 from knifetip.jobs.database import Database, rows, short
 from knifetip.jobs.interpretations import drawing_columns
@@ -132,7 +132,7 @@ class DrawingStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no drawing with this id (jobs and drawings have the same error class).
         """
         return self.get_with(id)
@@ -152,7 +152,7 @@ class DrawingStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no drawing with this id (jobs and drawings have the same error class).
         ContentLost
             A value is missing or altered.
@@ -175,7 +175,7 @@ class DrawingStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no drawing with this id (jobs and drawings have the same error class).
         WrongState
             The drawing has no such value.
@@ -222,7 +222,7 @@ class DrawingStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             The drawing was deleted since it was read.
         StaleRevision
             The drawing has another version, because it was changed since it was read.
@@ -262,7 +262,7 @@ class DrawingStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no drawing with this id (jobs and drawings have the same error class).
         WrongState
             A job was made from the drawing.
@@ -287,11 +287,11 @@ class DrawingStore:
             ids = list(session.scalars(old))
         deleted = 0
         for id in ids:
-            with suppress(NoSuchJob, WrongState):  # deleted or used meanwhile
+            with suppress(NotFound, WrongState):  # deleted or used meanwhile
                 self.delete(id)
                 deleted += 1
         return deleted
 
 
-def _unknown_drawing_error(id: str) -> NoSuchJob:
-    return NoSuchJob("drawing.unknown", drawing=short(id))
+def _unknown_drawing_error(id: str) -> NotFound:
+    return NotFound("drawing.unknown", drawing=short(id))

@@ -22,7 +22,7 @@ class EventStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is and was no job with this id.
         """
         query = sa.select(Event).where(Event.subject == id, Event.kind == "job").order_by(Event.id)

@@ -178,7 +178,7 @@ class JobStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no job with the id ``parent``.
         WrongState
             The other job has not ended its work, has no program, was executed further in the
@@ -281,7 +281,7 @@ class JobStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no job with this id.
         """
         with self._db.reading() as session:
@@ -304,7 +304,7 @@ class JobStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no job with this id.
         WrongState
             There is no such value: the job is not compiled yet, or it was refused.
@@ -332,7 +332,7 @@ class JobStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no job with this id.
         WrongState
             There is none: the job is not compiled yet, or it was refused.

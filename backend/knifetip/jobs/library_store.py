@@ -16,7 +16,7 @@ import sqlalchemy as sa
 from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
-from knifetip.errors import LibraryError, NoSuchJob, StaleVersion, WrongState
+from knifetip.errors import LibraryError, NotFound, StaleVersion, WrongState
 from knifetip.jobs.changes import ALL
 from knifetip.jobs.database import Database, note_change, rows, short
 from knifetip.jobs.job import State
@@ -262,7 +262,7 @@ class LibraryStore:
             The stored entry has another version.
         WrongState
             The entry to create exists already, or there are too many entries.
-        NoSuchJob
+        NotFound
             The entry to replace does not exist (jobs and entries have the same error class).
         """
         shelf, name, based_on = definition.shelf, definition.name, definition.version
@@ -303,7 +303,7 @@ class LibraryStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no such entry (jobs and entries have the same error class).
         StaleVersion
             The entry has another version.
@@ -383,7 +383,7 @@ def _jobs_with(session: Session, shelf: Shelf, name: str) -> list[str]:
 
 def _conflict(
     shelf: Shelf, name: str, found: LibraryEntry | LibraryVersion | None, based_on: int
-) -> NoSuchJob | StaleVersion | WrongState:
+) -> NotFound | StaleVersion | WrongState:
     """Return the error that the version of a stored entry is not the one that a change names.
 
     Parameters
@@ -396,7 +396,7 @@ def _conflict(
         Version on which the change is based; 0 if the change creates the entry.
     """
     if found is None:
-        return NoSuchJob("library.not-stored", shelf=shelf.word, name=short(name))
+        return NotFound("library.not-stored", shelf=shelf.word, name=short(name))
     word, shown, version = shelf.word, short(name), found.version
     if not based_on:
         return WrongState("library.exists", shelf=word, name=shown, version=version)

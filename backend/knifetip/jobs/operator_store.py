@@ -233,7 +233,7 @@ class OperatorStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no such job, or its machine has no station whose tool was changed.
         WrongState
             The job does not wait for a confirmation, needs another board, uses a station that was

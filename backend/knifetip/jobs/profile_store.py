@@ -10,7 +10,7 @@ from collections.abc import Sequence
 import sqlalchemy as sa
 from sqlalchemy.exc import IntegrityError
 
-from knifetip.errors import NoSuchJob, StaleVersion, WrongState
+from knifetip.errors import NotFound, StaleVersion, WrongState
 from knifetip.jobs.database import Database, rows, short
 from knifetip.jobs.tables import Profile
 
@@ -55,7 +55,7 @@ class ProfileStore:
             The stored profile has another version.
         WrongState
             The profile to create exists already, or there are too many profiles.
-        NoSuchJob
+        NotFound
             The profile to replace was deleted (jobs and profiles have the same error class).
         """
         now = self._db.clock()
@@ -101,7 +101,7 @@ class ProfileStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no profile with this name (jobs and profiles have the same error class).
         StaleVersion
             The profile has another version.
@@ -116,10 +116,10 @@ class ProfileStore:
 
     def _missing_or_stale_error(
         self, name: str, version: int | None
-    ) -> NoSuchJob | StaleVersion | WrongState:
+    ) -> NotFound | StaleVersion | WrongState:
         found = self.get(name)
         if found is None:
-            return NoSuchJob("profile.not-kept", name=short(name))
+            return NotFound("profile.not-kept", name=short(name))
         if version is None:
             return WrongState("profile.exists", name=short(name), version=found.version)
         return StaleVersion("profile.stale", name=short(name), version=found.version, given=version)

@@ -17,7 +17,7 @@ import sqlalchemy as sa
 from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
-from knifetip.errors import NoSuchJob, WrongState
+from knifetip.errors import NotFound, WrongState
 from knifetip.gateway.operations import EXPIRY, RUNS
 from knifetip.gateway.station_report import UNREPORTED
 from knifetip.jobs.changes import ALL, machine_topic
@@ -306,7 +306,7 @@ class StationStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             The machine has no operation with this id, or it was removed after some minutes.
         """
         query = sa.select(Operation).where(Operation.id == id, Operation.machine == machine)
@@ -314,7 +314,7 @@ class StationStore:
             row = session.scalar(query)
             station = session.get(Station, machine)
         if row is None:
-            raise NoSuchJob("operation.unknown", id=short(id), machine=machine)
+            raise NotFound("operation.unknown", id=short(id), machine=machine)
         if row.state != "waiting":
             return row
         now = self._db.timer()

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from sqlalchemy.orm import Session
 
-from knifetip.errors import LibraryError, NoSuchJob, WrongState
+from knifetip.errors import LibraryError, NotFound, WrongState
 from knifetip.jobs.job import Actor
 from knifetip.jobs.library_store import LibraryStore
 from knifetip.jobs.tables import Job
@@ -65,7 +65,7 @@ class ToolGate:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             The machine has no station with a number in ``stated.changed``.
         WrongState
             The job uses a station that was not checked, or a tool at the end of its life.
@@ -101,13 +101,13 @@ def _name_of(machine: Machine, number: int) -> str:
 
     Raises
     ------
-    NoSuchJob
+    NotFound
         The machine has no station with this number.
     """
     for station in machine.stations:
         if station.number == number:
             return station.name
-    raise NoSuchJob("tool-life.no-station", machine=machine.name, station=number)
+    raise NotFound("tool-life.no-station", machine=machine.name, station=number)
 
 
 def _check_stations(row: Job, stations: Collection[int]) -> None:

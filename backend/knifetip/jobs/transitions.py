@@ -12,7 +12,7 @@ from typing import Any
 import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
-from knifetip.errors import NoSuchJob, StaleEpoch, WrongState
+from knifetip.errors import NotFound, StaleEpoch, WrongState
 from knifetip.jobs.accounts.acting import set_subject, signature
 from knifetip.jobs.changes import ALL, RECEIVED, machine_topic
 from knifetip.jobs.database import Database, note_change, short
@@ -67,7 +67,7 @@ class Transitions:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no job with this id.
         WrongState
             The actor may not perform the action in the present state of the job.
@@ -133,7 +133,7 @@ class Transitions:
 
     def refusal(
         self, session: Session, id: str, goal: str, epoch: int | None = None
-    ) -> NoSuchJob | WrongState | StaleEpoch:
+    ) -> NotFound | WrongState | StaleEpoch:
         """Return the error about a job that cannot move to the state ``goal``.
 
         ``epoch`` is the epoch that the job should have, None for any.
@@ -201,7 +201,7 @@ class Transitions:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no job with this id.
         """
         row = session.scalar(
@@ -233,9 +233,9 @@ def advice(state: str, message: Message | None) -> Message:
     return ADVICE[State(state)]
 
 
-def unknown_job_error(id: str) -> NoSuchJob:
+def unknown_job_error(id: str) -> NotFound:
     """Return the error that there is no job with an id."""
-    return NoSuchJob("job.unknown", job=short(id))
+    return NotFound("job.unknown", job=short(id))
 
 
 def stale_epoch_error(id: str, state: str, current: int, epoch: int) -> StaleEpoch:

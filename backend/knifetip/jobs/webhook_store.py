@@ -11,7 +11,7 @@ from typing import Any, Final
 import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
-from knifetip.errors import NoSuchJob, WrongState
+from knifetip.errors import NotFound, WrongState
 from knifetip.jobs.changes import WEBHOOK
 from knifetip.jobs.database import Database, rows, short
 from knifetip.jobs.job import new_id
@@ -95,7 +95,7 @@ class WebhookStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no endpoint with this id.
         """
         with self._db.reading() as session:
@@ -109,7 +109,7 @@ class WebhookStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no endpoint with this id.
         """
         with self._db.writing() as session:
@@ -135,7 +135,7 @@ class WebhookStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no endpoint with this id.
         """
         with self._db.writing() as session:
@@ -149,7 +149,7 @@ class WebhookStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no endpoint with this id.
         """
         with self._db.writing() as session:
@@ -160,7 +160,7 @@ class WebhookStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no endpoint with this id.
         WrongState
             The endpoint is switched off.
@@ -195,7 +195,7 @@ class WebhookStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no endpoint with this id.
         """
         with self._db.reading() as session:
@@ -214,7 +214,7 @@ class WebhookStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no endpoint or delivery with this id.
         """
         with self._db.reading() as session:
@@ -225,7 +225,7 @@ class WebhookStore:
                 )
             )
             if row is None:
-                raise NoSuchJob("webhook.unknown-delivery", delivery=short(delivery))
+                raise NotFound("webhook.unknown-delivery", delivery=short(delivery))
             return row
 
     def overlap_end(self, webhook: Webhook) -> float | None:
@@ -258,7 +258,7 @@ class WebhookStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no endpoint or delivery with this id.
         WrongState
             The endpoint is switched off.
@@ -279,7 +279,7 @@ class WebhookStore:
                 .execution_options(synchronize_session=False),
             )
             if delivery is not None and not changed:
-                raise NoSuchJob("webhook.unknown-delivery", delivery=short(delivery))
+                raise NotFound("webhook.unknown-delivery", delivery=short(delivery))
             webhook.failures, webhook.resume_at = 0, 0.0
             chosen = WebhookDelivery.webhook == webhook.serial
             chosen &= (
@@ -301,7 +301,7 @@ class WebhookStore:
 def _find(session: Session, id: str) -> Webhook:
     row = session.scalar(sa.select(Webhook).where(Webhook.id == id))
     if row is None:
-        raise NoSuchJob("webhook.unknown", webhook=short(id))
+        raise NotFound("webhook.unknown", webhook=short(id))
     return row
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from knifetip.errors import NoSuchJob, RequestError, WrongState
+from knifetip.errors import NotFound, RequestError, WrongState
 from knifetip.jobs.accounts.acting import DONE, Acting, acting_as, signature
 from knifetip.jobs.accounts.audit_store import AuditFilter
 from knifetip.jobs.accounts.key_store import USE_INTERVAL
@@ -91,7 +91,7 @@ def test_there_is_always_an_active_administrator(store: Store) -> None:
         store.users.change("bob", role=VIEWER)
     store.users.change("anna", active=True)
     store.users.change("bob", role=VIEWER)
-    with pytest.raises(NoSuchJob):
+    with pytest.raises(NotFound):
         store.users.change("carl", role=VIEWER)
 
 
@@ -159,7 +159,7 @@ def test_a_revoked_key_stays_in_the_list(store: Store, clock: Clock) -> None:
     store.keys.revoke(row.id)
     assert store.keys.find(secret) is None
     assert [one.revoked for one in store.keys.all()] == [at]
-    with pytest.raises(NoSuchJob):
+    with pytest.raises(NotFound):
         store.keys.revoke("x")
 
 

@@ -11,7 +11,7 @@ import sqlalchemy as sa
 
 from knifetip.errors import (
     MachineBusy,
-    NoSuchJob,
+    NotFound,
     StaleEpoch,
     WrongState,
 )
@@ -129,9 +129,9 @@ def test_a_job_that_is_done_stays_done(store: Store, move: str) -> None:
 
 
 def test_a_job_that_does_not_exist_is_named(store: Store) -> None:
-    with pytest.raises(NoSuchJob, match="Job 'nothing' does not exist"):
+    with pytest.raises(NotFound, match="Job 'nothing' does not exist"):
         store.operators.cancel("nothing")
-    with pytest.raises(NoSuchJob, match="does not exist"):
+    with pytest.raises(NotFound, match="does not exist"):
         store.drawings.get("nothing")
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from knifetip.errors import LibraryError, NoSuchJob, StaleEpoch, StaleVersion, WrongState
+from knifetip.errors import LibraryError, NotFound, StaleEpoch, StaleVersion, WrongState
 from knifetip.jobs.compile_result import CompileResult
 from knifetip.jobs.library_store import VersionNote
 from knifetip.jobs.store import Store
@@ -79,7 +79,7 @@ def test_a_change_must_name_the_newest_version(store: Store) -> None:
         save(store, 1)
     assert 'If-Match: "2"' in stale.value.hint
     assert save(store, 0, anyway=True) == 3
-    with pytest.raises(NoSuchJob):
+    with pytest.raises(NotFound):
         save(store, 1, name="other")
     assert save(store, 0, name="other", anyway=True) == 1
 
@@ -94,7 +94,7 @@ def test_a_deleted_entry_keeps_its_versions_and_their_numbers(store: Store) -> N
     with pytest.raises(LibraryError, match="does not exist"):
         store.library.machine("table")
     assert store.library.machine("table", 2).width == 1700.0
-    with pytest.raises(NoSuchJob):
+    with pytest.raises(NotFound):
         store.library.delete(Shelf.MACHINES, "table")
     assert save(store) == 3
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from knifetip.errors import NoSuchJob, WrongState
+from knifetip.errors import NotFound, WrongState
 from knifetip.jobs.station_store import OperationResult, StationReport
 from knifetip.jobs.store import Store
 from knifetip.messages import Message, hint
@@ -122,13 +122,13 @@ def test_operations_belong_to_their_machine_and_are_removed_later(
     reported: Store, clock: Clock
 ) -> None:
     asked = reported.stations.ask(MACHINE, JOG)
-    with pytest.raises(NoSuchJob):
+    with pytest.raises(NotFound):
         reported.stations.operation("router-table", asked.id)
     assert reported.stations.hand_out("router-table") == []
     clock.now += 700.0
     reported.stations.report(MACHINE, IDLE)
     reported.stations.ask(MACHINE, JOG)
-    with pytest.raises(NoSuchJob):
+    with pytest.raises(NotFound):
         reported.stations.operation(MACHINE, asked.id)
 
 

@@ -19,7 +19,7 @@ from numpy.testing import assert_array_equal
 from knifetip.errors import (
     KeyReused,
     MachineBusy,
-    NoSuchJob,
+    NotFound,
     StaleRevision,
     StaleVersion,
     StoreError,
@@ -75,7 +75,7 @@ def test_a_change_to_a_drawing_that_changed_meanwhile_is_refused(store: Store) -
 def test_a_change_to_a_drawing_that_was_deleted_meanwhile_is_refused(store: Store) -> None:
     row = drawing(store)
     store.drawings.delete(row.id)
-    with pytest.raises(NoSuchJob):
+    with pytest.raises(NotFound):
         store.drawings.change(row.id, row.version, stored("late"), overrides=b"\x01")
 
 
@@ -98,7 +98,7 @@ def test_a_drawing_with_jobs_is_kept(store: Store) -> None:
         store.drawings.delete(job.drawing)
     free = drawing(store)
     store.drawings.delete(free.id)
-    with pytest.raises(NoSuchJob):
+    with pytest.raises(NotFound):
         store.drawings.get(free.id)
 
 
@@ -283,6 +283,6 @@ def test_a_profile_counts_its_changes_and_is_never_overwritten_unseen(store: Sto
         store.profiles.delete("acme", 1)
     store.profiles.delete("acme", 2)
     assert store.profiles.get("acme") is None
-    with pytest.raises(NoSuchJob):
+    with pytest.raises(NotFound):
         store.profiles.save("acme", "C", "", 2)
     assert store.profiles.save("acme", "D", "", None, anyway=True).version == 1

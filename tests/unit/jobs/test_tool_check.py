@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from knifetip.errors import NoSuchJob, WrongState
+from knifetip.errors import NotFound, WrongState
 from knifetip.jobs.heartbeats import GatewayReport
 from knifetip.jobs.job import Actor, ActorKind
 from knifetip.jobs.store import Store
@@ -109,7 +109,7 @@ def test_a_tool_of_another_station_does_not_matter(store: Store, machine: Machin
 
 def test_an_unknown_station_cannot_have_a_new_tool(store: Store, machine: Machine) -> None:
     job = waiting(store)
-    with pytest.raises(NoSuchJob, match="has no station 9"):
+    with pytest.raises(NotFound, match="has no station 9"):
         store.operators.confirm(job.id, tools=ToolCheck(changed=[9]))
     assert store.jobs.get(job.id).confirmation == "awaited"
     assert machine.name == NAME

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 import sqlalchemy as sa
 
-from knifetip.errors import NoSuchJob, WrongState
+from knifetip.errors import NotFound, WrongState
 from knifetip.jobs.job import OPERATOR
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Event, Job
@@ -257,7 +257,7 @@ def test_deleting_an_endpoint_during_an_attempt_is_harmless(store: Store, clock:
     store.webhooks.delete(webhook)
     store.webhook_queue.store(claimed, Attempt(clock.now, 200, 0.1))
     assert deliveries(store) == []
-    with pytest.raises(NoSuchJob):
+    with pytest.raises(NotFound):
         store.webhooks.get(webhook)
 
 

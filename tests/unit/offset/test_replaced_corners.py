@@ -120,7 +120,7 @@ def test_the_requested_types_are_not_changed_in_place() -> None:
     assert (kinds == Corner.C).all()
 
 
-def test_a_refused_offset_is_judged_by_type_b() -> None:
+def test_a_refused_offset_is_checked_as_type_b() -> None:
     made = offset_paths(
         facing_squares(11.0), 5.0, -1, corner=Corner.C, group=[0, 0], interference="refuse"
     )

@@ -77,7 +77,7 @@ def python(**package: object) -> str:
     ],
 )
 def test_the_server_is_clean_only_if_every_package_was_audited(output: str, status: object) -> None:
-    assert supply_chain.judge_python(output)[0] is status
+    assert supply_chain.python_status(output)[0] is status
 
 
 @pytest.mark.parametrize(
@@ -88,8 +88,8 @@ def test_the_page_is_clean_only_if_npm_answers(
     vulnerabilities: dict[str, object], status: object
 ) -> None:
     report = {"vulnerabilities": vulnerabilities, "metadata": {"dependencies": {"prod": 7}}}
-    assert supply_chain.judge_page(json.dumps(report))[0] is status
-    assert supply_chain.judge_page('{"error": {"code": "E404"}}')[0] is Status.UNREACHED
+    assert supply_chain.page_status(json.dumps(report))[0] is status
+    assert supply_chain.page_status('{"error": {"code": "E404"}}')[0] is Status.UNREACHED
 
 
 @pytest.mark.parametrize(

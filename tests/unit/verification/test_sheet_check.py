@@ -42,16 +42,16 @@ def emitted(sheet: Sheet | None) -> tuple[bytes, float]:
     return process(path, MACHINE, tolerance=0.01).text, duration(path, MACHINE)
 
 
-def judged(text: bytes, sheet: Sheet | None) -> Verdict:
+def verdict_of(text: bytes, sheet: Sheet | None) -> Verdict:
     return verify(text, DRAWN, (0.0, 0.0), MACHINE, BOARD, sheet=sheet)
 
 
 def test_turns_beside_the_sheet_have_no_lift_and_save_time() -> None:
     (low, quick), (high, slow) = emitted(SHEET), emitted(None)
-    assert judged(low, SHEET).accepted
-    assert judged(low, Sheet()).accepted
-    assert judged(high, None).accepted
-    assert judged(high, SHEET).accepted
+    assert verdict_of(low, SHEET).accepted
+    assert verdict_of(low, Sheet()).accepted
+    assert verdict_of(high, None).accepted
+    assert verdict_of(high, SHEET).accepted
     assert quick < slow
     assert low.count(b"Z4.0000") < high.count(b"Z4.0000")
 
@@ -60,7 +60,7 @@ def test_turns_beside_the_sheet_have_no_lift_and_save_time() -> None:
     "sheet", [None, Sheet(310.0, 200.0, 5.0), Sheet(301.0, 200.0), Sheet(302.0, 200.0)]
 )
 def test_the_same_turns_are_refused_over_a_larger_sheet(sheet: Sheet | None) -> None:
-    codes = {finding.message.code for finding in judged(emitted(SHEET)[0], sheet).findings}
+    codes = {finding.message.code for finding in verdict_of(emitted(SHEET)[0], sheet).findings}
     assert ("verify.rapid-near-sheet" if sheet else "verify.rapid-in-board") in codes
 
 
@@ -71,7 +71,7 @@ def test_a_lift_left_out_over_the_sheet_is_refused() -> None:
     refused = 0
     for row in lifts:
         mutant = b"\n".join(lines[:row] + lines[row + 1 :])
-        refused += not judged(mutant, SHEET).accepted
+        refused += not verdict_of(mutant, SHEET).accepted
     assert len(lifts) >= 8
     assert refused == len(lifts)
 
@@ -90,13 +90,13 @@ def test_a_low_turn_that_comes_nearer_than_the_clearance_is_refused(shift: float
         moved = b"%.4f" % (float(match[1]) + shift)
         mutant = text[: match.start(1)] + moved + text[match.end(1) :]
         assert "verify.rapid-near-sheet" in {
-            finding.message.code for finding in judged(mutant, SHEET).findings
+            finding.message.code for finding in verdict_of(mutant, SHEET).findings
         }
 
 
 def test_a_low_turn_in_the_mat_is_refused() -> None:
     text = emitted(SHEET)[0].replace(b"Z1.0000", b"Z-0.1000")
-    codes = {finding.message.code for finding in judged(text, SHEET).findings}
+    codes = {finding.message.code for finding in verdict_of(text, SHEET).findings}
     assert "verify.rapid-near-sheet" in codes
 
 

@@ -156,7 +156,7 @@ class Receiver:
         count, repeats = exchange.buffer.compare(report.room)
         if exchange.fault is not None or exchange.recovering:
             return
-        self._judge_count(count, repeats)
+        self._check_count(count, repeats)
         if exchange.observer is not None:
             if (error := exchange.observer.observe(exchange.status)) is not None:
                 exchange.fail(error)
@@ -187,7 +187,7 @@ class Receiver:
             located=report.work is not None or self._offset is not None,
         )
 
-    def _judge_count(self, count: Count, repeats: int) -> None:
+    def _check_count(self, count: Count, repeats: int) -> None:
         """Record a fault if status reports contradict the number of bytes in the receive buffer.
 
         Parameters

@@ -15,7 +15,7 @@ from typing import Final
 
 import sqlalchemy as sa
 
-from knifetip.errors import NoSuchJob, RequestError, WrongState
+from knifetip.errors import NotFound, RequestError, WrongState
 from knifetip.harmless import harmless
 from knifetip.jobs.accounts.account_tables import ApiKey
 from knifetip.jobs.accounts.acting import set_subject
@@ -94,13 +94,13 @@ class KeyStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no such key.
         """
         with self._db.writing() as session:
             row = session.get(ApiKey, id)
             if row is None:
-                raise NoSuchJob("key.unknown", id=short(id))
+                raise NotFound("key.unknown", id=short(id))
             set_subject(session, "key", id)
             row.revoked = row.revoked or self._db.clock()
             return row

@@ -14,7 +14,7 @@ import sqlalchemy as sa
 from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
-from knifetip.errors import NoSuchJob, RequestError, WrongState
+from knifetip.errors import NotFound, RequestError, WrongState
 from knifetip.jobs.accounts import passwords
 from knifetip.jobs.accounts.account_tables import BrowserSession, UserAccount
 from knifetip.jobs.accounts.acting import set_subject
@@ -106,7 +106,7 @@ class UserStore:
 
         Raises
         ------
-        NoSuchJob
+        NotFound
             There is no such user.
         WrongState
             The user is the last active administrator and would no longer be one.
@@ -182,7 +182,7 @@ def _find(session: Session, name: str) -> UserAccount:
         sa.select(UserAccount).where(UserAccount.name == name.lower()).with_for_update()
     )
     if row is None:
-        raise NoSuchJob("user.unknown", name=short(name))
+        raise NotFound("user.unknown", name=short(name))
     return row
 
 

@@ -1,8 +1,8 @@
-"""The harm of a mutant: what its tips do to the board otherwise than those of the correct program.
+"""The damage by a mutant: what its tips do to the board unlike those of the correct program.
 
 A tip's path is compared as a set of points with depth and heading (``effects.BLADE``: 1° counts as
-0.01 mm), station by station.  The order counts only where it does harm: work on a part after its
-outline is cut.  A router or a laser is judged by the board that it leaves, because its path may
+0.01 mm), station by station.  The order counts only where it does damage: work on a part after its
+outline is cut.  A router or a laser is compared by the board that it leaves, because its path may
 differ in the waste.
 """
 
@@ -39,7 +39,7 @@ _GRID: Final = 2.0
 
 @dataclass
 class Oracle:
-    """Measures the harm of mutants of one subject."""
+    """Measures the damage of mutants of one subject."""
 
     subject: Subject
 
@@ -115,8 +115,8 @@ class Oracle:
             if isinstance(tool, Cutter | Laser)
         }
 
-    def harm(self, text: bytes) -> str:
-        """Return what harm a program does, "" if none."""
+    def damage(self, text: bytes) -> str:
+        """Return the damage that a program does, "" if none."""
         try:
             mutant = self.effect_of(text)
         except NotExecuted as fault:
@@ -148,7 +148,7 @@ class Oracle:
             for kind, own, others in (("is off by", new, cut), ("leaves out", old, new)):
                 far, where = _farthest(own, others)
                 if kind == "leaves out" and self._in_waste(where):
-                    # A lead that is shorter or missing in the waste does no harm.
+                    # A lead that is shorter or missing in the waste does no damage.
                     continue
                 if far > self._tolerance + 1e-6:
                     x, y, z = where[:3]

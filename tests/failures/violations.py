@@ -35,14 +35,14 @@ class JobRecord:
 
 
 @dataclass
-class Harm:
+class Violations:
     """Violations; each list has a line for each case."""
 
     lost: list[str] = field(default_factory=list)  #: accepted jobs that are not stored
     stuck: list[str] = field(default_factory=list)  #: jobs that are not done
     cut_twice: list[str] = field(default_factory=list)  #: begun again without a decision
     unconfirmed: list[str] = field(default_factory=list)  #: started without the operator
-    not_carried_out: list[str] = field(default_factory=list)  #: done, but not made to the end
+    not_executed: list[str] = field(default_factory=list)  #: done, but not made to the end
     heads_down: list[str] = field(default_factory=list)  #: tables that stayed unsafe
 
     @property
@@ -57,10 +57,13 @@ class Harm:
         return ", ".join(f"{name} {len(rows)}" for name, rows in self.cases.items())
 
 
-def judge(
-    accepted: Mapping[str, str], stored: Mapping[str, JobRecord], runs: Sequence[Run], harm: Harm
+def check_jobs(
+    accepted: Mapping[str, str],
+    stored: Mapping[str, JobRecord],
+    runs: Sequence[Run],
+    violations: Violations,
 ) -> None:
-    """Add the cases of harm to jobs.
+    """Add the violations by jobs.
 
     Parameters
     ----------
@@ -70,28 +73,28 @@ def judge(
         The jobs of the database by id.
     runs
         Programs that the tables executed.
-    harm
-        Gets the cases.
+    violations
+        The cases are added to its lists.
     """
     cuts = [run for run in runs if run.has_cut]
     for id, sha256 in accepted.items():
         own = [run for run in cuts if run.is_of(sha256)]
         if id not in stored:
-            harm.lost.append(id)
+            violations.lost.append(id)
             continue
         job = stored[id]
         seen = f"{id} {job.state}: {[len(run.lines) for run in own]} lines; {dict(job.codes)}"
         if job.state != State.DONE:
-            harm.stuck.append(seen)
+            violations.stuck.append(seen)
         elif not any(_plain(run.lines) == _plain(job.program.splitlines()) for run in own):
-            harm.not_carried_out.append(seen)
+            violations.not_executed.append(seen)
         if len(own) > 1 + job.decisions:
-            harm.cut_twice.append(seen)
+            violations.cut_twice.append(seen)
         if len(own) > job.confirmations:
-            harm.unconfirmed.append(seen)
+            violations.unconfirmed.append(seen)
     for run in cuts:
         if not any(run.is_of(sha256) for sha256 in accepted.values()):
-            harm.unconfirmed.append(f"a run without a job: {run.lines[:3]}")
+            violations.unconfirmed.append(f"a run without a job: {run.lines[:3]}")
 
 
 def _plain(lines: Iterable[bytes]) -> list[bytes]:
