@@ -37,7 +37,7 @@
     ├── ServerBusy                too many requests are waiting for a process
     ├── SettingsError             a server cannot be started with these settings
     └── JobError                  the state of the job does not permit the action
-        ├── NotFound             no stored object, such as a job, has the name
+        ├── NotFound              no stored object, such as a job, has the name
         ├── WrongState            the state of the object does not permit the change
         ├── StaleEpoch            a report on a job that the sender no longer owns
         ├── StoreError            the database cannot be used

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import os
 import shutil
 import signal
@@ -59,13 +60,16 @@ def browser(chromium: str) -> Iterator[Browser]:
 
 @pytest.fixture(scope="session")
 def built() -> None:
-    """Build the page from the sources."""
-    made = subprocess.run(
-        [sys.executable, str(ROOT / "frontend" / "build.py")],
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    """Build the page from the sources, in one worker at a time."""
+    (ROOT / "build").mkdir(exist_ok=True)
+    with (ROOT / "build" / "page.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        made = subprocess.run(
+            [sys.executable, str(ROOT / "frontend" / "build.py")],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
     assert made.returncode == 0, made.stdout + made.stderr
 
 

@@ -13,7 +13,11 @@ from playwright.sync_api import Locator, Page, expect
 from tests.browser.conftest import Running
 from tests.browser.own_machine import OwnMachine
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(120)]
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.xdist_group("browser-table"),
+    pytest.mark.timeout(120),
+]
 
 
 @pytest.fixture(scope="module")

@@ -12,7 +12,11 @@ from standardwebhooks import WebhookVerificationError
 from tests.browser.conftest import Running
 from tests.support.serving.webhook_receiver import Receiver, run_receiver
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(120)]
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.xdist_group("browser-table"),
+    pytest.mark.timeout(120),
+]
 
 HOSTILE = "<img src=x onerror=alert(1)>\x1b[31m\u202e".encode()
 
