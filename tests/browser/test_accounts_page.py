@@ -4,71 +4,27 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
-from typing import NamedTuple
 
 import httpx
 import pytest
+import sqlalchemy as sa
 from playwright.sync_api import Browser, FilePayload, Page, expect
 
-from knifetip.api.service import Settings
+from knifetip.jobs.accounts.account_tables import UserAccount
 from knifetip.jobs.accounts.scopes import ROLES, AccessScope
-from knifetip.jobs.store import Store
+from tests.browser.shop import PASSWORD, Shop, add_users, open_shop, signed_in
 from tests.support.hostile_names import HOSTILE_NAMES, acting
-from tests.support.serving.server import (
-    LocalClient,
-    order_job,
-    run_server,
-    square,
-    upload_drawing,
-    wait_for_state,
-)
+from tests.support.serving.server import square
 
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(240)]
-
-PASSWORD = "four words of text"
-
-
-class Shop(NamedTuple):
-    """A server with a user of each role, who has the name of the role, and a compiled job."""
-
-    client: LocalClient
-    drawing: str
-    job: str
-
-    @property
-    def store(self) -> Store:
-        return self.client.service.store
 
 
 @pytest.fixture(scope="module")
 def shop(built: None, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Shop]:
-    folder = tmp_path_factory.mktemp("shop")
-    with run_server(Settings(f"sqlite:///{folder}/shop.sqlite")) as client:
-        drawing = upload_drawing(client, square())["id"]
-        job = order_job(client, drawing, machine="demo-table")["id"]
-        wait_for_state(client, job, "ready", seconds=200.0)
-        store = client.service.store
-        for role in ROLES:
-            store.users.add(role.value, PASSWORD, role)
-        client.app.state.accounts.clear_cache()
-        yield Shop(client, drawing, job)
-
-
-@contextmanager
-def signed_in(browser: Browser, shop: Shop, name: str, password: str = PASSWORD) -> Iterator[Page]:
-    context = browser.new_context(viewport={"width": 1440, "height": 900})
-    page = context.new_page()
-    page.set_default_timeout(30_000)
-    expect.set_options(timeout=30_000)
-    page.goto(str(shop.client.base_url))
-    page.get_by_label("Name").fill(name)
-    page.get_by_label("Password").fill(password)
-    page.get_by_role("button", name="Sign in").click()
-    expect(page.get_by_test_id("account")).to_be_visible()
-    yield page
-    context.close()
+    with open_shop(tmp_path_factory.mktemp("shop")) as opened:
+        add_users(opened)
+        yield opened
 
 
 @pytest.mark.parametrize("role", ROLES)
@@ -143,6 +99,16 @@ def test_a_user_changes_the_password_and_signs_out(browser: Browser, shop: Shop)
         assert not [one for one in page.context.cookies() if "session" in one["name"]]
     assert shop.store.users.with_password("carol", PASSWORD) is None
     with signed_in(browser, shop, "carol", "another long text") as page:
+        # A user of a provider has no password here.
+        with shop.store.database.writing() as session:
+            session.execute(
+                sa.update(UserAccount).where(UserAccount.name == "carol").values(kind="oidc")
+            )
+        page.reload()
+        page.get_by_test_id("account").click()
+        expect(page.get_by_text("managed by the provider")).to_be_visible()
+        expect(page.get_by_role("form", name="Change the password")).to_have_count(0)
+        page.keyboard.press("Escape")
         # The stream of events tells the page that its session has ended.
         shop.store.users.change("carol", active=False)
         expect(page.get_by_role("button", name="Sign in")).to_be_visible()

@@ -76,12 +76,14 @@ def get_me(service: ServiceDep, principal: PrincipalDep) -> MeOut:
 
 
 def _me(service: Service, principal: Principal) -> MeOut:
+    users, is_user = service.store.users, principal.kind == PrincipalKind.USER
     return MeOut.model_validate(
         {
             "kind": principal.kind.value,
             "name": principal.name,
+            "sign_in": users.kind_of(principal.name) if is_user else None,
             "scopes": [scope for scope in AccessScope if scope in principal.scopes],
-            "has_admin": service.store.users.has_admin(),
+            "has_admin": users.has_admin(),
         }
     )
 

@@ -64,6 +64,11 @@ def route_path(path: str) -> str:
     return ALIAS + path[len(VERSIONED) :] if _is_versioned(path) else path
 
 
+def versioned_path(path: str) -> str:
+    """Return the path of a route with the prefix of the version, if it is a route of the API."""
+    return VERSIONED + path[len(ALIAS) :] if path.startswith(f"{ALIAS}/") else path
+
+
 def _is_versioned(path: str) -> bool:
     return path == VERSIONED or path.startswith(f"{VERSIONED}/")
 
@@ -76,8 +81,5 @@ def versioned_paths(described: dict[str, Any]) -> dict[str, Any]:
     described
         The description with the paths of the routes, such as ``/api/jobs``.
     """
-    paths = {
-        VERSIONED + path[len(ALIAS) :] if path.startswith(f"{ALIAS}/") else path: item
-        for path, item in described["paths"].items()
-    }
+    paths = {versioned_path(path): item for path, item in described["paths"].items()}
     return {**described, "paths": paths}

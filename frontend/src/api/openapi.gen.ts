@@ -5093,6 +5093,11 @@ export interface components {
              */
             name: string;
             /**
+             * Sign In
+             * @description How the user signs in, as `kind` in `GET /api/users`; null if the sender is no user
+             */
+            sign_in: ("password" | "oidc") | null;
+            /**
              * Scopes
              * @description All scopes of the sender
              */
@@ -9798,6 +9803,13 @@ export interface components {
             code: "folder.unusable";
             arguments: {
                 folder: string;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "gateway.access-refused";
+            arguments: {
+                server: string;
                 reason: string;
             };
         } | {
@@ -16126,7 +16138,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -16416,7 +16428,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -16554,7 +16566,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -16883,7 +16895,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -17050,7 +17062,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -17377,7 +17389,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -17509,7 +17521,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -17666,7 +17678,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -17830,7 +17842,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -17961,7 +17973,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -18538,7 +18550,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -19357,7 +19369,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -19601,7 +19613,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -19723,7 +19735,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -19862,7 +19874,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -20102,7 +20114,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict: `job.no-shortfalls`, `job.stale-epoch`, `job.wrong-state` */
+            /** @description Conflict: `job.no-shortfalls`, `job.stale-epoch`, `job.verdict-changed`, `job.wrong-state` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -20165,7 +20177,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -23189,7 +23201,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -23540,7 +23552,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -24567,7 +24579,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -24720,7 +24732,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -25012,7 +25024,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -31117,7 +31129,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -31303,7 +31315,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -33358,7 +33370,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -34045,7 +34057,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -34735,6 +34747,7 @@ export interface operations {
                      * @example {
                      *       "kind": "user",
                      *       "name": "tray.dxf",
+                     *       "sign_in": "password",
                      *       "scopes": [
                      *         "viewer"
                      *       ],
@@ -34999,6 +35012,7 @@ export interface operations {
                      * @example {
                      *       "kind": "user",
                      *       "name": "tray.dxf",
+                     *       "sign_in": "password",
                      *       "scopes": [
                      *         "viewer"
                      *       ],
@@ -36346,7 +36360,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;

@@ -1,12 +1,12 @@
 /** Accepts files dropped anywhere on the page. */
 
 import { useEffect, useState } from "react";
-import { useRoleReason } from "../state/accounts";
+import { useRefusal } from "../state/accounts";
 import { uploadFiles } from "../state/actions";
 import css from "./app.module.css";
 
 export function DropZone() {
-  const reason = useRoleReason("designer");
+  const reason = useRefusal("POST /api/v1/drawings");
   const [over, setOver] = useState(false);
   useEffect(() => {
     let depth = 0;

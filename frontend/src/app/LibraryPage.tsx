@@ -7,6 +7,8 @@ import { type LibraryEntry, type Shelf, service } from "../api/client";
 import { errorText } from "../messages/render";
 import { DefinitionEditor } from "../panels/DefinitionEditor";
 import css from "../panels/library.module.css";
+import { Permitted } from "../panels/Permitted";
+import { savingOf } from "../state/accounts";
 import { refreshLibrary, SHELF_TITLES, SHELF_WORDS } from "../state/definitions";
 import { slugOf } from "../state/draft";
 import { queries } from "../state/queries";
@@ -62,13 +64,15 @@ export function LibraryPage() {
                   <span className={css.mark}>{shipped ? "supplied" : `own · v${version}`}</span>
                 </button>
               ))}
-            <FileButton accept=".toml" onChange={(file) => void importFile(shelf, file)}>
-              {(props) => (
-                <Button {...props} size="sm" variant="subtle">
-                  Import {SHELF_WORDS[shelf]} from a TOML file
-                </Button>
-              )}
-            </FileButton>
+            <Permitted request={savingOf(shelf)}>
+              <FileButton accept=".toml" onChange={(file) => void importFile(shelf, file)}>
+                {(props) => (
+                  <Button {...props} size="sm" variant="subtle">
+                    Import {SHELF_WORDS[shelf]} from a TOML file
+                  </Button>
+                )}
+              </FileButton>
+            </Permitted>
           </section>
         ))}
       </nav>

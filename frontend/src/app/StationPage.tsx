@@ -98,7 +98,7 @@ export function StationPage({ machine: name }: Props) {
         </div>
         <div id="station-tab" role="tabpanel" aria-labelledby={`tab-${tab}`}>
           {tab === "machine" ? (
-            <Permitted to="operator">
+            <Permitted request="POST /api/v1/machines/{name}/operations">
               <StationOperations {...shown} />
             </Permitted>
           ) : job === undefined ? (
@@ -107,14 +107,16 @@ export function StationPage({ machine: name }: Props) {
               machine.
             </p>
           ) : (
-            <StationJob
-              {...shown}
-              job={job}
-              checks={checks}
-              ticked={ticked}
-              wornTools={wornTools}
-              onTick={tick}
-            />
+            <Permitted request="POST /api/v1/jobs/{id}/confirm">
+              <StationJob
+                {...shown}
+                job={job}
+                checks={checks}
+                ticked={ticked}
+                wornTools={wornTools}
+                onTick={tick}
+              />
+            </Permitted>
           )}
         </div>
       </div>

@@ -5,17 +5,21 @@ import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import { type NewWebhook, webhookService } from "../api/webhooks";
 import { errorText } from "../messages/render";
+import { Refusal } from "../panels/Permitted";
 import { WebhookCard } from "../panels/WebhookCard";
 import { WebhookForm } from "../panels/WebhookForm";
 import { WebhookSecret } from "../panels/WebhookSecret";
 import css from "../panels/webhooks.module.css";
+import { useIsPermitted, useRefusal } from "../state/accounts";
 import { queries } from "../state/queries";
 import { refreshWebhooks } from "../state/webhooks";
 
 const EMPTY = { url: "", description: "", event_types: [] };
 
 export function WebhooksPage() {
-  const { data: webhooks, error } = useQuery(queries.webhooks());
+  const refusal = useRefusal("GET /api/v1/webhooks");
+  const enabled = useIsPermitted("GET /api/v1/webhooks");
+  const { data: webhooks, error } = useQuery({ ...queries.webhooks(), enabled });
   const [fault, setFault] = useState("");
   const [adding, setAdding] = useState(false);
   const [added, setAdded] = useState<NewWebhook | null>(null);
@@ -38,7 +42,12 @@ export function WebhooksPage() {
       <header className={css.head}>
         <h1>Webhooks</h1>
         {!none && !adding && (
-          <Button onClick={() => setAdding(true)} data-testid="webhook-new">
+          <Button
+            disabled={refusal !== null}
+            title={refusal ?? undefined}
+            onClick={() => setAdding(true)}
+            data-testid="webhook-new"
+          >
             Add a webhook
           </Button>
         )}
@@ -50,6 +59,7 @@ export function WebhooksPage() {
         Changes of jobs and drawings are sent to these URLs, signed as Standard Webhooks.
         {none && " There are no webhooks yet."}
       </p>
+      <Refusal reason={refusal} />
       {shown !== "" && (
         <p className={css.fault} role="alert">
           {shown}

@@ -15,7 +15,7 @@ export function Welcome() {
           DXF, SVG, CF2 or PDF. knifetip recognises cuts, creases and grooves, calculates the tool
           paths for your machine, and checks the program before the machine moves.
         </p>
-        <Permitted to="designer">
+        <Permitted request="POST /api/v1/drawings">
           <ChooseFile large />
         </Permitted>
         <ol className={css.steps}>

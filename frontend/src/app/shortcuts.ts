@@ -1,5 +1,6 @@
 /** Keyboard shortcuts. */
 
+import { refusalOf } from "../state/accounts";
 import { redo, retype, undo } from "../state/actions";
 import { ASSIGNABLE_TYPES, LINE_STYLES } from "../state/palette";
 import { queries, queryClient } from "../state/queries";
@@ -62,6 +63,7 @@ export function listenToKeys(picture: () => PictureCommands | null): () => void 
       const next = (COLOUR_MODES.indexOf(page.colourMode) + 1) % COLOUR_MODES.length;
       page.set({ colourMode: COLOUR_MODES[next] ?? "types" });
     } else if (layer !== undefined) page.toggleLayer(layer);
+    else if (refusalOf("PATCH /api/v1/drawings/{id}/edges") !== null) return false;
     else if (type !== undefined && page.selection.size > 0) void retype([...page.selection], type);
     else if (key === "0" && page.selection.size > 0) void retype([...page.selection], null);
     else return false;

@@ -107,7 +107,10 @@ function Own({ me }: { me: Me }) {
       <Button variant="default" onClick={() => void signOut()} data-testid="sign-out">
         Sign out
       </Button>
-      {me.kind === "user" && <OwnPassword />}
+      {me.sign_in === "password" && <OwnPassword />}
+      {me.sign_in === "oidc" && (
+        <p>Your password and your role are managed by the provider at which you sign in.</p>
+      )}
     </section>
   );
 }

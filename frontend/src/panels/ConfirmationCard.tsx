@@ -75,7 +75,7 @@ export function ConfirmationCard({ job }: { job: Job }) {
           </>
         )}
       </dl>
-      <Permitted to="operator">
+      <Permitted request="POST /api/v1/jobs/{id}/confirm">
         <WornTools tools={wornTools} />
         {hint !== "" && <div className={css.hint}>{hint}</div>}
         <Button

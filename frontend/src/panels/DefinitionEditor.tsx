@@ -5,6 +5,7 @@ import { useQuery } from "@tanstack/react-query";
 import { useEffect, useRef, useState } from "react";
 import { type Definition, type LibraryEntry, ServiceError, service } from "../api/client";
 import { errorText } from "../messages/render";
+import { savingOf, useRefusal } from "../state/accounts";
 import {
   type Fields,
   faultsOf,
@@ -21,6 +22,7 @@ import { CopyForm } from "./CopyForm";
 import { DefinitionField } from "./DefinitionForm";
 import { DefinitionHistory } from "./DefinitionHistory";
 import css from "./library.module.css";
+import { Refusal } from "./Permitted";
 
 type Entry = Pick<LibraryEntry, "shelf" | "name">;
 
@@ -76,6 +78,7 @@ function Editor({ definition, schema, onOpen }: EditorProps) {
   const [deleting, setDeleting] = useState(false);
   const [copying, setCopying] = useState(false);
   const form = useRef<HTMLDivElement>(null);
+  const refusal = useRefusal(savingOf(shelf));
   const faults = faultsOf(failure);
   const changed = fields !== definition.fields;
   const set = (key: string, value: unknown) => setFields({ ...fields, [key]: value });
@@ -140,6 +143,8 @@ function Editor({ definition, schema, onOpen }: EditorProps) {
         </span>
         <Button
           variant={shipped ? "filled" : "default"}
+          disabled={refusal !== null}
+          title={refusal ?? undefined}
           onClick={() => setCopying(true)}
           data-testid="copy-definition"
         >
@@ -158,6 +163,8 @@ function Editor({ definition, schema, onOpen }: EditorProps) {
           <Button
             color="red"
             variant={deleting ? "filled" : "subtle"}
+            disabled={refusal !== null}
+            title={refusal ?? undefined}
             onClick={() =>
               deleting
                 ? void attempt(() => service.deleteDefinition(shelf, name, version), null)
@@ -171,7 +178,11 @@ function Editor({ definition, schema, onOpen }: EditorProps) {
       {copying && (
         <CopyForm definition={definition} onDone={onOpen} onCancel={() => setCopying(false)} />
       )}
-      {shipped && <p>This entry is read-only. Copy it to change it.</p>}
+      {refusal !== null ? (
+        <Refusal reason={refusal} />
+      ) : (
+        shipped && <p>This entry is read-only. Copy it to change it.</p>
+      )}
       {(shipped || deleting) && alert}
       <div ref={form}>
         {[
@@ -190,12 +201,12 @@ function Editor({ definition, schema, onOpen }: EditorProps) {
                   root={schema}
                   value={fields[key]}
                   faults={faults}
-                  readOnly={shipped}
+                  readOnly={shipped || refusal !== null}
                   onChange={(value) => set(key, value)}
                 />
               ))}
             </div>
-            {keys.includes("deflection") && !shipped && (
+            {keys.includes("deflection") && !shipped && refusal === null && (
               <CalibrationForm
                 board={name}
                 onUse={(tool, deflection) =>
@@ -206,7 +217,7 @@ function Editor({ definition, schema, onOpen }: EditorProps) {
           </section>
         ))}
       </div>
-      {!shipped && (
+      {!shipped && refusal === null && (
         <section className={css.saveBar} aria-label="Save">
           {!deleting && alert}
           {conflict !== null && (

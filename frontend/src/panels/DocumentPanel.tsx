@@ -3,6 +3,7 @@
 import { ActionIcon, Select, Tooltip } from "@mantine/core";
 import { IconAdjustments, IconArrowLeft } from "@tabler/icons-react";
 import type { Drawing, Profile } from "../api/client";
+import { useRefusal } from "../state/accounts";
 import { patchDrawing } from "../state/actions";
 import { formatSize, formatUnitless } from "../state/format";
 import { summarizeReport } from "../state/importReport";
@@ -11,6 +12,7 @@ import { formatInches } from "../state/sizes";
 import { useUiStore } from "../state/store";
 import { REPORT } from "./ImportPanel";
 import { TO_ALL_DRAWINGS } from "./labels";
+import { Refusal } from "./Permitted";
 import css from "./panels.module.css";
 
 const EDIT_PROFILE = "Edit the rules of this profile";
@@ -84,6 +86,8 @@ const scrollToReport = () =>
 /** Choice of the profile; customer profiles are listed before built-in ones. */
 function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: readonly Profile[] }) {
   const busy = useUiStore((ui) => ui.busy);
+  const refusal = useRefusal("PATCH /api/v1/drawings/{id}");
+  const editing = useRefusal("PUT /api/v1/profiles/{name}");
   const set = useUiStore((ui) => ui.set);
   const option = ({ name, title }: Profile) => ({ value: name, label: title || name });
   const own = profiles.filter(({ shipped }) => !shipped);
@@ -110,7 +114,7 @@ function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: read
           ]}
           value={drawing.profile}
           allowDeselect={false}
-          disabled={busy}
+          disabled={busy || refusal !== null}
           data-testid="profile-select"
           onChange={(profile) => {
             if (profile !== null && profile !== drawing.profile) void patchDrawing({ profile });
@@ -120,7 +124,8 @@ function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: read
           <ActionIcon
             variant="default"
             size={30}
-            disabled={isDeleted}
+            disabled={isDeleted || editing !== null}
+            title={editing ?? undefined}
             aria-label={EDIT_PROFILE}
             data-testid="edit-profile"
             onClick={() => set({ editedProfile: drawing.profile })}
@@ -129,6 +134,7 @@ function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: read
           </ActionIcon>
         </Tooltip>
       </div>
+      <Refusal reason={refusal} />
       {drawing.profile_state !== "current" && (
         <p className={css.warning} style={{ margin: "8px 0 0" }} data-testid="profile-state">
           {drawing.profile_state === "changed"
@@ -138,7 +144,7 @@ function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: read
             <button
               type="button"
               className={css.link}
-              disabled={busy}
+              disabled={busy || refusal !== null}
               data-testid="apply-again"
               onClick={() => void patchDrawing({ profile: drawing.profile })}
             >

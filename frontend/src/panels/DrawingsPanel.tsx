@@ -31,7 +31,7 @@ export function DrawingsPanel() {
       }
     >
       <div style={{ padding: "0 8px 10px" }}>
-        <Permitted to="designer">
+        <Permitted request="POST /api/v1/drawings">
           <ChooseFile />
         </Permitted>
       </div>

@@ -4,6 +4,7 @@ import { useMemo } from "react";
 import type { Question } from "../api/client";
 import { LINE_TYPES, type LineType } from "../geometry/records";
 import { renderText } from "../messages/render";
+import { useRefusal } from "../state/accounts";
 import { retype } from "../state/actions";
 import { indexColour } from "../state/colours";
 import { pluralize } from "../state/format";
@@ -32,6 +33,7 @@ interface Props {
 export function EdgeQuestion({ question, onAnswered }: Props) {
   const { data: edges } = useEdges();
   const busy = useUiStore((ui) => ui.busy);
+  const refusal = useRefusal("PATCH /api/v1/drawings/{id}/edges");
   const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
   const length = useFormatLength();
   const rows = useMemo(
@@ -82,7 +84,8 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
               key={type}
               type="button"
               className={`${questionCss.choice} ${likely ? questionCss.choiceWide : ""}`}
-              disabled={busy}
+              disabled={busy || refusal !== null}
+              title={refusal ?? undefined}
               data-answer={type}
               data-testid={`answer-${type}`}
               data-likely={likely}

@@ -1,6 +1,7 @@
 /** The selected edges: line type, deciding rule, confidence and other possible types. */
 
 import type { LineType } from "../geometry/records";
+import { useRefusal } from "../state/accounts";
 import { retype } from "../state/actions";
 import { colourName, indexColour } from "../state/colours";
 import { pluralize } from "../state/format";
@@ -13,6 +14,7 @@ import { useUiStore } from "../state/store";
 import { useFormatLength } from "../state/useFormatLength";
 import css from "./inspector.module.css";
 import { USE_PROFILE_TYPE } from "./labels";
+import { Refusal } from "./Permitted";
 import panels from "./panels.module.css";
 import { previewHandlers } from "./previewHandlers";
 import { Section } from "./Section";
@@ -22,6 +24,7 @@ export function InspectorPanel() {
   const selection = useUiStore((ui) => ui.selection);
   const { data: edges } = useEdges();
   const busy = useUiStore((ui) => ui.busy);
+  const refusal = useRefusal("PATCH /api/v1/drawings/{id}/edges");
   const selectEdges = useUiStore((ui) => ui.selectEdges);
   const formatLength = useFormatLength();
   const rows = [...selection].filter((row) => row < (edges?.bulge.length ?? 0));
@@ -49,12 +52,13 @@ export function InspectorPanel() {
           <button
             type="button"
             className={panels.link}
-            disabled={busy}
+            disabled={busy || refusal !== null}
             onClick={() => void retype(rows, null)}
           >
             {USE_PROFILE_TYPE}
           </button>
         )}
+        <Refusal reason={refusal} />
         <Facts summary={summary} handle={rows.length === 1 ? (edges.handles[row] ?? "") : null} />
         {alike.length > rows.length && (
           <button type="button" className={panels.link} onClick={() => selectEdges(alike)}>
@@ -97,6 +101,7 @@ function Reasons({ summary }: { summary: EdgeSummary }) {
 /** Buttons for the other possible line types. */
 function Alternatives({ types, rows }: { types: readonly LineType[]; rows: readonly number[] }) {
   const busy = useUiStore((ui) => ui.busy);
+  const refusal = useRefusal("PATCH /api/v1/drawings/{id}/edges");
   return (
     <>
       <p className={panels.note} style={{ margin: "10px 0 0" }}>
@@ -108,7 +113,7 @@ function Alternatives({ types, rows }: { types: readonly LineType[]; rows: reado
             key={type}
             type="button"
             className={css.alternative}
-            disabled={busy}
+            disabled={busy || refusal !== null}
             data-testid={`alternative-${type}`}
             {...previewHandlers(() => [{ rows, type }])}
             onClick={() => void retype(rows, type)}

@@ -15,7 +15,7 @@ import {
 import { type ReactNode, useState } from "react";
 import { type Job, type JobCommand, service } from "../api/client";
 import { renderHint, renderText } from "../messages/render";
-import { useRoleReason } from "../state/accounts";
+import { useRefusal } from "../state/accounts";
 import { command } from "../state/actions";
 import { formatDuration, pluralize } from "../state/format";
 import {
@@ -89,7 +89,7 @@ function Rest({ job }: { job: Job }) {
         Rest of the sheet, or one more copy
       </summary>
       {open && (
-        <Permitted to="operator">
+        <Permitted request="POST /api/v1/jobs/{id}/rest">
           <RestPanel job={job} />
         </Permitted>
       )}
@@ -272,14 +272,17 @@ const LOOKS: Readonly<
   },
 };
 
-/** What a designer may ask for: the server also compares who has ordered the job. */
+/** What a designer may ask for, too, before a job is queued. */
 const OF_DESIGNERS: readonly JobCommand[] = ["recompile", "cancel"];
 
 const isBeforeQueue = ({ state }: Job): boolean =>
   ["received", "compiling", "ready", "refused"].includes(state);
 
 function Controls({ job }: { job: Job }) {
-  const reasons = { designer: useRoleReason("designer"), operator: useRoleReason("operator") };
+  const reasons = {
+    designer: useRefusal("POST /api/v1/jobs/{id}/cancel"),
+    operator: useRefusal("POST /api/v1/jobs/{id}/release"),
+  };
   const reasonAgainst = (word: JobCommand) =>
     // A queued job is the operator's.
     OF_DESIGNERS.includes(word) && isBeforeQueue(job) ? reasons.designer : reasons.operator;

@@ -3,6 +3,7 @@
 import { ActionIcon } from "@mantine/core";
 import { IconDots, IconEye, IconEyeOff } from "@tabler/icons-react";
 import type { Drawing } from "../api/client";
+import { useRefusal } from "../state/accounts";
 import { retype } from "../state/actions";
 import { indexColour } from "../state/colours";
 import { useDrawing, useEdges } from "../state/queries";
@@ -39,6 +40,7 @@ function Row({ layer }: { layer: Layer }) {
   const hidden = useUiStore((ui) => ui.hiddenLayers.has(key));
   const toggle = useUiStore((ui) => ui.toggleFileLayer);
   const selectEdges = useUiStore((ui) => ui.selectEdges);
+  const refusal = useRefusal("PATCH /api/v1/drawings/{id}/edges");
   const rows = () => (edges === undefined ? [] : rowsOfLayer(edges, layer.name, layer.colour));
   return (
     <div className={css.row} data-off={hidden}>
@@ -66,6 +68,8 @@ function Row({ layer }: { layer: Layer }) {
             variant="subtle"
             color="gray"
             size="sm"
+            disabled={refusal !== null}
+            title={refusal ?? undefined}
             aria-label={`Set the line type of layer ${layer.name}`}
           >
             <IconDots size={15} />

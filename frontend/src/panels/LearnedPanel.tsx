@@ -5,6 +5,7 @@ import { IconBulb } from "@tabler/icons-react";
 import { useEffect, useState } from "react";
 import type { Profile, Proposal } from "../api/client";
 import { renderText } from "../messages/render";
+import { useIsPermitted } from "../state/accounts";
 import { pluralize } from "../state/format";
 import { LINE_STYLES } from "../state/palette";
 import { saveLearnedRule } from "../state/profiles";
@@ -24,7 +25,8 @@ export function LearnedPanel() {
   const { data: drawing } = useDrawing();
   const { data: profiles } = useProfiles();
   const [limit, setLimit] = useState(FEW);
-  const { data: learned } = useLearned((drawing?.overrides ?? 0) > 0);
+  const permitted = useIsPermitted("POST /api/v1/drawings/{id}/learned");
+  const { data: learned } = useLearned((drawing?.overrides ?? 0) > 0 && permitted);
   const profile = profiles?.find(({ name }) => name === drawing?.profile);
   if (drawing === undefined || drawing.overrides === 0 || profile === undefined) return null;
   if (learned === undefined || learned.length === 0) return null;

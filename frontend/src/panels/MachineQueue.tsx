@@ -12,7 +12,7 @@ import {
 } from "@tabler/icons-react";
 import { type DragEvent, type ReactNode, useState } from "react";
 import type { Machine, QueueEntry } from "../api/client";
-import { useRoleReason } from "../state/accounts";
+import { useRefusal } from "../state/accounts";
 import { changeJob, moveJob, transferJob } from "../state/actions";
 import { formatDuration, pluralize } from "../state/format";
 import { isOnTable, needsOperator } from "../state/jobs";
@@ -43,7 +43,7 @@ export function MachineQueue({ machine, title }: { machine: string; title: strin
   const { data: queue } = useQueue(machine);
   const [dragged, setDragged] = useState<string | null>(null);
   const [target, setTarget] = useState<Target | null>(null);
-  const reason = useRoleReason("operator");
+  const reason = useRefusal("POST /api/v1/jobs/{id}/move");
   const current = useUiStore((ui) => ui.job);
   const entries = queue?.entries ?? [];
   const ids = waitingIds(entries);

@@ -66,7 +66,7 @@ export function OrderPanel() {
           : null;
   return (
     <Section title="New job">
-      <Permitted to="designer">
+      <Permitted request="POST /api/v1/jobs">
         <div style={{ display: "grid", gap: 10 }} data-can-prepare={open === 0 || undefined}>
           <Select
             label="Machine"

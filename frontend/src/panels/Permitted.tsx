@@ -1,19 +1,18 @@
 /** Controls that only some roles may use: disabled for others, with the reason. */
 
 import type { ReactNode } from "react";
-import type { UserRole } from "../api/accounts";
-import { useRoleReason } from "../state/accounts";
+import { type RestrictedRequest, useRefusal } from "../state/accounts";
 import css from "./account.module.css";
 
 interface Props {
-  /** The least role that may use the controls. */
-  readonly to: UserRole;
+  /** What the controls send; its role is needed. */
+  readonly request: RestrictedRequest;
   readonly children: ReactNode;
 }
 
 /** Disables all form controls inside for a person without the role, and says why. */
-export function Permitted({ to, children }: Props) {
-  const reason = useRoleReason(to);
+export function Permitted({ request, children }: Props) {
+  const reason = useRefusal(request);
   return (
     <fieldset
       className={css.permitted}
@@ -22,11 +21,17 @@ export function Permitted({ to, children }: Props) {
       data-permitted={reason === null}
     >
       {children}
-      {reason !== null && (
-        <p className={css.reason} data-testid="role-reason">
-          {reason}
-        </p>
-      )}
+      <Refusal reason={reason} />
     </fieldset>
+  );
+}
+
+/** Why controls are disabled; nothing is shown without a reason. */
+export function Refusal({ reason }: { reason: string | null }) {
+  if (reason === null) return null;
+  return (
+    <p className={css.reason} data-testid="role-reason">
+      {reason}
+    </p>
   );
 }

@@ -3,6 +3,7 @@
 import { IconHelpHexagonFilled } from "@tabler/icons-react";
 import { useRef, useState } from "react";
 import type { Question } from "../api/client";
+import { useRefusal } from "../state/accounts";
 import { retype } from "../state/actions";
 import { pluralize } from "../state/format";
 import { LINE_STYLES } from "../state/palette";
@@ -10,6 +11,7 @@ import { useDrawing, useJob } from "../state/queries";
 import { questionKey } from "../state/questions";
 import { useUiStore } from "../state/store";
 import { EdgeQuestion } from "./EdgeQuestion";
+import { Refusal } from "./Permitted";
 import { previewHandlers } from "./previewHandlers";
 import css from "./questions.module.css";
 import { Section } from "./Section";
@@ -26,6 +28,7 @@ export function QuestionsPanel() {
   const { data: drawing } = useDrawing();
   const { data: job } = useJob();
   const compileQuestions = useUiStore((ui) => ui.compileQuestions);
+  const refusal = useRefusal("PATCH /api/v1/drawings/{id}/edges");
   const [limit, setLimit] = useState(STEP);
   const list = useRef<HTMLDivElement>(null);
   if (drawing === undefined) return null;
@@ -60,6 +63,7 @@ export function QuestionsPanel() {
               <EdgeQuestion key={key} question={question} onAnswered={focusNextAnswer} />
             ),
           )}
+        <Refusal reason={refusal} />
         {listed.length > limit && (
           <ShowMore left={listed.length - limit} act={() => setLimit(limit + STEP)} />
         )}
@@ -72,13 +76,14 @@ export function QuestionsPanel() {
 /** Sets the edges of all questions to ignored. */
 function IgnoreAll({ questions }: { questions: readonly Question[] }) {
   const busy = useUiStore((ui) => ui.busy);
+  const refusal = useRefusal("PATCH /api/v1/drawings/{id}/edges");
   const rows = questions.flatMap(({ edges }) => edges);
   return (
     <button
       type="button"
       className={css.choice}
       style={{ width: "100%", marginTop: 8 }}
-      disabled={busy}
+      disabled={busy || refusal !== null}
       title="The edges stay visible in the drawing, but they are neither cut nor creased"
       data-testid="ignore-rest"
       {...previewHandlers(() => [{ rows, type: "ignored" }])}

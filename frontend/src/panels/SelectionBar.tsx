@@ -3,6 +3,7 @@
 import { ActionIcon, CloseButton, Tooltip } from "@mantine/core";
 import { IconArrowBackUp } from "@tabler/icons-react";
 import { lineTypeOf } from "../geometry/records";
+import { useRefusal } from "../state/accounts";
 import { retype } from "../state/actions";
 import { pluralize } from "../state/format";
 import { ASSIGNABLE_TYPES, LINE_STYLES } from "../state/palette";
@@ -17,6 +18,7 @@ export function SelectionBar() {
   const selection = useUiStore((ui) => ui.selection);
   const selectEdges = useUiStore((ui) => ui.selectEdges);
   const busy = useUiStore((ui) => ui.busy);
+  const refusal = useRefusal("PATCH /api/v1/drawings/{id}/edges");
   const { data: edges } = useEdges();
   const formatLength = useFormatLength();
   if (selection.size === 0 || edges === undefined) return null;
@@ -42,7 +44,8 @@ export function SelectionBar() {
               className={css.chip}
               aria-label={`Set the line type to ${title.toLowerCase()}`}
               aria-pressed={types.size === 1 && types.has(type)}
-              disabled={busy}
+              disabled={busy || refusal !== null}
+              title={refusal ?? undefined}
               data-testid={`type-${type}`}
               onClick={() => void retype(rows, type)}
             >
@@ -56,7 +59,7 @@ export function SelectionBar() {
         <ActionIcon
           variant="subtle"
           color="gray"
-          disabled={busy}
+          disabled={busy || refusal !== null}
           aria-label={USE_PROFILE_TYPE}
           data-testid="type-none"
           onClick={() => void retype(rows, null)}

@@ -3,6 +3,7 @@
 import { IconAlertTriangleFilled } from "@tabler/icons-react";
 import type { Job, Machine, Station } from "../api/client";
 import { renderHint, renderText } from "../messages/render";
+import { useRefusal } from "../state/accounts";
 import { operate } from "../state/operations";
 import { reasonAgainst } from "../state/station";
 import css from "./station.module.css";
@@ -24,6 +25,7 @@ const WAYS = [
 ] as const;
 
 export function StationAlarm({ machine, station, job, reached }: Props) {
+  const refusal = useRefusal("POST /api/v1/machines/{name}/operations");
   if (station.alarm === null) return null;
   const hint = renderHint(station.alarm);
   return (
@@ -36,7 +38,7 @@ export function StationAlarm({ machine, station, job, reached }: Props) {
       {hint !== "" && <p className={css.todo}>{hint}</p>}
       <div className={css.answers}>
         {WAYS.map(({ operation, title, note }) => {
-          const reason = reasonAgainst(operation, station, machine, job);
+          const reason = refusal ?? reasonAgainst(operation, station, machine, job);
           return (
             <div key={operation} className={css.way}>
               <button

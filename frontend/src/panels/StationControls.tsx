@@ -9,7 +9,7 @@ import {
 } from "@tabler/icons-react";
 import { type ReactNode, useEffect, useState } from "react";
 import type { Job, JobCommand, Station } from "../api/client";
-import { useRoleReason } from "../state/accounts";
+import { useRefusal } from "../state/accounts";
 import { awaitsEnd, confirmationBefore, needsOperator } from "../state/jobs";
 import { type Checked, commandJob, operate, startJob } from "../state/operations";
 import { runAboveBoard, type Stop, stopOf } from "../state/station";
@@ -61,7 +61,7 @@ const questionOf = (job: Job) =>
   };
 
 export function StationControls({ machine, station, job, reached, checked }: Props) {
-  const refusal = useRoleReason("operator");
+  const refusal = useRefusal("POST /api/v1/machines/{name}/operations");
   const [asking, setAsking] = useState<string | null>(null);
   const stop = stopOf(station, job);
   const asks = asking !== null && asking === job?.id && stop?.asks === true;

@@ -3,6 +3,7 @@
 import { useState } from "react";
 import type { Job, Machine, Station } from "../api/client";
 import { renderText } from "../messages/render";
+import { useRefusal } from "../state/accounts";
 import type { Check } from "../state/checks";
 import { operate, reportAction } from "../state/operations";
 import { useDrawing } from "../state/queries";
@@ -15,6 +16,7 @@ import {
   saveCorrection,
   shifted,
 } from "../state/toolCheck";
+import { Refusal } from "./Permitted";
 import css from "./station.module.css";
 import { dimensionText, kindText } from "./toolText";
 
@@ -196,6 +198,7 @@ interface CorrectionProps extends OneProps {
 function Correction(props: CorrectionProps) {
   const { machine, mounted, reached, shift, right, onShift, onRight } = props;
   const [step, setStep] = useState<number>(0.2);
+  const refusal = useRefusal("PUT /api/v1/machines/{name}");
   const save = () =>
     reportAction(`Save the offset of ${mounted.name}`, async () => {
       await saveCorrection(machine, mounted.number, shift);
@@ -249,7 +252,8 @@ function Correction(props: CorrectionProps) {
         <button
           type="button"
           className={css.button}
-          disabled={!reached || !isShifted(shift)}
+          disabled={!reached || !isShifted(shift) || refusal !== null}
+          title={refusal ?? undefined}
           onClick={() => void save()}
           data-testid="tool-check-save"
         >
@@ -266,6 +270,7 @@ function Correction(props: CorrectionProps) {
           {right ? "Tool is right \u2713" : "Tool is right"}
         </button>
       </div>
+      <Refusal reason={refusal} />
     </>
   );
 }

@@ -5,11 +5,13 @@ import { IconRefresh } from "@tabler/icons-react";
 import { useState } from "react";
 import type { ToolUse } from "../api/client";
 import { renderHint, renderText } from "../messages/render";
+import { useRefusal } from "../state/accounts";
 import { recordToolChange, setToolLife } from "../state/actions";
 import { formatMetres } from "../state/format";
 import { useMachines, useTools } from "../state/queries";
 import { ConfirmDialog } from "./ConfirmDialog";
 import css from "./history.module.css";
+import { Refusal } from "./Permitted";
 
 export function ToolsView({ machine }: { machine: string }) {
   const { data: machines } = useMachines();
@@ -21,19 +23,28 @@ export function ToolsView({ machine }: { machine: string }) {
 
 function MachineTools({ machine, title }: { machine: string; title: string }) {
   const { data: tools } = useTools(machine);
+  const refusal = useRefusal("POST /api/v1/machines/{name}/tools/{station}/changed");
   return (
     <section className={css.card} data-testid={`tools-of-${machine}`}>
       <h2>{title}</h2>
       <ul className={css.tools}>
         {(tools ?? []).map((tool) => (
-          <Tool key={tool.station} machine={machine} tool={tool} />
+          <Tool key={tool.station} machine={machine} tool={tool} refusal={refusal} />
         ))}
       </ul>
+      <Refusal reason={refusal} />
     </section>
   );
 }
 
-function Tool({ machine, tool }: { machine: string; tool: ToolUse }) {
+interface ToolProps {
+  readonly machine: string;
+  readonly tool: ToolUse;
+  /** Why the person may change nothing; null: may. */
+  readonly refusal: string | null;
+}
+
+function Tool({ machine, tool, refusal }: ToolProps) {
   const [asked, setAsked] = useState(false);
   // What is being typed, also when it is empty; null: nothing is typed.
   const [life, setLife] = useState<number | string | null>(null);
@@ -68,6 +79,8 @@ function Tool({ machine, tool }: { machine: string; tool: ToolUse }) {
         suffix=" m"
         leftSection="Life"
         leftSectionWidth={44}
+        disabled={refusal !== null}
+        title={refusal ?? undefined}
         value={life ?? tool.life}
         onChange={setLife}
         onBlur={() => {
@@ -81,6 +94,8 @@ function Tool({ machine, tool }: { machine: string; tool: ToolUse }) {
       <Button
         variant={warning === "" ? "default" : "filled"}
         leftSection={<IconRefresh size={16} aria-hidden />}
+        disabled={refusal !== null}
+        title={refusal ?? undefined}
         onClick={() => setAsked(true)}
         data-testid="tool-changed"
       >

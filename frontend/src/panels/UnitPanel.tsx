@@ -4,11 +4,13 @@ import { IconAlertTriangle, IconCheck } from "@tabler/icons-react";
 import { useState } from "react";
 import type { Drawing, Unit } from "../api/client";
 import { renderHint, renderText } from "../messages/render";
+import { useRefusal } from "../state/accounts";
 import { patchDrawing } from "../state/actions";
 import { formatSize } from "../state/format";
 import { useDrawing } from "../state/queries";
 import { formatInches, offeredUnits, sizeIn, UNITS } from "../state/sizes";
 import { useUiStore } from "../state/store";
+import { Refusal } from "./Permitted";
 import panels from "./panels.module.css";
 import { Section } from "./Section";
 import css from "./unit.module.css";
@@ -18,6 +20,7 @@ const REASONS = 4;
 
 export function UnitPanel() {
   const { data: drawing } = useDrawing();
+  const refusal = useRefusal("PATCH /api/v1/drawings/{id}");
   if (drawing === undefined || drawing.unit === null) return null;
   const warnings = drawing.unit_finding?.warnings ?? [];
   return (
@@ -40,10 +43,12 @@ export function UnitPanel() {
         </p>
       ))}
       <UnitChoices drawing={drawing} />
+      <Refusal reason={refusal} />
       {drawing.unit_given !== null && (
         <button
           type="button"
           className={panels.link}
+          disabled={refusal !== null}
           data-testid="unit-file"
           onClick={() => void patchDrawing({ unit: "file" })}
         >
@@ -57,6 +62,7 @@ export function UnitPanel() {
 /** One button per unit, with the size that it gives and the evidence for it. */
 export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: readonly Unit[] }) {
   const busy = useUiStore((ui) => ui.busy);
+  const refusal = useRefusal("PATCH /api/v1/drawings/{id}");
   const offered = units ?? offeredUnits(drawing);
   const evidence = drawing.unit_finding?.evidence ?? [];
   const weightOf = (unit: Unit) =>
@@ -86,7 +92,8 @@ export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: read
             type="button"
             className={css.unit}
             aria-pressed={chosen}
-            disabled={busy}
+            disabled={busy || refusal !== null}
+            title={refusal ?? undefined}
             data-likely={likely}
             data-testid={`unit-${unit}`}
             onClick={() => {

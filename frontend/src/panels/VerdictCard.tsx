@@ -23,6 +23,7 @@ import { UNCUT } from "../state/palette";
 import { useVerdict } from "../state/queries";
 import { useUiStore } from "../state/store";
 import { AcceptForm } from "./AcceptForm";
+import { Permitted } from "./Permitted";
 import css from "./panels.module.css";
 import verdictCss from "./verdict.module.css";
 
@@ -94,7 +95,11 @@ export function VerdictCard({ job }: { job: Job }) {
           )}
         </div>
       )}
-      {job.actions.includes("accept") && <AcceptForm job={job} findings={findings} />}
+      {job.actions.includes("accept") && (
+        <Permitted request="POST /api/v1/jobs/{id}/exceptions">
+          <AcceptForm job={job} findings={findings} />
+        </Permitted>
+      )}
     </article>
   );
 }

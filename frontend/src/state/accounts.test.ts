@@ -5,6 +5,7 @@ import { roleReason } from "./accounts";
 const me = (...scopes: Me["scopes"]): Me => ({
   kind: "user",
   name: "carol",
+  sign_in: "password",
   scopes,
   has_admin: true,
 });

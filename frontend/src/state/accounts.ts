@@ -2,6 +2,8 @@
 
 import { queryOptions, useQuery } from "@tanstack/react-query";
 import { accounts, type Me, type UserRole } from "../api/accounts";
+import type { Shelf } from "../api/client";
+import { ROLE_FOR } from "../api/roles.gen";
 import { queryClient } from "./queries";
 
 export const accountQueries = {
@@ -51,7 +53,24 @@ export function roleReason(me: Me | undefined, role: UserRole): string | null {
   return `Only ${PLURALS[role]} can do this. You are signed in as ${me.name} (${roleOf(me.scopes)}).`;
 }
 
-export const useRoleReason = (role: UserRole): string | null => roleReason(useMe(), role);
+/** Method and path of a request for which a role is needed. */
+export type RestrictedRequest = keyof typeof ROLE_FOR;
+
+/** Why the server would refuse a request of the person; null: it would not, or it is not known. */
+export const useRefusal = (request: RestrictedRequest): string | null =>
+  roleReason(useMe(), ROLE_FOR[request]);
+
+/** Whether it is known that the server permits a request of the person. */
+export const useIsPermitted = (request: RestrictedRequest): boolean => {
+  const me = useMe();
+  return me !== undefined && roleReason(me, ROLE_FOR[request]) === null;
+};
+
+/** As `useRefusal`, for code outside of components. */
+export const refusalOf = (request: RestrictedRequest): string | null =>
+  roleReason(queryClient.getQueryData(accountQueries.me().queryKey), ROLE_FOR[request]);
+
+export const savingOf = (shelf: Shelf) => `PUT /api/v1/${shelf}/{name}` as const;
 
 /** Role of a person: the greatest of the scopes. */
 export const roleOf = (scopes: readonly string[]): string =>

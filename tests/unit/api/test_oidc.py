@@ -113,7 +113,7 @@ def test_a_user_signs_in_and_is_created_with_the_mapped_role(
     assert "samesite=strict" in cookies
     assert browser.get("/").text == "the page"
     me = browser.get("/api/me").json()
-    assert (me["kind"], me["name"]) == ("user", "anna-example")
+    assert (me["kind"], me["name"], me["sign_in"]) == ("user", "anna-example", "oidc")
     assert me["scopes"] == ["viewer", "designer", "operator"]
     (row,) = [row for row in server.service.store.users.all() if row.kind == "oidc"]
     assert (row.role, row.created_by) == ("operator", provider.issuer)

@@ -6,6 +6,7 @@ import importlib.util
 import json
 import re
 from pathlib import Path
+from typing import Any
 
 from knifetip.messages import english
 from knifetip.messages.codes import CODES
@@ -24,6 +25,16 @@ def page_texts() -> dict[str, dict[str, str]]:
     return texts
 
 
+def _script(name: str) -> Any:
+    """Return a script of the frontend as a module."""
+    spec = importlib.util.spec_from_file_location(name, FRONTEND / f"{name}.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
 def test_the_page_has_the_same_codes_with_the_same_arguments() -> None:
     texts = page_texts()
     assert texts.keys() == CODES.keys(), "run: python frontend/catalogue.py"
@@ -33,14 +44,14 @@ def test_the_page_has_the_same_codes_with_the_same_arguments() -> None:
 
 
 def test_the_english_of_the_page_is_that_of_the_backend() -> None:
-    path = FRONTEND / "catalogue.py"
-    spec = importlib.util.spec_from_file_location("catalogue", path)
-    assert spec is not None
-    assert spec.loader is not None
-    written = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(written)
-    expected = written.catalogue()
+    expected = _script("catalogue").catalogue()
     assert CATALOGUE.read_text(encoding="utf-8") == expected, "run: python frontend/catalogue.py"
+
+
+def test_the_page_has_the_roles_that_the_routes_declare() -> None:
+    expected = _script("roles").roles()
+    written = (FRONTEND / "src" / "api" / "roles.gen.ts").read_text(encoding="utf-8")
+    assert written == expected, "run: python frontend/roles.py"
 
 
 def test_the_progress_bar_has_the_stages_of_a_compile_in_order() -> None:

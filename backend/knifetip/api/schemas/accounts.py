@@ -41,6 +41,10 @@ class MeOut(BaseModel):
         "there is no administrator; server-key: the key with which the server was started"
     )
     name: str = Field(description="Name of the user or of the key")
+    sign_in: Literal["password", "oidc"] | None = Field(
+        description="How the user signs in, as `kind` in `GET /api/users`; null if the sender is "
+        "no user"
+    )
     scopes: list[AccessScope] = Field(description="All scopes of the sender")
     has_admin: bool = Field(
         description="Whether there is an administrator; before, every program on the server's "

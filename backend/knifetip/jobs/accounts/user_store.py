@@ -168,6 +168,12 @@ class UserStore:
             query = sa.select(UserAccount.id).where(UserAccount.name == name.lower())
             return session.scalar(query) is not None
 
+    def kind_of(self, name: str) -> str | None:
+        """Return how a user signs in, ``password`` or ``oidc``; None if there is no such user."""
+        with self._db.reading() as session:
+            query = sa.select(UserAccount.kind).where(UserAccount.name == name.lower())
+            return session.scalar(query)
+
 
 def _end_sessions(session: Session, row: UserAccount, was_admin: bool) -> None:
     """End the sessions of a changed user, unless there would be no active administrator."""
