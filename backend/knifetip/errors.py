@@ -322,6 +322,10 @@ class StaleEpoch(JobError):
     """
 
 
+class GatewayRefused(JobError):
+    """The server refuses the requests of a gateway, whose key is missing, invalid or too weak."""
+
+
 class StoreError(JobError):
     """Raised when the database cannot be used, or when a server cannot start.
 

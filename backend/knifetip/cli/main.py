@@ -146,14 +146,14 @@ def main() -> None:
     """Run the command line.
 
     If a command raises a ``KnifetipError``, the text and the hint of the error are printed and the
-    process exits with code 3.
+    process exits with code 3, or with 4 if a server refuses a gateway.
     """
     try:
         app()
     except KnifetipError as error:
-        from knifetip.cli.terminal import UNUSABLE, report_error  # imported only on failure
+        from knifetip.cli.terminal import exit_code, report_error  # imported only on failure
 
         report_error(error)
-        sys.exit(UNUSABLE)
+        sys.exit(exit_code(error))
     except KeyboardInterrupt:
         sys.exit(130)

@@ -12,7 +12,7 @@ from typing import Any
 from urllib.parse import quote
 
 from knifetip.cli.terminal import print_stderr
-from knifetip.errors import JobError, KnifetipError
+from knifetip.errors import GatewayRefused, JobError, KnifetipError
 from knifetip.library import load
 from knifetip.messages import from_json
 from knifetip.model.machine import Machine
@@ -33,11 +33,18 @@ def reload_machine(name: str, server: str, headers: Mapping[str, str], kept: Pat
     ----------
     name, server, headers, kept
         As for ``start_machine``.
+
+    Raises
+    ------
+    GatewayRefused
+        The server refuses the key.
     """
     while True:
         time.sleep(_PAUSE)
         try:
             return _newest(name, server, headers, kept)
+        except GatewayRefused:
+            raise
         except KnifetipError as error:
             print_stderr(str(error))
 
@@ -45,9 +52,9 @@ def reload_machine(name: str, server: str, headers: Mapping[str, str], kept: Pat
 def start_machine(name: str, server: str, headers: Mapping[str, str], kept: Path) -> Machine:
     """Return the machine of a gateway that starts.
 
-    If the server does not answer, it is the version that the server answered last.  The gateway
-    can then bring the machine into its safe state at once, after a power failure in the middle of a
-    cut; the server assigns jobs for the newest version only.
+    If the server does not answer, or refuses the gateway, it is the version that the server
+    answered last.  The gateway can then bring the machine into its safe state at once, after a
+    power failure in the middle of a cut; the server assigns jobs for the newest version only.
 
     Parameters
     ----------
@@ -63,7 +70,7 @@ def start_machine(name: str, server: str, headers: Mapping[str, str], kept: Path
     """
     try:
         return _newest(name, server, headers, kept)
-    except ServerSilent as error:
+    except (ServerSilent, GatewayRefused) as error:
         found = _read_kept(name, kept)
         if found is None:
             raise
@@ -92,6 +99,8 @@ def find_machine(name: str, server: str, headers: Mapping[str, str]) -> Machine:
         The server cannot be reached, or cannot answer at present.
     JobError
         The server has no such machine.
+    GatewayRefused
+        The server refuses the key.
     """
     if _is_local(name):
         return load.machine(name)
@@ -146,6 +155,11 @@ def _fetch(name: str, server: str, headers: Mapping[str, str]) -> Mapping[str, A
     if answer.is_success and is_object and {"fields", "version"} <= content.keys():
         found: Mapping[str, Any] = content
         return found
+    if answer.status_code in (401, 403):
+        said = content.get("detail") if is_object else None
+        raise GatewayRefused(
+            "gateway.access-refused", server=server, reason=said or str(answer.status_code)
+        )
     kind = ServerSilent if answer.is_server_error else JobError
     if is_object and "detail" in content:
         raise kind(from_json({"text": content["detail"], **content}))

@@ -13,6 +13,7 @@ import typer
 
 from knifetip.errors import (
     DrawingTooLarge,
+    GatewayRefused,
     KnifetipError,
     LibraryError,
     NotADrawing,
@@ -26,6 +27,7 @@ from knifetip.model.question import Question
 REFUSED = 1
 QUESTIONS = 2
 UNUSABLE = 3
+NO_ACCESS = 4
 
 
 def print_stderr(text: str, colour: str | None = None) -> None:
@@ -44,6 +46,15 @@ def print_stderr(text: str, colour: str | None = None) -> None:
 def print_line(text: str) -> None:
     """Print a line on stdout, without the effect of control characters that a name contains."""
     typer.echo(harmless(text))
+
+
+def exit_code(error: KnifetipError) -> int:
+    """Return the exit code of a process that an error ends.
+
+    A gateway that the server refuses has a code of its own: starting it again is of no use before a
+    person has given it another key.
+    """
+    return NO_ACCESS if isinstance(error, GatewayRefused) else UNUSABLE
 
 
 def report_error(error: KnifetipError) -> None:

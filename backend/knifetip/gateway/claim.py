@@ -23,6 +23,10 @@ outgoing connections.  It decides the following by itself:
   ``station``), and the gateway then claims jobs again.
 - If no controller can ever be reached at the address, the gateway ends; if the controller only
   does not answer, the gateway tries again.
+- If the server refuses the key of the gateway, the gateway ends: between two jobs at once, and
+  with a job when its lease has expired.  The machine then does not stay held, because nobody could
+  resume the job; it is brought into its safe state, and the end of the job stays in the journal
+  until a gateway with a valid key reports it.
 - A controller that still runs a job of this gateway after a restart or a lost connection is first
   stopped and brought into its safe state.
 """
@@ -37,7 +41,7 @@ from contextlib import aclosing, suppress
 import httpx
 
 from knifetip import logs
-from knifetip.errors import ControllerError, KnifetipError, NoSuchController
+from knifetip.errors import ControllerError, GatewayRefused, KnifetipError, NoSuchController
 from knifetip.gateway.controller import Controller, SafeState, State
 from knifetip.gateway.interpreter import tool_offsets
 from knifetip.gateway.job_run import (
@@ -128,7 +132,9 @@ class _GatewayLoop:
             unfinished.line,
             unfinished.copies_done,
         )
-        await self._server.finish(end)
+        # ``_wait_until_idle`` raises it again, when a machine that may still move was stopped.
+        with suppress(GatewayRefused):
+            await self._server.finish(end)
 
     async def _recover(self) -> None:
         """Stop the machine if it may still execute a job of the journal.
@@ -162,9 +168,13 @@ class _GatewayLoop:
         ------
         NoSuchController
             The address of the controller is wrong.
+        GatewayRefused
+            The server refuses the key of this gateway.
         """
         pause = FIRST_PAUSE
         while True:
+            if self._server.refusal is not None and not self._link.abandoned:
+                raise self._server.refusal
             try:
                 status = await self._link.status()
                 if status.state is State.IDLE:
@@ -217,7 +227,7 @@ class _GatewayLoop:
                     outcome, cause = "returned", Message("gateway.switched-off")
                 else:
                     cause = Message("gateway.switched-off-in-run")
-                with suppress(asyncio.CancelledError):
+                with suppress(asyncio.CancelledError, GatewayRefused):
                     await self._server.finish(JobEnd.of(run, outcome, cause), tries=1)
                 raise
         finally:
@@ -236,7 +246,8 @@ class _GatewayLoop:
         Raises
         ------
         JobReturned
-            The controller is not idle or cannot be reached, so the job must return to the queue.
+            The controller is not idle or cannot be reached, or the server refuses the key of this
+            gateway, so the job must return to the queue.
         JobWithdrawn
             The server withdrew the job.
         JobCancelled
@@ -246,6 +257,8 @@ class _GatewayLoop:
             run.answered.clear()
             await run.answered.wait()
             run.raise_if_withdrawn()
+            if (refusal := self._refusal_of(run)) is not None:
+                raise JobReturned(refusal.message)
             if not run.is_waiting and self._link.runs_dry:
                 # The dry run stops by itself; the job must not start right behind it.
                 raise JobReturned(Message("gateway.started-in-dry-run"))
@@ -293,9 +306,12 @@ class _GatewayLoop:
             async with aclosing(updates) as progress_updates:
                 async for progress in progress_updates:
                     self._record(run, progress, copy)
+                    if progress.awaits_end:
+                        self._raise_if_refused(run)
                     if progress.executed < progress.lines:
                         # After the last line there is nothing left to stop or to hold.
                         run.raise_if_withdrawn()
+                        self._raise_if_refused(run)
                         await self._apply_requests(run, progress, controller)
         finally:
             self._link.abandoned = controller.fault is not None
@@ -367,6 +383,15 @@ class _GatewayLoop:
             else:
                 run.begin_phase()
 
+    def _refusal_of(self, run: JobRun) -> GatewayRefused | None:
+        """Return why the server refuses this gateway, if it does so since the lease has expired."""
+        return self._server.refusal if self._now() > run.lease_end else None
+
+    def _raise_if_refused(self, run: JobRun) -> None:
+        """Raise ``GatewayRefused`` if nobody can hold or resume a job any more."""
+        if (refusal := self._refusal_of(run)) is not None:
+            raise refusal
+
     async def _wait_for_sheet(self, run: JobRun) -> None:
         """Wait until the operator has laid the sheet for the next copy and resumed the job.
 
@@ -378,6 +403,8 @@ class _GatewayLoop:
             The server withdrew the job.
         JobCancelled
             The operator cancelled the job.
+        GatewayRefused
+            The server refuses the key of this gateway.
         """
         run.begin_phase()
         run.held, run.requested = True, ""
@@ -385,6 +412,7 @@ class _GatewayLoop:
             run.answered.clear()
             await run.answered.wait()
             run.raise_if_withdrawn()
+            self._raise_if_refused(run)
         run.begin_phase()
         run.held = False
 
@@ -448,6 +476,9 @@ async def run_gateway(
         The address of the controller is wrong, and was so from the start.
     StaleVersion
         The server has a newer version of the machine.  No job is on the machine.
+    GatewayRefused
+        The server refuses the key of this gateway.  The machine is in its safe state, if it can be
+        reached.
     """
     http = httpx.AsyncClient() if client is None else client
     http.headers.update({"X-Knifetip": "gateway", **settings.headers})
@@ -458,10 +489,16 @@ async def run_gateway(
         MachineStation(link, server, settings.machine).run(), name="station of the machine"
     )
     try:
-        await _GatewayLoop(settings, link, server, journal).run(jobs)
+        try:
+            await _GatewayLoop(settings, link, server, journal).run(jobs)
+        finally:
+            station.cancel()
+            await asyncio.gather(station, return_exceptions=True)
+    except GatewayRefused:
+        # Nobody can stop what a person has begun on the page, such as a jog or a spindle.
+        await link.release()
+        raise
     finally:
-        station.cancel()
-        await asyncio.gather(station, return_exceptions=True)
         await link.close()
         if client is None:
             await http.aclose()

@@ -16,7 +16,7 @@ from urllib.parse import urljoin
 
 import httpx
 
-from knifetip.errors import ProgramError, StaleVersion
+from knifetip.errors import GatewayRefused, ProgramError, StaleVersion
 from knifetip.gateway.job_run import JobEnd, JobRun, Lease
 from knifetip.gateway.journal import Journal
 from knifetip.gateway.operations import EXPIRY
@@ -48,7 +48,14 @@ class GatewaySettings:
 
 
 class JobServer:
-    """Client of the server: claims jobs, fetches their programs, and reports progress and end."""
+    """Client of the server: claims jobs, fetches their programs, and reports progress and end.
+
+    Attributes
+    ----------
+    refusal
+        Why the server refuses the requests of this gateway; None if it answered the last one or
+        does not answer.
+    """
 
     def __init__(
         self, client: httpx.AsyncClient, settings: GatewaySettings, journal: Journal
@@ -58,9 +65,20 @@ class JobServer:
         self._api = settings.api.rstrip("/") + "/"
         self._journal = journal
         self._complaint = ""  # the last logged failure of a claim
+        self.refusal: GatewayRefused | None = None
 
     def _url(self, path: str) -> str:
         return urljoin(self._api, path)
+
+    def _require_access(self, answer: httpx.Response) -> None:
+        """Raise ``GatewayRefused`` if the server refuses the key of this gateway."""
+        if answer.status_code not in (401, 403):
+            self.refusal = None
+            return
+        self.refusal = GatewayRefused(
+            "gateway.access-refused", server=self._settings.api, reason=_reason(answer)
+        )
+        raise self.refusal
 
     async def claim(self) -> Lease | None:
         """Claim the next job of the machine, and return it with its lease.
@@ -72,6 +90,8 @@ class JobServer:
         ------
         StaleVersion
             The server has a newer version of the machine.
+        GatewayRefused
+            The server refuses the key of this gateway.
         """
         body = {
             "gateway": self._settings.name,
@@ -84,6 +104,7 @@ class JobServer:
             answer = await self._client.post(
                 self._url("api/gateway/claim"), json=body, timeout=self._settings.wait + 10.0
             )
+            self._require_access(answer)
             if answer.status_code == 204:
                 self._complaint = ""
                 return None
@@ -122,6 +143,8 @@ class JobServer:
         ------
         httpx.HTTPError
             The server does not answer, or refuses the report.
+        GatewayRefused
+            The server refuses the key of this gateway.
         ValueError, KeyError, TypeError
             The answer of the server is malformed.
         """
@@ -135,6 +158,7 @@ class JobServer:
         answer = await self._client.post(
             self._url("api/gateway/station"), json=body, timeout=wait + EXPIRY
         )
+        self._require_access(answer)
         answer.raise_for_status()
         return StationAnswer.of(answer.json())
 
@@ -146,11 +170,14 @@ class JobServer:
         ProgramError
             The SHA-256 of the program differs from the SHA-256 in the claim, or the server did not
             send the program.
+        GatewayRefused
+            The server refuses the key of this gateway.
         """
         reason = ""
         for attempt in range(3):
             try:
                 answer = await self._client.get(self._url(claim.program), timeout=30.0)
+                self._require_access(answer)
                 answer.raise_for_status()
             except httpx.HTTPError as error:
                 reason = repr(error)
@@ -184,6 +211,12 @@ class JobServer:
                 answer = await self._client.post(
                     self._url("api/gateway/heartbeat"), json=body, timeout=patience
                 )
+                try:
+                    self._require_access(answer)
+                except GatewayRefused:
+                    run.answered.set()  # a run that waits must notice the end of its lease
+                    await asyncio.sleep(self._settings.beat)
+                    continue
                 if answer.status_code == 409:
                     run.stale = True
                     run.answered.set()
@@ -206,6 +239,12 @@ class JobServer:
         tries
             Greatest number of requests; None for no limit.  If no request is answered, the method
             returns, and the gateway reports the end again after its next start.
+
+        Raises
+        ------
+        GatewayRefused
+            The server refuses the key of this gateway, which reports the end again after its next
+            start.
         """
         job, epoch, outcome, cause = end.job, end.epoch, end.outcome, end.cause
         self._journal.outcome(job, outcome, cause)
@@ -216,6 +255,7 @@ class JobServer:
                 answer = await self._client.post(
                     self._url("api/gateway/finish"), json=body, timeout=5.0
                 )
+                self._require_access(answer)
                 if answer.status_code < 500:
                     if answer.is_error:
                         _log.warning("Job %s: %s %s", job, answer.status_code, answer.text[:200])
@@ -227,3 +267,12 @@ class JobServer:
             await asyncio.sleep(pause)
             pause = min(2.0 * pause, LONGEST_PAUSE)
         self._journal.end(job, epoch, outcome, cause)
+
+
+def _reason(answer: httpx.Response) -> str:
+    """Return the text with which a server refuses a request, or else its status."""
+    with suppress(ValueError):
+        content = answer.json()
+        if isinstance(content, dict) and isinstance(content.get("detail"), str):
+            return str(content["detail"])[:500]
+    return str(answer.status_code)

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Awaitable, Callable
+from contextlib import suppress
 
-from knifetip.errors import ControllerAlarm
+from knifetip.errors import ControllerAlarm, KnifetipError
 from knifetip.gateway.controller import Controller, SafeState, State, Status
 from knifetip.gateway.dry_run import DryRun
 from knifetip.gateway.job_run import JobRun
@@ -127,6 +128,12 @@ class MachineLink:
             if status.state is State.IDLE:
                 self.jogged = False
             return status
+
+    async def release(self) -> None:
+        """Bring the connected machine into its safe state, unless it cannot be reached."""
+        if self._controller is not None:
+            with suppress(KnifetipError, OSError):
+                await self._controller.stop()
 
     async def close(self) -> None:
         """Close the connection; nothing is sent to the machine."""

@@ -26,7 +26,13 @@ from dataclasses import dataclass
 
 import httpx
 
-from knifetip.errors import ControllerAlarm, ControllerError, KnifetipError, OperationExpired
+from knifetip.errors import (
+    ControllerAlarm,
+    ControllerError,
+    GatewayRefused,
+    KnifetipError,
+    OperationExpired,
+)
 from knifetip.gateway.controller import State, Status
 from knifetip.gateway.dry_programs import DryPrograms
 from knifetip.gateway.dry_run import DryRun
@@ -109,7 +115,13 @@ class MachineStation:
                     answer = await self._server.report_station(
                         self._report(), results, 0.0 if self._tasks else interval
                     )
-                except (httpx.HTTPError, ValueError, KeyError, TypeError) as error:
+                except (
+                    httpx.HTTPError,
+                    GatewayRefused,
+                    ValueError,
+                    KeyError,
+                    TypeError,
+                ) as error:
                     self._results = results + self._results
                     if (reason := repr(error)) != complaint:
                         complaint = reason

@@ -1347,6 +1347,10 @@ export const TEXTS = {
     "text": "Programs cannot be written into the folder {folder} ({reason}).",
     "hint": "Create the folder, or give the user of the gateway the permission to write into it."
   },
+  "gateway.access-refused": {
+    "text": "The server {server} refuses this gateway: {reason}",
+    "hint": "Create a key with knifetip key create NAME --scope gateway, give it to the gateway with --key-file PATH, and start the gateway again."
+  },
   "gateway.cancelled": {
     "text": "The operator cancelled the job at program line {line}.",
     "hint": ""

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import socket
+import subprocess
+import sys
 import threading
 from collections.abc import Iterator
 from http.server import BaseHTTPRequestHandler, HTTPServer
@@ -12,8 +14,14 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from knifetip.cli.served_machine import ServerSilent, find_machine, start_machine
-from knifetip.errors import JobError, LibraryError
+from knifetip.cli import served_machine
+from knifetip.cli.served_machine import (
+    ServerSilent,
+    find_machine,
+    reload_machine,
+    start_machine,
+)
+from knifetip.errors import GatewayRefused, JobError, LibraryError
 from knifetip.library import load
 from knifetip.library.definition import Shelf, parse_toml
 
@@ -45,6 +53,10 @@ def office() -> Iterator[Office]:
             self.send_header("Content-Length", str(len(answer["body"])))
             self.end_headers()
             self.wfile.write(answer["body"])
+
+        def do_POST(self) -> None:
+            self.rfile.read(int(self.headers["Content-Length"]))
+            self.do_GET()
 
         def log_message(self, format: str, *args: object) -> None:
             """Write nothing to the output of the test."""
@@ -166,6 +178,21 @@ def test_a_silent_server_does_not_keep_a_gateway_from_its_machine(
     assert start_machine("own", office.url, {}, kept).version == 7
 
 
+def test_a_refused_gateway_may_bring_its_machine_to_safety_and_loads_nothing_else(
+    office: Office, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(served_machine, "_PAUSE", 0.0)
+    kept = tmp_path / "own.machine.json"
+    definition(office)
+    start_machine("own", office.url, {}, kept)
+    office.answer.update(status=401, body=json.dumps({"detail": "The key was revoked."}).encode())
+    assert start_machine("own", office.url, {}, kept).version == 7
+    with pytest.raises(GatewayRefused, match="The key was revoked"):
+        start_machine("own", office.url, {}, tmp_path / "none.json")
+    with pytest.raises(GatewayRefused):
+        reload_machine("own", office.url, {}, kept)
+
+
 def test_a_kept_definition_is_not_used_for_another_machine_or_a_deleted_one(
     office: Office, tmp_path: Path
 ) -> None:
@@ -183,3 +210,17 @@ def test_a_kept_definition_is_not_used_for_another_machine_or_a_deleted_one(
     kept.write_text("{")
     with pytest.raises(ServerSilent):
         start_machine("own", "http://127.0.0.1:9", {}, kept)
+
+
+def test_a_refused_gateway_ends_with_a_code_of_its_own_and_a_hint(
+    office: Office, tmp_path: Path
+) -> None:
+    office.answer.update(status=403, body=json.dumps({"detail": "No scope gateway."}).encode())
+    command = [sys.executable, "-m", "knifetip.cli", "gateway", "--server", office.url]
+    command += ["--machine", "demo-table", "--controller", "127.0.0.1:9"]
+    command += ["--journal", str(tmp_path / "journal")]
+    ended = subprocess.run(command, capture_output=True, text=True, timeout=60.0, check=False)
+    assert ended.returncode == 4, ended.stderr
+    assert "No scope gateway." in ended.stderr
+    assert "knifetip key create NAME --scope gateway" in ended.stderr
+    assert "Traceback" not in ended.stderr

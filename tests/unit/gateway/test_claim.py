@@ -14,7 +14,7 @@ from typing import Any
 import httpx
 import pytest
 
-from knifetip.errors import ControllerError, StaleVersion
+from knifetip.errors import ControllerError, GatewayRefused, StaleVersion
 from knifetip.gateway import simulator
 from knifetip.gateway.claim import run_gateway
 from knifetip.gateway.controller import Controller, SafeState, State, Status
@@ -77,6 +77,7 @@ class Office:
         self.finished: list[Beat] = []
         self.command: Callable[[Beat], str] = lambda beat: "continue"
         self.reachable = True
+        self.refuses = False  # the key of the gateway
         self.stale = False
         self.deaf = 0  # number of responses to finish that are lost
         self.delayed: Callable[[Beat], Awaitable[None]] | None = (
@@ -86,6 +87,8 @@ class Office:
     async def __call__(self, request: httpx.Request) -> httpx.Response:
         if not self.reachable:
             raise httpx.ConnectError("no route", request=request)
+        if self.refuses:
+            return httpx.Response(401, json={"detail": "The key was revoked."})
         self.headers.append(request.headers)
         body = json.loads(request.content) if request.content else {}
         path = request.url.path
@@ -649,3 +652,184 @@ async def test_a_gateway_whose_machine_has_changed_ends_so_that_it_can_be_loaded
             await gateway(Changed(), server, machine=replace(MACHINE, version=3))
         assert changed.value.message.arguments["version"] == 3
         assert server.table.position == (0.0, 0.0, 20.0, 0.0)
+
+
+# A server that refuses the key of the gateway
+
+
+@pytest.mark.parametrize("status", [401, 403])
+async def test_a_gateway_whose_key_is_refused_ends_with_the_reason(status: int) -> None:
+    class Closed(Office):
+        async def __call__(self, request: httpx.Request) -> httpx.Response:
+            return httpx.Response(status, json={"detail": "The scope gateway is missing."})
+
+    async with table() as server:
+        with pytest.raises(GatewayRefused) as refused:
+            await gateway(Closed(), server)
+    assert refused.value.message.arguments["reason"] == "The scope gateway is missing."
+    assert "--scope gateway" in refused.value.hint
+
+
+async def test_a_gateway_that_is_refused_does_not_wait_for_its_controller() -> None:
+    office = Office()
+    office.refuses = True
+
+    async def switched_off(safe: SafeState, stop_motion: bool) -> Controller:
+        raise ConnectionRefusedError("the table is switched off")
+
+    async with table() as server:
+        with pytest.raises(GatewayRefused):
+            await gateway(office, server, connect=switched_off)
+
+
+async def test_a_key_that_is_revoked_in_a_cut_brings_the_machine_to_safety_after_the_lease(
+    tmp_path: Path,
+) -> None:
+    path = tmp_path / "journal"
+    office = Office(lease=0.5)
+
+    def command(beat: Beat) -> str:
+        office.refuses = beat["line"] == 6
+        return "continue"
+
+    office.command = command
+    async with table(speed=0.5) as server:
+        with pytest.raises(GatewayRefused):
+            await gateway(office, server, journal=path)
+        assert server.table.state == "Idle"
+        assert server.table.position[2] == 20.0
+        assert 160.0 < server.table.position[0] < 560.0
+        assert not any(server.table.outputs.values())
+    # The end is not lost: the next gateway with a valid key reports it.
+    unfinished = Journal(path).unfinished()
+    assert unfinished is not None
+    assert (unfinished.job, unfinished.outcome, unfinished.line) == ("job-1", "interrupted", 6)
+    assert unfinished.cause is not None
+    assert unfinished.cause.code == "gateway.access-refused"
+    later = Office()
+    async with table(speed=100.0) as server:
+        await gateway(later, server, journal=path)
+    assert [one["outcome"] for one in later.finished] == ["interrupted", "done"]
+
+
+async def test_a_key_that_is_refused_for_less_than_the_lease_does_not_stop_the_machine() -> None:
+    office = Office(lease=30.0)
+    answered = office.__call__
+    refused = 0
+
+    class Flickering(Office):
+        async def __call__(self, request: httpx.Request) -> httpx.Response:
+            nonlocal refused
+            if request.url.path.endswith("heartbeat") and refused < 5:
+                refused += 1
+                return httpx.Response(401)
+            return await answered(request)
+
+    async with table(speed=2.0) as server:
+        await gateway(Flickering(), server)
+        assert server.table.position[0] == 560.0
+    assert refused == 5
+    assert office.finished[0]["outcome"] == "done"
+
+
+async def test_a_cut_that_ends_while_the_key_is_refused_is_reported_done_later(
+    tmp_path: Path,
+) -> None:
+    path = tmp_path / "journal"
+    office = Office(lease=30.0)
+
+    def command(beat: Beat) -> str:
+        office.refuses = beat["line"] == 6
+        return "continue"
+
+    office.command = command
+    async with table(speed=10.0) as server:
+        with pytest.raises(GatewayRefused):
+            await gateway(office, server, journal=path)
+        assert server.table.position[0] == 560.0
+    later = Office()
+    async with table(speed=100.0) as server:
+        await gateway(later, server, journal=path)
+    assert [one["outcome"] for one in later.finished] == ["done", "done"]
+
+
+async def test_between_two_copies_a_refused_gateway_does_not_wait_for_ever(tmp_path: Path) -> None:
+    path = tmp_path / "journal"
+    office = Office(lease=0.5, copies=2)
+
+    def command(beat: Beat) -> str:
+        office.refuses = beat["copies_done"] == 1
+        return "continue"
+
+    office.command = command
+    async with table(speed=50.0) as server:
+        with pytest.raises(GatewayRefused):
+            await gateway(office, server, journal=path)
+    unfinished = Journal(path).unfinished()
+    assert unfinished is not None
+    assert (unfinished.outcome, unfinished.copies_done) == ("interrupted", 1)
+
+
+async def test_a_job_that_waits_for_its_start_is_left_when_the_key_is_refused() -> None:
+    office = Office(lease=0.1, confirm=True)
+
+    def command(beat: Beat) -> str:
+        office.refuses = True
+        return "wait"
+
+    office.command = command
+    async with table() as server:
+        with pytest.raises(GatewayRefused):
+            await gateway(office, server)
+        assert server.table.position == (0.0, 0.0, 20.0, 0.0)
+
+
+async def test_a_machine_that_may_still_move_is_stopped_before_a_refused_gateway_ends(
+    tmp_path: Path,
+) -> None:
+    path = tmp_path / "journal"
+    Journal(path).begin("job-0", 9, "00", 40)
+    office = Office()
+    office.refuses = True
+    attempts = 0
+    async with table() as server:
+
+        async def second_time(safe: SafeState, stop_motion: bool) -> Controller:
+            nonlocal attempts
+            attempts += 1
+            if attempts == 1:
+                raise ConnectionRefusedError("the table is switched off")
+            assert stop_motion
+            return await driver.dial(server.address, safe, stop_motion=stop_motion, poll=0.02)
+
+        host, _, port = server.address.rpartition(":")
+        _, writer = await asyncio.open_connection(host, int(port))
+        async with asyncio.timeout(10.0):
+            writer.write(b"M64 P0\nG1 X500 F600\n")
+            while not (server.table.state == "Run" and server.table.outputs.get(0)):
+                await asyncio.sleep(0.01)
+            writer.close()
+        with pytest.raises(GatewayRefused):
+            await gateway(office, server, journal=path, connect=second_time)
+        assert attempts == 2
+        assert not any(server.table.outputs.values())
+        assert server.table.position[0] < 500.0
+    assert Journal(path).unfinished() is not None
+
+
+async def test_what_a_person_has_begun_ends_with_a_refused_gateway() -> None:
+    office = Office()
+    async with table() as server:
+        opened: list[Controller] = []
+
+        async def spinning(safe: SafeState, stop_motion: bool) -> Controller:
+            controller = await driver.dial(server.address, safe, stop_motion=stop_motion, poll=0.02)
+            await controller.switch(0, True)
+            opened.append(controller)
+            office.refuses = True
+            return controller
+
+        with pytest.raises(GatewayRefused):
+            await gateway(office, server, connect=spinning)
+        assert opened
+        assert not any(server.table.outputs.values())

@@ -35,6 +35,13 @@ MESSAGES: Final[Entries] = {
         "The server withdrew the job from the gateway before the job was started. Nothing was "
         "sent to the machine.",
     ),
+    "gateway.access-refused": entry(
+        "The server {server} refuses this gateway: {reason}",
+        "Create a key with knifetip key create NAME --scope gateway, give it to the gateway with "
+        "--key-file PATH, and start the gateway again.",
+        server="text",
+        reason="text",
+    ),
     "gateway.machine-changed": entry(
         "Version {version} of the machine {machine} is no longer the newest.",
         "Load the definition of the machine again.",
