@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
+import shutil
 import sys
-import uuid
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -13,7 +13,13 @@ from hypothesis import settings
 
 from knifetip.cli import main
 from tests.support.command import Command
-from tests.support.serving.postgresql import create_database, installed_binaries, run_server
+from tests.support.serving.postgresql import (
+    create_database,
+    installed_binaries,
+    run_server,
+    temporary_database,
+)
+from tests.support.stored import migrated_store
 
 # Tests do not fail because a machine is busy (`make bench` measures time) or by chance:
 # every run uses the same examples; `--hypothesis-profile=explore` draws new ones.
@@ -50,9 +56,10 @@ def postgresql_server() -> Iterator[str]:
 
 
 @pytest.fixture
-def postgresql_url(postgresql_server: str) -> str:
+def postgresql_url(postgresql_server: str) -> Iterator[str]:
     """URL of a new, empty PostgreSQL database."""
-    return create_database(postgresql_server, f"t{uuid.uuid4().hex}")
+    with temporary_database(postgresql_server) as url:
+        yield url
 
 
 @pytest.fixture(params=["sqlite", "postgresql"])
@@ -61,6 +68,41 @@ def database_url(request: pytest.FixtureRequest, tmp_path: Path) -> str:
     if request.param == "sqlite":
         return f"sqlite:///{tmp_path}/shop.sqlite"
     url: str = request.getfixturevalue("postgresql_url")
+    return url
+
+
+@pytest.fixture(scope="session")
+def sqlite_template(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return an SQLite database with all tables, to be copied."""
+    file = tmp_path_factory.mktemp("template") / "shop.sqlite"
+    with migrated_store(f"sqlite:///{file}"):
+        return file
+
+
+@pytest.fixture(scope="session")
+def postgresql_template(postgresql_server: str) -> str:
+    """Return the name of a PostgreSQL database with all tables, to be copied."""
+    with migrated_store(create_database(postgresql_server, "tables")):
+        return "tables"
+
+
+@pytest.fixture
+def migrated_sqlite(sqlite_template: Path, tmp_path: Path) -> str:
+    """URL of a new SQLite database with all tables."""
+    return f"sqlite:///{shutil.copy(sqlite_template, tmp_path)}"
+
+
+@pytest.fixture
+def migrated_postgresql(postgresql_server: str, postgresql_template: str) -> Iterator[str]:
+    """URL of a new PostgreSQL database with all tables."""
+    with temporary_database(postgresql_server, postgresql_template) as url:
+        yield url
+
+
+@pytest.fixture(params=["sqlite", "postgresql"])
+def migrated_url(request: pytest.FixtureRequest) -> str:
+    """URL of a new database with all tables: one in SQLite, then one in PostgreSQL."""
+    url: str = request.getfixturevalue(f"migrated_{request.param}")
     return url
 
 

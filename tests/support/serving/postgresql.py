@@ -7,6 +7,7 @@ import shutil
 import signal
 import subprocess
 import tempfile
+import uuid
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -95,7 +96,7 @@ def run_server(binaries: Path) -> Iterator[str]:
         cluster.delete()
 
 
-def create_database(server: str, name: str) -> str:
+def create_database(server: str, name: str, template: str = "template1") -> str:
     """Create a database on a server and return its URL.
 
     Parameters
@@ -104,9 +105,23 @@ def create_database(server: str, name: str) -> str:
         URL of a database on the same server, as `run_server` yields it.
     name
         Name of the new database.
+    template
+        Name of the database that is copied; nobody may use it at this time.
     """
+    _execute(server, f'CREATE DATABASE "{name}" TEMPLATE "{template}"')
+    return server.replace("/postgres?", f"/{name}?")
+
+
+@contextmanager
+def temporary_database(server: str, template: str = "template1") -> Iterator[str]:
+    """Create a database with a new name, yield its URL, and delete it; see `create_database`."""
+    name = f"t{uuid.uuid4().hex}"
+    yield create_database(server, name, template)
+    _execute(server, f'DROP DATABASE "{name}" WITH (FORCE)')
+
+
+def _execute(server: str, statement: str) -> None:
     engine = sa.create_engine(server, isolation_level="AUTOCOMMIT")
     with engine.connect() as connection:
-        connection.execute(sa.text(f'CREATE DATABASE "{name}"'))
+        connection.execute(sa.text(statement))
     engine.dispose()
-    return server.replace("/postgres?", f"/{name}?")

@@ -16,6 +16,6 @@ def clock() -> Clock:
 
 
 @pytest.fixture
-def store(database_url: str, clock: Clock) -> Iterator[Store]:
-    with migrated_store(database_url, clock) as store:
+def store(migrated_url: str, clock: Clock) -> Iterator[Store]:
+    with migrated_store(migrated_url, clock) as store:
         yield store

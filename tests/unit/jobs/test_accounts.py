@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import re
 import sqlite3
-from collections.abc import Iterator
 from contextlib import nullcontext
 from pathlib import Path
 
@@ -38,14 +37,6 @@ class Clock:
 @pytest.fixture
 def clock() -> Clock:
     return Clock()
-
-
-@pytest.fixture
-def store(database_url: str, clock: Clock) -> Iterator[Store]:
-    opened = Store(database_url, clock)
-    opened.migrate()
-    yield opened
-    opened.close()
 
 
 def test_a_user_signs_in_with_the_password_only(store: Store) -> None:

@@ -35,12 +35,11 @@ SOUND = replace(RESULT, program=PROGRAM, sha256=hashlib.sha256(PROGRAM).hexdiges
 
 @pytest.fixture(params=["database", "folder"])
 def anywhere(
-    request: pytest.FixtureRequest, database_url: str, clock: Clock, tmp_path: Path
+    request: pytest.FixtureRequest, migrated_url: str, clock: Clock, tmp_path: Path
 ) -> Iterator[Store]:
     """A store whose large values are in the database, then one with a folder."""
     objects = "" if request.param == "database" else (tmp_path / "contents").as_uri()
-    store = Store(database_url, clock, objects)
-    store.migrate()
+    store = Store(migrated_url, clock, objects)
     yield store
     store.close()
 

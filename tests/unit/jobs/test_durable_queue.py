@@ -23,8 +23,8 @@ pytestmark = pytest.mark.xdist_group("crew")
 
 
 @pytest.fixture
-def store(database_url: str) -> Iterator[Store]:
-    with migrated_store(database_url) as store:
+def store(migrated_url: str) -> Iterator[Store]:
+    with migrated_store(migrated_url) as store:
         yield store
 
 

@@ -23,8 +23,8 @@ WAITING = GatewayReport(line=0, waiting=True)
 
 
 @pytest.fixture
-def store(database_url: str) -> Iterator[Store]:
-    with migrated_store(database_url) as store:
+def store(migrated_url: str) -> Iterator[Store]:
+    with migrated_store(migrated_url) as store:
         yield store
 
 
