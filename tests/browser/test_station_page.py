@@ -30,7 +30,7 @@ from tests.browser.accessibility import record_view
 
 pytestmark = [
     pytest.mark.browser,
-    pytest.mark.xdist_group("browser-table"),
+    pytest.mark.xdist_group("browser"),
     pytest.mark.timeout(300),
 ]
 

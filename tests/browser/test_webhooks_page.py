@@ -14,7 +14,7 @@ from tests.support.serving.webhook_receiver import Receiver, run_receiver
 
 pytestmark = [
     pytest.mark.browser,
-    pytest.mark.xdist_group("browser-table"),
+    pytest.mark.xdist_group("browser"),
     pytest.mark.timeout(120),
 ]
 
