@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from knifetip import tracing
 from knifetip.cli.access_key import KeyOptions
 from knifetip.cli.database_options import DatabaseOptions, StoreOptions
 from knifetip.cli.log_options import LogOptions
@@ -249,41 +250,42 @@ def serve(
 
     log.apply()
     _prepare(storage, migrate)
-    embedded.serve(
-        host,
-        port,
-        storage.url,
-        embedded.Parts(
-            parts.samples,
-            parts.simulator,
-            parts.speed,
-            parts.compiles,
-            parts.keep_history,
-            parts.webhook_private,
-            parts.keep_drawings,
-            parts.archive,
-        ),
-        embedded.Access(
-            access.key, access.key_file, tuple(access.allow_host or ()), oidc.settings()
-        ),
-        print_stderr,
-        name,
-        embedded.ServerLimits(
-            ConnectionLimits(
-                per_client=limits.max_connections, total=_CLIENTS * limits.max_connections
+    with tracing.exporting("knifetip-server"):
+        embedded.serve(
+            host,
+            port,
+            storage.url,
+            embedded.Parts(
+                parts.samples,
+                parts.simulator,
+                parts.speed,
+                parts.compiles,
+                parts.keep_history,
+                parts.webhook_private,
+                parts.keep_drawings,
+                parts.archive,
             ),
-            ClientLimits(
-                limits.max_rate,
-                limits.max_burst,
-                limits.max_listeners,
-                _CLIENTS * limits.max_listeners,
+            embedded.Access(
+                access.key, access.key_file, tuple(access.allow_host or ()), oidc.settings()
             ),
-            limits.max_upload << 20,
-            limits.min_free << 20,
-        ),
-        contents.store,
-        scraping.metrics_address,
-    )
+            print_stderr,
+            name,
+            embedded.ServerLimits(
+                ConnectionLimits(
+                    per_client=limits.max_connections, total=_CLIENTS * limits.max_connections
+                ),
+                ClientLimits(
+                    limits.max_rate,
+                    limits.max_burst,
+                    limits.max_listeners,
+                    _CLIENTS * limits.max_listeners,
+                ),
+                limits.max_upload << 20,
+                limits.min_free << 20,
+            ),
+            contents.store,
+            scraping.metrics_address,
+        )
 
 
 def _prepare(storage: DatabaseOptions, migrate: bool) -> None:
@@ -335,10 +337,11 @@ def worker(
     stop_requested = threading.Event()
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda _number, _frame: stop_requested.set())
-    service.start()
-    print_stderr(f"compile worker for {storage.shown}")
-    stop_requested.wait()
-    service.stop()
+    with tracing.exporting("knifetip-worker"):
+        service.start()
+        print_stderr(f"compile worker for {storage.shown}")
+        stop_requested.wait()
+        service.stop()
     scraped.close()
     store.close()
 
@@ -399,19 +402,20 @@ def gateway(
     table = start_machine(machine, server, headers, kept)
     metrics = RunMetrics(table.name)
     serve_metrics(scraping.metrics_address, metrics.registry)  # until the process ends
-    while True:
-        dial = find_driver(table, controller)
-        print_stderr(f"{table.title}: controller {controller}, server {server}")
-        settings = GatewaySettings(
-            server, table, name, headers=headers, journal=record, observe=metrics.observe
-        )
-        connect = partial(_connect, dial, controller)
-        try:
-            _run_until_terminated(claim.run_gateway(settings, connect))
-        except StaleVersion as changed:
-            # No job is on the machine: the next one is made for the newest version.
-            print_stderr(str(changed))
-            table = reload_machine(machine, server, headers, kept)
+    with tracing.exporting("knifetip-gateway"):
+        while True:
+            dial = find_driver(table, controller)
+            print_stderr(f"{table.title}: controller {controller}, server {server}")
+            settings = GatewaySettings(
+                server, table, name, headers=headers, journal=record, observe=metrics.observe
+            )
+            connect = partial(_connect, dial, controller)
+            try:
+                _run_until_terminated(claim.run_gateway(settings, connect))
+            except StaleVersion as changed:
+                # No job is on the machine: the next one is made for the newest version.
+                print_stderr(str(changed))
+                table = reload_machine(machine, server, headers, kept)
 
 
 def _connect(
