@@ -18,7 +18,7 @@ from fastapi.responses import RedirectResponse
 from fastapi.routing import APIRoute
 from starlette.exceptions import HTTPException
 
-from knifetip import errors
+from knifetip import errors, tracing
 from knifetip.api import (
     accounts,
     confirmation,
@@ -55,6 +55,7 @@ from knifetip.api.problems import problem
 from knifetip.api.queue import ORDERS_AT_ONCE, ORDERS_WAITING, WorkQueue
 from knifetip.api.readiness import Readiness
 from knifetip.api.request_log import RequestLog
+from knifetip.api.request_spans import RequestSpans
 from knifetip.api.retention import run_content_sweep, run_retention
 from knifetip.api.routing import (
     ScopedRouter,
@@ -185,6 +186,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         redoc_url=None,
         generate_unique_id_function=_operation_id,
         dependencies=[Depends(refuse_unknown)],
+        # Spans and logs of FastAPI contain queries, which may contain a key, and texts of errors.
+        telemetry={"tracing": False, "metrics": False, "logs": False, "auto_configure": False},
     )
     for module in _ROUTES:
         app.include_router(module.router, prefix="/api")
@@ -208,9 +211,12 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         Access, rules=chosen.access, accounts=access, provider=_provider(chosen, access)
     )
     app.add_middleware(SecurityHeaders)
-    app.add_middleware(CountRequests, metrics=metrics, templates=route_templates(app.routes))
+    templates = route_templates(app.routes)
+    app.add_middleware(CountRequests, metrics=metrics, templates=templates)
     app.add_middleware(ApiVersion)
     app.add_middleware(RequestLog)
+    if tracing.is_on():
+        app.add_middleware(RequestSpans, templates=templates)
     app.add_exception_handler(errors.KnifetipError, _knifetip_problem)
     app.add_exception_handler(RequestValidationError, _request_problem)
     app.add_exception_handler(HTTPException, _http_problem)

@@ -84,6 +84,7 @@ async def claim(service: ServiceDep, request: Request, claimant: ClaimIn) -> Cla
                     lines=job.lines,
                     copies=job.copies - job.copies_done,
                     confirm=job.state == State.QUEUED,
+                    traceparent=job.traceparent,
                 )
             remaining = deadline - time.monotonic()
             if remaining <= 0:

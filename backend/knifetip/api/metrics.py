@@ -22,7 +22,8 @@ from knifetip.api.service import Service, ServiceDep
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.metrics import SECONDS, CompileMetrics, add_database
 
-_METHODS: Final = frozenset({"GET", "HEAD", "POST", "PUT", "PATCH", "DELETE", "OPTIONS"})
+#: Methods that are counted and traced by name.
+METHODS: Final = frozenset({"GET", "HEAD", "POST", "PUT", "PATCH", "DELETE", "OPTIONS"})
 _CONTENT: Final = "text/plain; version=0.0.4; charset=utf-8"
 
 router = ScopedRouter(tags=["health"])
@@ -76,7 +77,7 @@ class CountRequests:
             await self.app(scope, receive, send_counted)
         finally:
             template = self._templates(scope.get("endpoint"))
-            method = scope["method"] if scope["method"] in _METHODS else "other"
+            method = scope["method"] if scope["method"] in METHODS else "other"
             route = template or "other"
             self._metrics.requests.labels(method, route, str(status)).inc()
             if route not in ("/api/events", "/api/gateway/claim"):

@@ -7,7 +7,9 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from fastapi import Response
+from starlette.types import Receive, Scope, Send
 
+from knifetip import tracing
 from knifetip.api.schemas.common import Problem
 from knifetip.messages import Message, printable
 
@@ -58,4 +60,18 @@ def problem(
             "revision": revision,
         }
     )
-    return Response(body.model_dump_json(), status, headers=dict(headers or {}), media_type=PROBLEM)
+    return _Problem(message.code, body.model_dump_json(), status, headers)
+
+
+class _Problem(Response):
+    """An error response; the span of its request gets its code when it is sent."""
+
+    def __init__(
+        self, code: str, content: str, status: int, headers: Mapping[str, str] | None
+    ) -> None:
+        super().__init__(content, status, headers=dict(headers or {}), media_type=PROBLEM)
+        self._code = code
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        tracing.current().set(error=self._code)
+        await super().__call__(scope, receive, send)

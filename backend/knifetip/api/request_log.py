@@ -6,7 +6,7 @@ import logging
 import re
 import time
 import uuid
-from typing import Final
+from typing import Final, TypedDict
 
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.requests import Request
@@ -26,7 +26,7 @@ _PROBES: Final = ("/healthz", "/readyz", "/metrics")
 class RequestLog:
     """ASGI middleware that gives each request an id and writes a record at its end.
 
-    It must be the outermost middleware, so that refused requests have an id and a record too.
+    Only ``RequestSpans`` may be outside it, so that refused requests have an id and a record too.
     """
 
     def __init__(self, app: ASGIApp) -> None:
@@ -41,7 +41,7 @@ class RequestLog:
         given = Headers(scope=scope).get(_HEADER, "")
         id = given if _ACCEPTED.fullmatch(given) else uuid.uuid4().hex
         path = route_path(scope["path"])
-        fields: dict[str, object] = {"request_id": id, **_subject(path)}
+        fields: dict[str, object] = {"request_id": id, **subject_of(path)}
         status = 0
 
         async def send_with_id(event: Message) -> None:
@@ -50,7 +50,7 @@ class RequestLog:
                 status = event["status"]
                 headers = MutableHeaders(scope=event)
                 headers[_HEADER] = id
-                fields.update(_subject(route_path(headers.get("location", ""))))
+                fields.update(subject_of(route_path(headers.get("location", ""))))
             await send(event)
 
         begun = time.monotonic()
@@ -70,7 +70,16 @@ class RequestLog:
                     _log.log(level, "%s %s", scope["method"], path, extra={logs.FIELDS: fields})
 
 
-def _subject(path: str) -> dict[str, object]:
+class Subject(TypedDict, total=False):
+    """The id of a job or a drawing."""
+
+    job: str
+    drawing: str
+
+
+def subject_of(path: str) -> Subject:
     """Return the id of the job or drawing that a path names."""
     found = _SUBJECT.match(path)
-    return {} if found is None else {found[1]: found[2]}
+    if found is None:
+        return {}
+    return {"job": found[2]} if found[1] == "job" else {"drawing": found[2]}

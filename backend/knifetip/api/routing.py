@@ -27,6 +27,7 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 _DECLARED: Final = "needed_scopes"
 _UNAUDITED: Final = "unaudited"
+_ENDPOINT: Final = "endpoint"
 _SAFE: Final = ("GET", "HEAD", "OPTIONS")
 
 
@@ -71,6 +72,7 @@ class ScopedRoute(APIRoute):
         if scope["method"] not in (self.methods or ()):
             await super().handle(scope, receive, send)
             return
+        scope.setdefault("state", {})[_ENDPOINT] = self.endpoint
         principal = principal_of(Request(scope))
         needed = needed_scopes(self.endpoint)
         if scope["method"] in _SAFE:
@@ -92,6 +94,16 @@ class ScopedRoute(APIRoute):
                 await super().handle(scope, receive, send_audited)
         finally:
             await _write_entry(scope, acting, outcome)
+
+
+def endpoint_of(scope: Scope) -> Callable[..., Any] | None:
+    """Return the function that has answered a request; None if it was refused before.
+
+    In contrast to ``scope["endpoint"]``, it is found by every middleware: some pass on a copy of
+    the scope, but all share its state.
+    """
+    found: Callable[..., Any] | None = scope["state"].get(_ENDPOINT)
+    return found
 
 
 def _acting(route: APIRoute, scope: Scope, principal: Principal) -> Acting:

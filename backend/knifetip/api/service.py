@@ -13,6 +13,7 @@ from urllib.parse import urlencode
 
 from fastapi import Depends, Request, Response
 
+from knifetip import tracing
 from knifetip.api.access_rules import AccessRules
 from knifetip.api.answered_questions import AnsweredQuestions
 from knifetip.api.client_limits import ClientLimits
@@ -23,9 +24,11 @@ from knifetip.errors import LibraryError, WrongState
 from knifetip.jobs.changes import ALL
 from knifetip.jobs.compile_service import LIMIT
 from knifetip.jobs.process_pool import ProcessPool
+from knifetip.jobs.reported_stages import reported_stages
 from knifetip.jobs.store import Store
 from knifetip.jobs.warm_up import WarmUp
 from knifetip.library import load
+from knifetip.model.stage import Stage
 
 MEGABYTE = 1 << 20
 T = TypeVar("T")
@@ -89,12 +92,13 @@ class Service:
             The task raised an exception that is not a KnifetipError.
         """
         self.warm_up.wait("drawings")
-        return self.pool.run(
-            task,
-            *arguments,
-            limit=self.settings.limit,
-            watch=lambda _stage, _fraction: not is_client_gone(),
-        )
+        with tracing.span(f"task {task.__name__}"), reported_stages() as stages:
+
+            def watch(stage: Stage, _fraction: float) -> bool:
+                stages.enter(stage)
+                return not is_client_gone()
+
+            return self.pool.run(task, *arguments, limit=self.settings.limit, watch=watch)
 
 
 # A coroutine: FastAPI would run a plain function on a thread of the shared pool.

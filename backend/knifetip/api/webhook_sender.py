@@ -18,12 +18,14 @@ from urllib.parse import urlsplit
 import httpx
 from standardwebhooks import Webhook
 
+from knifetip import tracing
 from knifetip.api.egress import resolve
 from knifetip.api.service import Service
 from knifetip.api.wake import wake_on_change
 from knifetip.errors import RequestError
 from knifetip.jobs.changes import WEBHOOK
 from knifetip.jobs.webhook_queue import Attempt, Claimed
+from knifetip.tracing import Kind
 
 #: Time limit of one attempt (s), from the resolution of the name to the end of the answer.
 TIME_LIMIT: Final = 15.0
@@ -92,10 +94,23 @@ class WebhookSender:
 
     async def _send(self, claimed: Claimed) -> None:
         try:
-            attempt = await attempt_delivery(claimed, self._clock(), private=self._private)
+            with tracing.span(
+                "webhook",
+                Kind.CLIENT,
+                claimed.traceparent,
+                webhook=claimed.webhook,
+                event_type=claimed.event_type,
+                attempt=claimed.attempt,
+            ) as span:
+                attempt = await attempt_delivery(claimed, self._clock(), private=self._private)
+                if attempt.status:
+                    span.set(status=attempt.status)
+                if not attempt.succeeded:
+                    span.fail(str(attempt.status or "unanswered"))
+                    _log.warning(
+                        "webhook %s: status %d %s", claimed.id, attempt.status, attempt.fault
+                    )
             await asyncio.to_thread(self._queue.store, claimed, attempt)
-            if not attempt.succeeded:
-                _log.warning("webhook %s: status %d %s", claimed.id, attempt.status, attempt.fault)
         except Exception:
             # The delivery is sent again when its lease has expired.
             _log.exception("the result of the webhook %s was not stored", claimed.id)
@@ -154,6 +169,7 @@ async def _post(claimed: Claimed, now: float, private: bool) -> tuple[int, bytes
         "Accept-Encoding": "identity",
         "User-Agent": f"knifetip/{version('knifetip')}",
         **signature_headers(claimed, now),
+        **tracing.headers(),
     }
     async with (
         httpx.AsyncClient(trust_env=False, timeout=TIME_LIMIT, follow_redirects=False) as client,

@@ -40,9 +40,10 @@ from contextlib import aclosing, suppress
 
 import httpx
 
-from knifetip import logs
+from knifetip import logs, tracing
 from knifetip.errors import ControllerError, GatewayRefused, KnifetipError, NoSuchController
 from knifetip.gateway.controller import Controller, SafeState, State
+from knifetip.gateway.copy_events import CopyEvents
 from knifetip.gateway.interpreter import tool_offsets
 from knifetip.gateway.job_run import (
     JobCancelled,
@@ -61,6 +62,7 @@ from knifetip.gateway.station import MachineStation
 from knifetip.gateway.stream import Progress, stream
 from knifetip.messages import Message
 from knifetip.model.machine import Station
+from knifetip.tracing import Kind
 
 _log = logging.getLogger(__name__)
 
@@ -77,6 +79,16 @@ def _cause_of(error: KnifetipError | OSError) -> Message:
     if isinstance(error, KnifetipError):
         return error.message
     return Message("gateway.system-error", reason=error)
+
+
+def _trace_end(outcome: str, cause: Message | None) -> None:
+    """Record in the current span how a job ended."""
+    span = tracing.current()
+    span.set(outcome=outcome)
+    if cause is not None:
+        span.set(error=cause.code)
+    if outcome == "interrupted":
+        span.fail()
 
 
 class _GatewayLoop:
@@ -107,7 +119,13 @@ class _GatewayLoop:
             await self._wait_until_idle()
             claim = await self._server.claim()
             if claim is not None:
-                with logs.about(job=claim.job):
+                about = tracing.Attributes(
+                    job=claim.job, machine=self._settings.machine.name, copies=claim.copies
+                )
+                with (
+                    logs.about(job=claim.job),
+                    tracing.span("run", Kind.CONSUMER, claim.traceparent, **about),
+                ):
                     await self._run_job(claim)
                 if jobs is not None:
                     jobs -= 1
@@ -207,7 +225,9 @@ class _GatewayLoop:
         cause: Message | None = None
         try:
             try:
-                await self._wait_for_confirmation(run)
+                if run.waiting:
+                    with tracing.span("wait for confirmation"):
+                        await self._wait_for_confirmation(run)
                 await self._run_copies(run)
                 outcome = "done"
             except JobReturned as returned:
@@ -231,6 +251,7 @@ class _GatewayLoop:
                     await self._server.finish(JobEnd.of(run, outcome, cause), tries=1)
                 raise
         finally:
+            _trace_end(outcome, cause)
             self._settings.observe(outcome, time.monotonic() - begun)
             self._link.run = None
             heartbeats.cancel()
@@ -275,12 +296,14 @@ class _GatewayLoop:
 
     async def _run_copies(self, run: JobRun) -> None:
         claim = run.claim
-        text = await self._server.program(claim)
+        with tracing.span("fetch program", Kind.CLIENT):
+            text = await self._server.program(claim)
         lines = text.count(b"\n")
         self._journal.begin(claim.job, claim.epoch, claim.sha256, lines, claim.copies)
         for copy in range(claim.copies):
             if copy:
-                await self._wait_for_sheet(run)
+                with tracing.span("wait for sheet"):
+                    await self._wait_for_sheet(run)
             run.line, run.copy_running = 0, True
             await self._run_copy(run, text, copy)
             self._journal.copy(claim.job, copy + 1)
@@ -289,9 +312,10 @@ class _GatewayLoop:
 
     async def _run_copy(self, run: JobRun, text: bytes, copy: int) -> None:
         async with self._link.in_use:
-            await self._stream_copy(run, text, copy)
+            with tracing.span("copy", copy=copy + 1, lines=text.count(b"\n")) as span:
+                await self._stream_copy(run, text, copy, CopyEvents(span))
 
-    async def _stream_copy(self, run: JobRun, text: bytes, copy: int) -> None:
+    async def _stream_copy(self, run: JobRun, text: bytes, copy: int, events: CopyEvents) -> None:
         controller = await self._link.connected()
         updates = stream(
             text,
@@ -306,6 +330,7 @@ class _GatewayLoop:
             async with aclosing(updates) as progress_updates:
                 async for progress in progress_updates:
                     self._record(run, progress, copy)
+                    events.update(progress)
                     if progress.awaits_end:
                         self._raise_if_refused(run)
                     if progress.executed < progress.lines:

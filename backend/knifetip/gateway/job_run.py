@@ -26,6 +26,7 @@ class Lease:
     sha256: str
     copies: int
     confirm: bool  #: the operator must confirm before anything is sent to the machine
+    traceparent: str = ""  #: context of the trace of the order; "" for none
 
     @classmethod
     def of(cls, answer: Mapping[str, Any]) -> Lease:
@@ -37,6 +38,7 @@ class Lease:
             str(answer["sha256"]),
             int(answer.get("copies", 1)),
             bool(answer.get("confirm", False)),
+            str(answer.get("traceparent", "")),
         )
 
 

@@ -16,6 +16,7 @@ from urllib.parse import urljoin
 
 import httpx
 
+from knifetip import tracing
 from knifetip.errors import GatewayRefused, ProgramError, StaleVersion
 from knifetip.gateway.job_run import JobEnd, JobRun, Lease
 from knifetip.gateway.journal import Journal
@@ -176,7 +177,9 @@ class JobServer:
         reason = ""
         for attempt in range(3):
             try:
-                answer = await self._client.get(self._url(claim.program), timeout=30.0)
+                answer = await self._client.get(
+                    self._url(claim.program), headers=tracing.headers(), timeout=30.0
+                )
                 self._require_access(answer)
                 answer.raise_for_status()
             except httpx.HTTPError as error:
@@ -253,7 +256,10 @@ class JobServer:
         while True:
             try:
                 answer = await self._client.post(
-                    self._url("api/gateway/finish"), json=body, timeout=5.0
+                    self._url("api/gateway/finish"),
+                    json=body,
+                    headers=tracing.headers(),
+                    timeout=5.0,
                 )
                 self._require_access(answer)
                 if answer.status_code < 500:

@@ -17,7 +17,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from importlib.metadata import version
 
-from knifetip import logs
+from knifetip import logs, tracing
 from knifetip.errors import (
     ContentLost,
     JobError,
@@ -32,8 +32,9 @@ from knifetip.jobs.compile_queue import CompileQueue, queue_of
 from knifetip.jobs.grace import Grace
 from knifetip.jobs.interpretations import interpretation_of
 from knifetip.jobs.process_link import ProcessLink, join
-from knifetip.jobs.process_pool import ProcessPool, TaskCancelled, TaskFailed
+from knifetip.jobs.process_pool import ProcessPool, TaskCancelled, TaskFailed, Watch
 from knifetip.jobs.readings import StoredDrawing
+from knifetip.jobs.reported_stages import ReportedStages, reported_stages
 from knifetip.jobs.rest_record import RestRecord, StoredRest
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Drawing, Job
@@ -43,6 +44,7 @@ from knifetip.model.acceptance import Exceptions
 from knifetip.model.machine import Machine
 from knifetip.model.stage import Stage
 from knifetip.model.tool import Engine, kind_of
+from knifetip.tracing import Kind
 
 LIMIT = 120.0  #: seconds that a reading or a compile may take
 _RENEW = 0.2  # seconds between two renewals of a compile's lease
@@ -235,7 +237,14 @@ class CompileService:
 
     def compile(self, job: Job) -> None:
         """Compile a job and store the result; see ``_compile``."""
-        with logs.about(job=job.id):
+        about = tracing.Attributes(
+            job=job.id, drawing=job.drawing, machine=job.machine, attempt=job.attempt
+        )
+        # The order waits in the database: its span was that of another process, perhaps.
+        with (
+            logs.about(job=job.id),
+            tracing.span("compile", Kind.CONSUMER, job.traceparent, **about),
+        ):
             begun = time.monotonic()
             self._compile(job)
             self.observe_compile(time.monotonic() - begun)
@@ -253,21 +262,6 @@ class CompileService:
             A job in the state ``compiling``, which this worker has taken from the queue.
         """
         id, epoch = job.id, job.epoch
-        renewed = begun = time.monotonic()
-        last: Stage | None = None
-
-        def watch(stage: Stage, fraction: float) -> bool:
-            nonlocal renewed, begun, last
-            now = time.monotonic()
-            if stage != last:
-                if last is not None:
-                    self.observe(last, now - begun)
-                begun = now
-            if stage == last and now - renewed < _RENEW:
-                return True
-            renewed, last = now, stage
-            return self.store.compiles.report_progress(id, epoch, stage, fraction)
-
         try:
             machine = self.store.library.definition(
                 Shelf.MACHINES, job.machine, job.machine_version
@@ -275,11 +269,20 @@ class CompileService:
             arguments = compile_arguments(self.store, job, machine)
             key = compile_key(arguments)
             if self.store.compiles.answer(id, epoch, key):
+                tracing.current().set(outcome="answered")
                 return
-            self.warm_up.wait(*kernels_for(machine_of(machine)), watch=watch)
-            result = self.pool.run(tasks.compile, *arguments, limit=self.limit, watch=watch)
-            self.store.compiles.save_result(id, epoch, result, key)
+            with reported_stages(self.observe) as stages:
+                watch = self._watch(id, epoch, stages)
+                self.warm_up.wait(*kernels_for(machine_of(machine)), watch=watch)
+                result = self.pool.run(tasks.compile, *arguments, limit=self.limit, watch=watch)
+            with tracing.span("save result"):
+                self.store.compiles.save_result(id, epoch, result, key)
+            outcome = "accepted" if result.accepted else "refused"
+            tracing.current().set(outcome=outcome, lines=result.lines)
+            if result.message is not None:
+                tracing.current().set(error=result.message.code)
         except TaskCancelled:
+            tracing.current().set(outcome="cancelled")
             if self._stopping.is_set():
                 with contextlib.suppress(JobError):
                     self.store.compiles.give_back(id, epoch)
@@ -289,9 +292,11 @@ class CompileService:
             self._refuse(id, epoch, reason)
         except StoreError as reason:
             # The lease expires, and then the job is tried again.
+            tracing.current().fail(reason.message.code)
             _log.warning("job %s is not compiled now: %s", id, reason)
         except JobError:
             # The job was cancelled or taken by another worker before its result was stored.
+            tracing.current().set(outcome="late")
             _log.info("the result of job %s came too late", id)
         except KnifetipError as reason:
             self._refuse(id, epoch, reason)
@@ -302,6 +307,20 @@ class CompileService:
                 KnifetipError("job.compile-crashed", reason=reason),
             )
 
+    def _watch(self, id: str, epoch: int, stages: ReportedStages) -> Watch:
+        """Return a function that stores the progress of a compile and renews its lease."""
+        renewed = 0.0
+
+        def watch(stage: Stage, fraction: float) -> bool:
+            nonlocal renewed
+            now = time.monotonic()
+            if not stages.enter(stage) and now - renewed < _RENEW:
+                return True
+            renewed = now
+            return self.store.compiles.report_progress(id, epoch, stage, fraction)
+
+        return watch
+
     def _refuse(
         self,
         id: str,
@@ -309,5 +328,6 @@ class CompileService:
         reason: KnifetipError,
         questions: list[dict[str, object]] | None = None,
     ) -> None:
+        tracing.current().set(outcome="refused", error=reason.message.code)
         with contextlib.suppress(JobError):
             self.store.compiles.refuse(id, epoch, reason.message, reason.source, questions or ())

@@ -10,6 +10,7 @@ import sqlalchemy as sa
 from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
+from knifetip import tracing
 from knifetip.errors import WrongState
 from knifetip.jobs.accounts.acting import acting_owner
 from knifetip.jobs.content_store import ContentStore
@@ -442,6 +443,7 @@ def _initial_columns(now: float, key: RequestKey | None) -> dict[str, Any]:
         "questions": [],
         "attempt": 1,
         "ordered_by": acting_owner(),
+        "traceparent": tracing.traceparent(),
         "epoch": 0,
         "owner": "",
         "lease": 0.0,

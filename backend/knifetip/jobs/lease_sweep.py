@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import sqlalchemy as sa
+from sqlalchemy.orm import Session
 
+from knifetip import tracing
 from knifetip.jobs.claimed_jobs import ClaimedJobs, is_claimed, silent_gateway_message
 from knifetip.jobs.compile_store import CompileStore
 from knifetip.jobs.database import Database
@@ -70,25 +72,30 @@ class LeaseSweep:
             if row is None or row.lease >= now:
                 return
             self.taken_back += 1
-            if row.state in LEASED:
-                stop = interruption(row, Message("job.gateway-lost", gateway=row.owner))
-                self._transitions.move(
-                    session,
-                    id,
-                    Action.INTERRUPT,
-                    CLOCK,
-                    stop.message,
-                    epoch=row.epoch,
-                    new_epoch=row.epoch + 1,
-                    line=stop.line,
-                    **stopped(stop.line, StopPlace(row.position)),
-                    copies_done=stop.copies_done,
-                    message=stop.message,
-                    seconds_left=None,
-                    requested_action="",
-                    confirmation=Confirmation.NONE.value,
-                )
-            elif is_claimed(row):
-                self._claimed.give_back(session, row, CLOCK, silent_gateway_message(row.owner))
-            elif row.state == State.COMPILING:
-                self._compiles.take_back(session, row)
+            with tracing.span("lease expired", parent=row.traceparent, job=id, machine=row.machine):
+                self._move(session, row)
+
+    def _move(self, session: Session, row: Job) -> None:
+        """Move a job whose lease has expired to the state that follows."""
+        if row.state in LEASED:
+            stop = interruption(row, Message("job.gateway-lost", gateway=row.owner))
+            self._transitions.move(
+                session,
+                row.id,
+                Action.INTERRUPT,
+                CLOCK,
+                stop.message,
+                epoch=row.epoch,
+                new_epoch=row.epoch + 1,
+                line=stop.line,
+                **stopped(stop.line, StopPlace(row.position)),
+                copies_done=stop.copies_done,
+                message=stop.message,
+                seconds_left=None,
+                requested_action="",
+                confirmation=Confirmation.NONE.value,
+            )
+        elif is_claimed(row):
+            self._claimed.give_back(session, row, CLOCK, silent_gateway_message(row.owner))
+        elif row.state == State.COMPILING:
+            self._compiles.take_back(session, row)

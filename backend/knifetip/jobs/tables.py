@@ -14,6 +14,7 @@ from typing import Any
 import sqlalchemy as sa
 from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column
 
+from knifetip import tracing
 from knifetip.jobs.large_value import LargeValue
 from knifetip.jobs.message_column import MessageColumn
 from knifetip.messages import Message
@@ -248,6 +249,8 @@ class Job(Base):
     #: account that ordered it, see ``accounts.acting``; empty for none
     ordered_by: Mapped[str] = mapped_column(sa.String(80), default="")
     feeds: Mapped[bool] = mapped_column(default=False)  #: the machine feeds the sheets itself
+    #: context of the trace of its order, for its compile and its run; empty for none
+    traceparent: Mapped[str] = mapped_column(sa.String(tracing.LENGTH), default="")
     #: details of the order: see ``order_details``
     external_id: Mapped[str] = mapped_column(sa.String(200), default="")
     customer: Mapped[str] = mapped_column(sa.String(200), default="")

@@ -13,6 +13,7 @@ from typing import Any, Final
 import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
+from knifetip import tracing
 from knifetip.jobs.changes import WEBHOOK
 from knifetip.jobs.database import note_change
 from knifetip.jobs.job import State
@@ -76,13 +77,19 @@ def enqueue_event(session: Session, event: Event, *, new_state: bool) -> None:
             "event": {"who": event.who, "message": message},
         },
     }
+    context = tracing.traceparent() or _order_context(session, event)
     note_change(session, WEBHOOK)
     for serial in receivers:
-        session.add(new_delivery(serial, event_type, event.subject, payload, event.at))
+        session.add(new_delivery(serial, event_type, event.subject, payload, event.at, context))
 
 
 def new_delivery(
-    webhook: int, event_type: str, subject: str, payload: dict[str, Any], at: float
+    webhook: int,
+    event_type: str,
+    subject: str,
+    payload: dict[str, Any],
+    at: float,
+    traceparent: str = "",
 ) -> WebhookDelivery:
     """Return a delivery that is due at once.
 
@@ -96,6 +103,8 @@ def new_delivery(
         JSON data of the request.
     at
         Present time (seconds since 1970).
+    traceparent
+        Context of the trace to which the event belongs; "" for none.
     """
     return WebhookDelivery(
         # Without a full stop, which separates the parts of the signed text.
@@ -110,7 +119,19 @@ def new_delivery(
         lease=0.0,
         tries=0,
         attempts=[],
+        traceparent=traceparent,
     )
+
+
+def _order_context(session: Session, event: Event) -> str:
+    """Return the context of the trace of the order of a job; "" for none.
+
+    It is that of events outside the spans of a request, a compile and a run, such as the start of a
+    job by a heartbeat.
+    """
+    if event.kind != "job" or not tracing.is_on():
+        return ""
+    return session.scalar(sa.select(Job.traceparent).where(Job.id == event.subject)) or ""
 
 
 def _subject_data(session: Session, event: Event) -> dict[str, Any]:

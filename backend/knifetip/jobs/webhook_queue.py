@@ -55,6 +55,9 @@ class Claimed:
     url: str
     payload: str
     secrets: tuple[str, ...]  #: the present secret, then the previous one if it is still valid
+    event_type: str
+    attempt: int  #: 1 for the first
+    traceparent: str  #: context of the trace to which the event belongs; "" for none
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,6 +132,9 @@ class WebhookQueue:
                     endpoint.url,
                     row.payload,
                     (endpoint.secret, *((previous,) if valid else ())),
+                    row.event_type,
+                    row.tries + 1,
+                    row.traceparent,
                 )
         return None
 

@@ -11,6 +11,7 @@ from typing import Any, Final
 import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
+from knifetip import tracing
 from knifetip.errors import NotFound, WrongState
 from knifetip.jobs.changes import WEBHOOK
 from knifetip.jobs.database import Database, rows, short
@@ -170,7 +171,8 @@ class WebhookStore:
             _check_active(webhook)
             now = self._db.clock()
             payload = {"type": TEST, "timestamp": rfc3339(now), "data": {"webhook": webhook.id}}
-            row = new_delivery(webhook.serial, TEST, webhook.id, payload, now)
+            context = tracing.traceparent()
+            row = new_delivery(webhook.serial, TEST, webhook.id, payload, now, context)
             row.due = 0.0  # before all others: a person waits for the result
             session.add(row)
             webhook.resume_at = 0.0

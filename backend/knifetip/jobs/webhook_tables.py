@@ -7,6 +7,7 @@ from typing import Any
 import sqlalchemy as sa
 from sqlalchemy.orm import Mapped, mapped_column
 
+from knifetip import tracing
 from knifetip.jobs.tables import SERIAL, Base
 
 
@@ -73,3 +74,5 @@ class WebhookDelivery(Base):
     tries: Mapped[int] = mapped_column(default=0)  #: attempts since it was created or replayed
     #: all attempts: time, HTTP status (0 for no answer), duration (s) and fault
     attempts: Mapped[list[dict[str, Any]]] = mapped_column(sa.JSON)
+    #: context of the trace to which the event belongs; empty for none
+    traceparent: Mapped[str] = mapped_column(sa.String(tracing.LENGTH), default="")

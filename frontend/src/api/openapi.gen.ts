@@ -3031,6 +3031,12 @@ export interface components {
              * @default false
              */
             confirm: boolean;
+            /**
+             * Traceparent
+             * @description Context of the trace of the order (W3C Trace Context); empty for none
+             * @default
+             */
+            traceparent: string;
         };
         /**
          * ClaimIn
@@ -33796,7 +33802,8 @@ export interface operations {
                      *       "sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
                      *       "lines": 1,
                      *       "copies": 1,
-                     *       "confirm": false
+                     *       "confirm": false,
+                     *       "traceparent": "text"
                      *     }
                      */
                     "application/json": components["schemas"]["Claim"];

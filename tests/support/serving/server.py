@@ -120,6 +120,16 @@ def wait_for_state(
     raise AssertionError(f"job {job} is not {' or '.join(states)} after {seconds} s: {status}")
 
 
+def process_environment() -> dict[str, str]:
+    """Return the environment of a process of knifetip.
+
+    The processes of all tests share compiled bytecode, even if this environment disables it.
+    """
+    environment = {**os.environ, "PYTHONPYCACHEPREFIX": f"{gettempdir()}/knifetip-bytecode"}
+    environment.pop("PYTHONDONTWRITEBYTECODE", None)
+    return environment
+
+
 class Running:
     """A server (``serve``) in a process of its own, which can be killed."""
 
@@ -129,11 +139,11 @@ class Running:
             "from knifetip.api.embedded import Parts, serve\n"
             f"serve('127.0.0.1', 0, 'sqlite:///{database}', Parts(**{options!r}))"
         )
-        # All servers of all tests share compiled bytecode, even if the environment disables it.
-        environment = {**os.environ, "PYTHONPYCACHEPREFIX": f"{gettempdir()}/knifetip-bytecode"}
-        environment.pop("PYTHONDONTWRITEBYTECODE", None)
         self.process = subprocess.Popen(
-            [sys.executable, "-c", code], stdout=subprocess.PIPE, text=True, env=environment
+            [sys.executable, "-c", code],
+            stdout=subprocess.PIPE,
+            text=True,
+            env=process_environment(),
         )
         assert self.process.stdout is not None
         first = self.process.stdout.readline()

@@ -48,6 +48,10 @@ class Claim(BaseModel):
         description="Send nothing to the machine; send heartbeats with `waiting` until the reply "
         "is `start`",
     )
+    traceparent: str = Field(
+        default="",
+        description="Context of the trace of the order (W3C Trace Context); empty for none",
+    )
 
 
 class HeartbeatIn(Strict):
