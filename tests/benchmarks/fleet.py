@@ -130,10 +130,11 @@ def measure(urls: list[str], given: argparse.Namespace) -> None:
     times: list[Times] = [defaultdict(list), defaultdict(list)]
     for _ in range(2):
         for store, url, own, found in zip(stores, urls, bodies, times, strict=True):
+            # No heartbeats were sent while the other database was measured; a starting server would
+            # take these jobs for interrupted ones.
+            lease = "UPDATE job SET lease = extract(epoch FROM clock_timestamp()) + 120"
+            execute(store, f"{lease} WHERE state = 'running'")
             with run_knifetip(url) as server:
-                # No heartbeats were sent while the other database was measured.
-                lease = "UPDATE job SET lease = extract(epoch FROM clock_timestamp()) + 30"
-                execute(store, f"{lease} WHERE state = 'running'")
                 took = asyncio.run(load(store, server, own, given.period, given.seconds))
             for name, values in took.items():
                 found[name] += values
