@@ -64,7 +64,6 @@ class Attributes(TypedDict, total=False):
     copies: int
     line: int
     lines: int
-    edges: int
     event_type: str  #: of a webhook
     webhook: int  #: serial number of an endpoint
 
