@@ -150,7 +150,7 @@ def scrap_job(id: Id, server: Server = SERVER, key: Key = "", yes: Yes = False) 
     """
     client = JobClient(server, key)
     if not yes:
-        effect = "The remaining copies will not be made, and the table is freed."
+        effect = "The table is freed. Order missing copies with knifetip job rest."
         typer.confirm(f"{effect} Scrap job {id}?", abort=True, err=True)
     _print_job(client.command(id, "scrap"))
 

@@ -67,7 +67,8 @@ class InterruptedJobs:
     def scrap(self, id: str, key: RequestKey | None = None) -> Job:
         """Move an interrupted job to ``scrapped`` and return it.
 
-        The job is not made again, and the table of its machine is free for another job.
+        The table of its machine is then free for another job.  Copies that are not made can be
+        ordered as a job of their own.
 
         Raises
         ------

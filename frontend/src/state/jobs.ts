@@ -81,8 +81,8 @@ export function confirmationBefore(job: Job, word: JobCommand): Confirmation | n
     return {
       title: "End this job because its board is scrap?",
       text:
-        "Remove the board from the table first. The job ends without its remaining copies, " +
-        "and the table is free for the next job.",
+        "Remove the board from the table first. The job ends, and the table is free for the next " +
+        "job. Copies that are not made can be queued afterwards.",
       yes: "End job, board is scrap",
       no: "Do not end job",
     };
