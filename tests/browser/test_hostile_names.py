@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 import httpx
@@ -39,3 +40,65 @@ def test_hostile_names_of_drawings_and_layers_are_text(
         assert page.evaluate("window.hacked") is None
         assert page.locator("img[src=x]").count() == 0
     page.screenshot(path=screenshots / "hostile-names.png")
+
+
+def test_hostile_names_in_the_library_are_text(
+    page: Page, server: Running, screenshots: Path
+) -> None:
+    names = [name for name in HOSTILE_NAMES.values() if name.isprintable()]
+    headers = {"X-Knifetip": "test"}
+    with httpx.Client(
+        base_url=server.url, trust_env=False, timeout=60.0, headers=headers
+    ) as client:
+        shipped = {
+            shelf: client.get(f"/api/{shelf}/{name}/definition").json()["fields"]
+            for shelf, name in (("machines", "demo-table"), ("boards", "e-flute"))
+        }
+        stations = shipped["machines"]["station"]
+        drawing = client.post("/api/drawings", files={"file": ("plain.dxf", square())}).json()["id"]
+        for position, name in enumerate([*names, 200 * "W"]):
+            body: Mapping[str, object]
+            for path, body in (
+                (
+                    f"machines/hostile-{position}",
+                    {
+                        **shipped["machines"],
+                        "title": name,
+                        "station": [{**stations[0], "name": name}, *stations[1:]],
+                    },
+                ),
+                (f"boards/hostile-{position}", {**shipped["boards"], "title": name}),
+                (f"profiles/hostile-{position}", {"title": name, "extends": None, "rules": []}),
+            ):
+                answer = client.put(f"/api/{path}", json=body)
+                assert answer.status_code == 201, answer.text
+    page.on("dialog", lambda dialog: pytest.fail(f"a dialog opened: {dialog.message}"))
+    for width in (1440, 390):
+        page.set_viewport_size({"width": width, "height": 900})
+        page.goto(f"{server.url}/#/library")
+        page.get_by_test_id("entry-hostile-0").first.click()
+        expect(page.get_by_test_id("copy-definition")).to_be_visible()
+        assert_text_only(page, screenshots / f"hostile-library-{width}.png")
+        page.goto(f"{server.url}/#/station/hostile-{len(names)}")
+        expect(page.get_by_test_id("station-page")).to_be_visible()
+        assert_text_only(page, screenshots / f"hostile-station-{width}.png")
+    page.set_viewport_size({"width": 1440, "height": 900})
+    page.goto(f"{server.url}/#/drawings/{drawing}")
+    for choice in ("machine-select", "board-select", "profile-select"):
+        page.get_by_test_id(choice).click()
+        expect(page.get_by_role("option", name=names[0], exact=True)).to_be_attached()
+        page.get_by_role("option", name=200 * "W", exact=True).click()
+    assert_text_only(page, screenshots / "hostile-selects.png")
+
+
+def assert_text_only(page: Page, picture: Path) -> None:
+    page.screenshot(path=picture)
+    assert page.evaluate("window.hacked") is None
+    assert page.locator("img[src=x]").count() == 0
+    # Nothing is wider than the window because of a long name.
+    assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth")
+    too_wide = page.locator("nav button, h1").evaluate_all(
+        "all => all.filter((one) => one.scrollWidth > one.clientWidth + 1 &&"
+        " getComputedStyle(one).overflow === 'visible').map((one) => one.textContent)"
+    )
+    assert too_wide == []

@@ -16,6 +16,7 @@ from knifetip.api.schemas.definitions import DefinitionOut, EntryOut, VersionOut
 from knifetip.api.service import ServiceDep, bytes_response
 from knifetip.api.versions import TOML, TOML_RESPONSE, Body, VersionMatch, version_of
 from knifetip.errors import LibraryError, WrongState
+from knifetip.harmless import harmless
 from knifetip.jobs.accounts.acting import credited
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.library_store import VersionNote
@@ -25,6 +26,7 @@ from knifetip.library.definition import (
     Definition,
     Shelf,
     check_definition,
+    check_texts,
     decode,
     is_name,
     parse_toml,
@@ -182,9 +184,10 @@ def _add_routes(shelf: Shelf) -> None:
         version, anyway = version_of(match)
         text = _text(request, shelf, name, body)
         title = check_definition(shelf, name, text)
+        check_texts(word, name, parse_toml(shelf, name, text))
         definition = Definition(shelf, name, version or 0, text)
         row = service.store.library.save(
-            definition, title, VersionNote(credited(by)[:100], note), anyway=anyway
+            definition, title, VersionNote(credited(by)[:100], harmless(note)[:200]), anyway=anyway
         )
         response.status_code = 201 if row.version == 1 else 200
         response.headers["ETag"] = f'"{row.version}"'

@@ -30,6 +30,7 @@ from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.interpretations import interpretation_of
 from knifetip.jobs.tables import Profile
 from knifetip.library import custom_profiles, load
+from knifetip.library.definition import check_texts
 
 router = ScopedRouter(tags=["profiles"])
 
@@ -109,6 +110,8 @@ def keep_profile(
     else:
         text = _text(name, body)
     title = custom_profiles.parse_text(name, text).title
+    # Patterns may have any character, like the layers that they match.
+    check_texts("profile", name, {"title": title})
     row = service.store.profiles.save(name, title, text, version, anyway=any_version)
     response.status_code = 201 if row.version == 1 else 200
     response.headers["ETag"] = f'"{row.version}"'

@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import lru_cache
 from typing import Any, Final
 
 from knifetip.errors import LibraryError
+from knifetip.harmless import harmless
 from knifetip.library import load
 from knifetip.library.toml_text import read_toml, write_toml
 from knifetip.model.board import Board
@@ -23,6 +24,7 @@ from knifetip.model.machine import Machine
 from knifetip.model.tool import Tool
 
 MAX_BYTES: Final = 256 << 10  #: largest size of the text of a definition
+MAX_TEXT: Final = 200  #: most characters of a title or another text in a definition
 
 #: Names contain no dot, since names that end in .toml refer to files on the command line.
 _NAME: Final = re.compile(r"[a-z0-9][a-z0-9_-]{0,63}")
@@ -143,6 +145,48 @@ def parse_toml(shelf: Shelf, name: str, text: str) -> dict[str, Any]:
         ) from reason
     except RecursionError as reason:
         raise LibraryError("library.nested-too-deep", shelf=shelf.word, name=name[:80]) from reason
+
+
+def check_texts(shelf: str, name: str, fields: Mapping[str, Any]) -> None:
+    """Check that the names and texts in a definition do nothing where they are shown.
+
+    Definitions that were stored before are not checked, so that their jobs can be made.
+
+    Parameters
+    ----------
+    shelf
+        Word for the kind of the definition.
+    name
+        Name of the definition.
+    fields
+        Its fields.
+
+    Raises
+    ------
+    LibraryError
+        A text or the name of a field has a character that acts on a terminal, a log or the
+        direction of text, or is too long.
+    """
+    for path, text in _texts(fields, ()):
+        field, shown = harmless(".".join(path))[:80], harmless(text)
+        given = {"shelf": shelf, "name": name[:80], "field": field, "text": shown[:80]}
+        if shown != text:
+            raise LibraryError("library.acting-text", source=(field,), **given)
+        if len(text) > MAX_TEXT:
+            raise LibraryError("library.long-text", source=(field,), limit=MAX_TEXT, **given)
+
+
+def _texts(value: object, path: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], str]]:
+    """Yield the texts and the names of fields in a value, with their paths."""
+    if isinstance(value, str):
+        yield path, value
+    elif isinstance(value, Mapping):
+        for key, one in value.items():
+            yield path, key
+            yield from _texts(one, (*path, key))
+    elif isinstance(value, list):
+        for row, one in enumerate(value):
+            yield from _texts(one, (*path, str(row)))
 
 
 def decode(shelf: Shelf, name: str, content: bytes) -> str:

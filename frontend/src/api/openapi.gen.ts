@@ -11669,6 +11669,15 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "library.acting-text";
+            arguments: {
+                shelf: string;
+                name: string;
+                field: string;
+                text: string;
+            };
+        } | {
+            /** @constant */
             code: "library.bad-if-match";
             arguments: {
                 match: string;
@@ -11733,6 +11742,16 @@ export interface components {
             /** @constant */
             code: "library.large-integer";
             arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "library.long-text";
+            arguments: {
+                shelf: string;
+                name: string;
+                field: string;
+                text: string;
+                limit: number;
+            };
         } | {
             /** @constant */
             code: "library.nested-too-deep";
@@ -26069,7 +26088,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `library.bad-if-match`, `library.bad-name`, `library.large-integer`, `library.nested-too-deep`, `library.not-an-object`, `library.not-json`, `library.not-toml`, `library.not-utf8`, `library.null-in-list`, `library.too-long` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `library.acting-text`, `library.bad-if-match`, `library.bad-name`, `library.large-integer`, `library.long-text`, `library.nested-too-deep`, `library.not-an-object`, `library.not-json`, `library.not-toml`, `library.not-utf8`, `library.null-in-list`, `library.too-long` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -27903,7 +27922,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `library.bad-if-match`, `library.bad-name`, `library.large-integer`, `library.nested-too-deep`, `library.not-an-object`, `library.not-json`, `library.not-toml`, `library.not-utf8`, `library.null-in-list`, `library.too-long` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `library.acting-text`, `library.bad-if-match`, `library.bad-name`, `library.large-integer`, `library.long-text`, `library.nested-too-deep`, `library.not-an-object`, `library.not-json`, `library.not-toml`, `library.not-utf8`, `library.null-in-list`, `library.too-long` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -29904,7 +29923,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `library.bad-if-match`, `library.bad-name`, `library.large-integer`, `library.nested-too-deep`, `library.not-an-object`, `library.not-json`, `library.not-toml`, `library.not-utf8`, `library.null-in-list`, `library.too-long` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `library.acting-text`, `library.bad-if-match`, `library.bad-name`, `library.large-integer`, `library.long-text`, `library.nested-too-deep`, `library.not-an-object`, `library.not-json`, `library.not-toml`, `library.not-utf8`, `library.null-in-list`, `library.too-long` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -30750,7 +30769,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `library.bad-if-match`, `library.large-integer`, `library.unknown-file`, `profile.bad-name`, `profile.invalid-field`, `profile.nested-too-deep`, `profile.not-an-extension`, `profile.not-toml`, `profile.not-utf8-byte`, `profile.too-long` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `library.acting-text`, `library.bad-if-match`, `library.large-integer`, `library.long-text`, `library.unknown-file`, `profile.bad-name`, `profile.invalid-field`, `profile.nested-too-deep`, `profile.not-an-extension`, `profile.not-toml`, `profile.not-utf8-byte`, `profile.too-long` */
             422: {
                 headers: {
                     [name: string]: unknown;

@@ -2707,6 +2707,10 @@ export const TEXTS = {
     "text": "{count:# contour has|# contours have} no lead-in or no lead-out, because the tool would cut into another edge there. The tool plunges or lifts on the contour, which may leave a mark. X and Y on the sheet in mm ({count:one contour|the first contours}): {places:; }.",
     "hint": "Choose a thinner tool or a shorter lead-in, or leave more room between the edges."
   },
+  "library.acting-text": {
+    "text": "The text {text!r} ({field}) of the {shelf} {name} contains a control character, or one that changes the direction of the text.",
+    "hint": "Type the text again without invisible characters."
+  },
   "library.bad-if-match": {
     "text": "The header If-Match is {match!r}, which is not a version number.",
     "hint": "Send the ETag of the entry in If-Match, for example \"3\"."
@@ -2742,6 +2746,10 @@ export const TEXTS = {
   "library.large-integer": {
     "text": "An integer in the document has more than 64 bits.",
     "hint": "Correct the number, or write it with a decimal point."
+  },
+  "library.long-text": {
+    "text": "The text {text!r} ({field}) of the {shelf} {name} is longer than {limit} characters.",
+    "hint": "Use a shorter text."
   },
   "library.nested-too-deep": {
     "text": "The tables of the {shelf} {name!r} are nested too deeply.",

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 from sqlalchemy.orm import Session
 
+from knifetip.harmless import harmless
 from knifetip.jobs.accounts.account_tables import AuditEntry
 from knifetip.jobs.job import Actor, ActorKind
 
@@ -49,10 +50,11 @@ class Acting:
         return AuditEntry(
             at=at,
             kind=self.kind,
-            principal=self.name[:200],
+            principal=harmless(self.name)[:200],
             action=self.action[:80],
             subject_kind=self.subject_kind[:32],
-            subject=self.subject[:200],
+            # A name in the path of a refused request is any text, also one that a database refuses.
+            subject=harmless(self.subject)[:200],
             outcome=outcome,
             peer=self.peer[:80],
         )
@@ -82,6 +84,7 @@ def credited(name: str) -> str:
     name
         The claimed name; "" for none.
     """
+    name = harmless(name)
     acting = _acting.get()
     account = "" if acting is None else acting.account
     if not account or name == account:

@@ -12,6 +12,24 @@ MESSAGES: Final[Entries] = {
         'Send the ETag of the entry in If-Match, for example "3".',
         match="text",
     ),
+    "library.acting-text": entry(
+        "The text {text!r} ({field}) of the {shelf} {name} contains a control character, or one "
+        "that changes the direction of the text.",
+        "Type the text again without invisible characters.",
+        shelf="text",
+        name="text",
+        field="text",
+        text="text",
+    ),
+    "library.long-text": entry(
+        "The text {text!r} ({field}) of the {shelf} {name} is longer than {limit} characters.",
+        "Use a shorter text.",
+        shelf="text",
+        name="text",
+        field="text",
+        text="text",
+        limit="count",
+    ),
     "library.bad-name": entry(
         "{name!r} is not a valid name of a {shelf}.",
         "Use up to 64 lower-case letters, digits, hyphens and underscores. Write other "
