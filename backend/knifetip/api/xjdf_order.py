@@ -15,6 +15,10 @@ from knifetip.errors import RequestError
 #: Processes that a machine can execute; an order with others is refused.
 PROCESSES: Final = ("Cutting", "ShapeCutting", "Creasing")
 
+#: Default and greatest value of NodeInfo/@JobPriority; greater ones come first, as here.
+DEFAULT_JOB_PRIORITY: Final = 50
+MAX_JOB_PRIORITY: Final = 100
+
 _DRAWING: Final = re.compile(r"(?:https?://[^/?#]+)?/?api/(?:v\d+/)?drawings/([a-z0-9]{1,32})")
 #: Resources that name the file of a die layout.
 _WITH_FILE: Final = ("DieLayout", "ShapeDef", "CuttingParams")
@@ -29,6 +33,7 @@ class XjdfOrder:
     external_id: str  #: XJDF/@JobID
     customer: str  #: CustomerInfo/@CustomerID
     due: str  #: NodeInfo/@LastEnd, otherwise NodeInfo/@End
+    priority: int  #: NodeInfo/@JobPriority above its default
     copies: int  #: AmountPool/PartAmount/@Amount of the output component; 1 if it is missing
     machine: str  #: Device/@DeviceID
     board: str  #: Resource/@ExternalID of the input medium
@@ -63,6 +68,7 @@ def read_order(content: bytes) -> XjdfOrder:
             ],
             "NodeInfo/@LastEnd",
         ),
+        priority=_priority(nodes),
         copies=_copies(root),
         machine=_one(_attributes(root, "Device", "DeviceID"), "Device/@DeviceID"),
         board=_one(
@@ -98,6 +104,25 @@ def _drawing(root: Element) -> tuple[str, str]:
     if not (relative or parts.scheme == "cid"):
         raise RequestError("xjdf.bad-value", place="FileSpec/@URL", value=url[:200])
     return "", url
+
+
+def _priority(nodes: list[Element]) -> int:
+    """Return the priority of a job in the queue of its machine; 0 if the order has none."""
+    place = "NodeInfo/@JobPriority"
+    text = _one(
+        [
+            node.get("JobPriority", "")
+            for resource in nodes
+            for node in children(resource, "NodeInfo")
+        ],
+        place,
+    )
+    if not text:
+        return 0
+    is_number = text.isascii() and text.isdecimal() and len(text) <= len(str(MAX_JOB_PRIORITY))
+    if not is_number or int(text) > MAX_JOB_PRIORITY:
+        raise RequestError("xjdf.bad-value", place=place, value=text[:100])
+    return int(text) - DEFAULT_JOB_PRIORITY
 
 
 def _copies(root: Element) -> int:

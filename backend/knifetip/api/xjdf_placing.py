@@ -105,6 +105,7 @@ def _job_order(order: XjdfOrder, defaults: XjdfDefaults, *, release: bool) -> Jo
         "customer": order.customer,
         "due": order.due or None,
         "copies": order.copies,
+        "priority": order.priority,
         "profile": defaults.profile or None,
         "board": board,
         "release": release,

@@ -9,6 +9,7 @@ from typing import Final
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
+from knifetip.api.xjdf_order import DEFAULT_JOB_PRIORITY, MAX_JOB_PRIORITY
 from knifetip.api.xjdf_xml import NAMESPACE
 from knifetip.jobs.job import State
 from knifetip.jobs.tables import Job
@@ -72,6 +73,8 @@ def status_document(row: Job, now: float) -> bytes:
     if _NMTOKEN.fullmatch(row.customer):
         _resource(root, "CustomerInfo", "Input", {"CustomerID": row.customer})
     info = {"Status": NODE_STATUS[State(row.state)], "StatusDetails": row.state}
+    priority = min(max(row.priority + DEFAULT_JOB_PRIORITY, 0), MAX_JOB_PRIORITY)
+    info["JobPriority"] = str(priority)
     if row.due is not None:
         info["LastEnd"] = rfc3339(row.due)
     _resource(root, "NodeInfo", "Input", info)

@@ -168,3 +168,27 @@ def test_the_order_is_checked_like_any_other(
     answer = send(client, ORDER.replace(old, new).replace("d7placeholder", drawing))
     assert answer.status_code == status, answer.text
     assert answer.json()["hint"]
+
+
+@pytest.mark.parametrize(("stated", "priority"), [("", 0), ("50", 0), ("100", 50), ("0", -50)])
+def test_the_priority_of_an_order_is_that_in_the_queue(
+    client: httpx.Client, stated: str, priority: int
+) -> None:
+    drawing = upload_drawing(client, square())["id"]
+    attribute = f'JobPriority="{stated}" ' if stated else ""
+    order = ORDER.replace("d7placeholder", drawing).replace("<NodeInfo ", f"<NodeInfo {attribute}")
+    job = send(client, order)
+    assert job.status_code == 201, job.text
+    assert job.json()["priority"] == priority
+    text = client.get(f"/api/v1/jobs/{job.json()['id']}/xjdf").text
+    (info,) = ElementTree.fromstring(text).iter(f"{{{NAMESPACE}}}NodeInfo")
+    assert info.get("JobPriority") == (stated or "50")
+
+
+@pytest.mark.parametrize(
+    "stated", ["101", "-1", "1.5", "high", "\u0665", "9" * 5000, "0" * 12 + "99"]
+)
+def test_another_priority_is_refused_with_its_place(client: httpx.Client, stated: str) -> None:
+    answer = send(client, ORDER.replace("<NodeInfo ", f'<NodeInfo JobPriority="{stated}" '))
+    assert answer.status_code == 422, answer.text
+    assert answer.json()["arguments"]["place"] == "NodeInfo/@JobPriority"
