@@ -56,6 +56,14 @@ def watch(
             min=0.0, max=3600.0, help="Seconds for which a file must not change to be complete."
         ),
     ] = 2.0,
+    drawing_wait: Annotated[
+        float,
+        typer.Option(
+            min=0.0,
+            max=86400.0,
+            help="Seconds for which an order in XJDF waits for the drawing that it names.",
+        ),
+    ] = 300.0,
     once: Annotated[
         bool, typer.Option(help="End when the folder is empty and all jobs are compiled.")
     ] = False,
@@ -66,7 +74,8 @@ def watch(
     """Order a job for each drawing that is put into a folder.
 
     The command runs until Ctrl-C.  A file NAME.json beside the drawing NAME contains further fields
-    of the order.  The drawing is moved to the folder done or failed, beside the program, a picture
+    of the order.  A file NAME.xjdf orders the drawing that it names by a relative URL, when both
+    are complete.  The drawing is moved to the folder done or failed, beside the program, a picture
     and NAME.job.json.
     """
     # Imported here: httpx is slow, and other commands do not need it.
@@ -82,7 +91,7 @@ def watch(
     stop = threading.Event()
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda _number, _frame: stop.set())
-    arrivals = Arrivals(folder, settle, time.monotonic)
+    arrivals = Arrivals(folder, settle, time.monotonic, drawing_wait)
     print_stderr(f"watching {visible(str(folder))}, server {server}")
     pause = interval
     while not stop.is_set():

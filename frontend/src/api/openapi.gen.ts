@@ -15568,6 +15568,12 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "watch.no-drawing";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
             code: "watch.no-object";
             arguments: Record<string, never>;
         } | {

@@ -5191,6 +5191,10 @@ export const TEXTS = {
     "text": "The file with the fields of the order is larger than {limit} MB.",
     "hint": "Write only the fields of the order into it."
   },
+  "watch.no-drawing": {
+    "text": "The drawing {name}, which the order names, has not come into the folder.",
+    "hint": "Put the drawing into the folder, then the order again; or put both into a package *.xjdf.zip."
+  },
   "watch.no-object": {
     "text": "The file with the fields of the order is not a JSON object.",
     "hint": "Write a JSON object with the fields of an order, such as board and copies."

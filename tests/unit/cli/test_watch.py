@@ -159,7 +159,10 @@ def test_an_order_in_xjdf_becomes_a_program_and_a_status(shop: LocalClient, tmp_
     drop(tmp_path, "copies.xjdf.zip", package, copies=2)
     drop(tmp_path, "bomb.xjdf", b"<!DOCTYPE x [<!ENTITY a 'b'>]><x>&a;</x>")
     run(folder, "alone.xjdf", "copies.xjdf.zip", "bomb.xjdf")
-    assert "not in the package" in result(tmp_path, "failed", "alone.xjdf")["reason"]
+    assert (
+        "tray.dxf, which the order names, has not come"
+        in result(tmp_path, "failed", "alone.xjdf")["reason"]
+    )
     assert "copies" in result(tmp_path, "failed", "copies.xjdf.zip")["reason"]
     assert "not readable" in result(tmp_path, "failed", "bomb.xjdf")["reason"]
 
@@ -319,3 +322,102 @@ def test_a_folder_that_does_not_exist(tmp_path: Path, knifetip: Command) -> None
     code, _, err = knifetip("watch", tmp_path / "none", "--once")
     assert code
     assert "none" in err
+
+
+@pytest.mark.parametrize(
+    ("url", "path"), [("tray.dxf", "tray.dxf"), ("./art/my%20tray.dxf", "art/my tray.dxf")]
+)
+def test_an_order_in_xjdf_takes_the_drawing_beside_it(
+    shop: LocalClient, tmp_path: Path, url: str, path: str
+) -> None:
+    (tmp_path / path).parent.mkdir(exist_ok=True)
+    (tmp_path / path).write_bytes(square(side=31.0))
+    id = f"PO-beside-{len(url)}"
+    drop(tmp_path, "order.xjdf", order_for(url, id))
+    run(hot_folder(shop, tmp_path), "order.xjdf")
+    (job,) = jobs_of(shop, id)
+    assert shop.get(f"/api/drawings/{job['drawing']}").json()["width"] == 31.0
+    assert result(tmp_path, "done", "order.xjdf")["state"] == "ready"
+    name = Path(path).name
+    assert (tmp_path / "done" / f"order.xjdf.{name}").read_bytes() == square(side=31.0)
+    assert not (tmp_path / path).exists()
+    assert os.listdir(tmp_path / "working") == []
+
+
+def test_a_kill_between_the_drawing_and_its_order_loses_nothing(
+    shop: LocalClient, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drop(tmp_path, "tray.dxf", square(side=32.0))
+    drop(tmp_path, "order.xjdf", order_for("tray.dxf", "PO-killed"))
+    replace = os.replace
+
+    def killed(source: Path, target: Path) -> None:
+        if Path(source).name == "order.xjdf":
+            raise KeyboardInterrupt
+        replace(source, target)
+
+    monkeypatch.setattr(os, "replace", killed)
+    with pytest.raises(KeyboardInterrupt):
+        hot_folder(shop, tmp_path).take("order.xjdf")
+    monkeypatch.setattr(os, "replace", replace)
+    run(hot_folder(shop, tmp_path), "order.xjdf")
+    assert len(jobs_of(shop, "PO-killed")) == 1
+    assert (tmp_path / "done" / "order.xjdf.tray.dxf").exists()
+
+
+def test_an_order_whose_drawing_does_not_come_is_explained(
+    shop: LocalClient, tmp_path: Path
+) -> None:
+    drop(tmp_path, "order.xjdf", order_for("missing.dxf", "PO-alone"))
+    run(hot_folder(shop, tmp_path), "order.xjdf")
+    found = result(tmp_path, "failed", "order.xjdf")
+    assert "missing.dxf" in found["reason"]
+    assert "*.xjdf.zip" in found["hint"]
+    assert jobs_of(shop, "PO-alone") == []
+
+
+@pytest.mark.parametrize("url", ["../secret.dxf", "%2e%2e/secret.dxf", "link.dxf", "away/a.dxf"])
+def test_an_order_takes_nothing_from_outside_its_folder(
+    shop: LocalClient, tmp_path: Path, url: str
+) -> None:
+    folder, outside = tmp_path / "in", tmp_path / "out"
+    folder.mkdir()
+    outside.mkdir()
+    for path in (tmp_path / "secret.dxf", outside / "a.dxf"):
+        path.write_bytes(square())
+    (folder / "link.dxf").symlink_to(tmp_path / "secret.dxf")
+    (folder / "away").symlink_to(outside)
+    drop(folder, "order.xjdf", order_for(url, "PO-outside"))
+    run(hot_folder(shop, folder), "order.xjdf")
+    assert result(folder, "failed", "order.xjdf")["state"] == "refused"
+    assert jobs_of(shop, "PO-outside") == []
+    assert (tmp_path / "secret.dxf").exists()
+    assert (outside / "a.dxf").exists()
+
+
+def test_an_order_and_its_drawing_are_complete_together(tmp_path: Path) -> None:
+    now = 0.0
+    arrivals = Arrivals(tmp_path, 2.0, lambda: now, 10.0)
+    drop(tmp_path, "order.xjdf", order_for("tray.dxf", "PO-1"))
+    assert arrivals.complete() == []
+    now = 5.0
+    assert arrivals.complete() == []
+    # The drawing belongs to the order as soon as it comes, and must settle too.
+    drop(tmp_path, "tray.dxf", square())
+    drop(tmp_path, "other.dxf", square())
+    assert arrivals.complete() == []
+    now = 6.0
+    assert arrivals.complete() == []
+    now = 7.0
+    assert sorted(arrivals.complete()) == ["order.xjdf", "other.dxf"]
+
+
+def test_an_order_waits_for_its_drawing_for_a_limited_time(tmp_path: Path) -> None:
+    now = 0.0
+    arrivals = Arrivals(tmp_path, 2.0, lambda: now, 10.0)
+    drop(tmp_path, "order.xjdf", order_for("tray.dxf", "PO-1"))
+    assert arrivals.complete() == []
+    now = 11.9
+    assert arrivals.complete() == []
+    now = 12.0
+    assert arrivals.complete() == ["order.xjdf"]

@@ -13,10 +13,11 @@ import json
 import os
 import re
 from dataclasses import asdict, dataclass, field
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any, Final
 
-from knifetip.cli.hot_folder.arrivals import SIDECAR, XJDF
+from knifetip.cli.hot_folder.arrivals import SIDECAR, XJDF, XJDF_DOCUMENT
+from knifetip.cli.hot_folder.beside import drawing_beside, find_beside, packed
 from knifetip.cli.hot_folder.client import OrderClient, Refused
 from knifetip.errors import KnifetipError, RequestError
 from knifetip.messages import printable
@@ -25,6 +26,7 @@ WORKING: Final = "working"
 DONE: Final = "done"
 FAILED: Final = "failed"
 RECORD: Final = ".order.json"  #: suffix of the records in ``working``
+DRAWING: Final = ".drawing"  #: suffix of the drawing of an order in XJDF, in ``working``
 RESULT: Final = ".job.json"  #: suffix of the results
 STATUS: Final = ".status.xjdf"  #: suffix of the job as XJDF, for an order in XJDF
 
@@ -94,17 +96,28 @@ class HotFolder:
             # The sidecar first: without the drawing it orders nothing.
             if (self._folder / sidecar).exists():
                 os.replace(self._folder / sidecar, self._working / sidecar)
+            if drawing := self._drawing_of(self._folder / name):
+                beside = find_beside(self._folder, drawing)
+                # A process that was killed may have moved the drawing already.
+                if beside is not None:
+                    os.replace(beside, self._working / (name + DRAWING))
             os.replace(self._folder / name, self._working / name)
         except OSError:
             return False
         return True
+
+    @staticmethod
+    def _drawing_of(path: Path) -> str:
+        """Return the path in the folder of the drawing that an order in XJDF names; "" for none."""
+        is_document = path.name.lower().endswith(XJDF_DOCUMENT)
+        return drawing_beside(path.read_bytes()) if is_document else ""
 
     def on_the_way(self) -> list[str]:
         """Return the names of the files in ``working``, also those of an earlier process."""
         return sorted(
             name
             for name in os.listdir(self._working)
-            if not name.endswith((SIDECAR, ".new")) and (self._working / name).is_file()
+            if not name.endswith((SIDECAR, DRAWING, ".new")) and (self._working / name).is_file()
         )
 
     def advance(self, name: str) -> str:
@@ -144,6 +157,9 @@ class HotFolder:
         digest = hashlib.sha256(content).hexdigest()
         sidecar = self._working / (name + SIDECAR)
         fields = sidecar.read_bytes() if sidecar.exists() else b""
+        drawing = self._working / (name + DRAWING)
+        if drawing.exists():
+            digest += hashlib.sha256(drawing.read_bytes()).hexdigest()
         stamp = f"{self._folder.resolve()}\0{name}\0{path.stat().st_mtime_ns}\0{digest}\0"
         key = hashlib.sha256(os.fsencode(stamp) + fields).hexdigest()
         record = Record(name, f"watch-{key}", self._defaults | _sidecar_fields(fields))
@@ -169,7 +185,13 @@ class HotFolder:
         unknown = [name for name in record.order if name not in _OF_XJDF]
         if unknown:
             raise RequestError("watch.xjdf-fields", names=unknown, permitted=_OF_XJDF)
-        content = (self._working / record.name).read_bytes()
+        path = self._working / record.name
+        content = path.read_bytes()
+        if name := self._drawing_of(path):
+            drawing = self._working / (record.name + DRAWING)
+            if not drawing.exists():
+                raise RequestError("watch.no-drawing", name=name)
+            content = packed(content, name, drawing.read_bytes())
         record.job, record.drawing = self._client.order_xjdf(
             content, record.order, f"{record.key}-job"
         )
@@ -211,6 +233,10 @@ class HotFolder:
         sidecar = self._working / (record.name + SIDECAR)
         if sidecar.exists():
             os.replace(sidecar, folder / (record.target + SIDECAR))
+        drawing = self._working / (record.name + DRAWING)
+        if drawing.exists():
+            name = PurePosixPath(self._drawing_of(working)).name
+            os.replace(drawing, folder / f"{record.target}.{name}")
         # A record without a drawing is harmless; a drawing without a record would begin again.
         os.replace(working, folder / record.target)
         (self._working / (record.name + RECORD)).unlink(missing_ok=True)

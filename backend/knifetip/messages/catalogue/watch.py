@@ -29,6 +29,12 @@ MESSAGES: Final[Entries] = {
         names="texts",
         permitted="texts",
     ),
+    "watch.no-drawing": entry(
+        "The drawing {name}, which the order names, has not come into the folder.",
+        "Put the drawing into the folder, then the order again; or put both into a package "
+        "*.xjdf.zip.",
+        name="text",
+    ),
     "watch.no-object": entry(
         "The file with the fields of the order is not a JSON object.",
         "Write a JSON object with the fields of an order, such as board and copies.",
