@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import httpx
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page, Route, expect
 
 from tests.browser.conftest import Running
 from tests.browser.own_machine import OwnMachine
@@ -70,6 +70,30 @@ def test_ended_jobs_are_found_by_state_board_and_name(history: Page) -> None:
     rows.click()
     expect(history).to_have_url(re.compile("/drawings/"))
     expect(history.get_by_test_id("job-state")).to_have_text("Finished")
+
+
+def test_a_picture_that_a_busy_server_refuses_is_requested_again(
+    page: Page, server: Running, machine: OwnMachine
+) -> None:
+    refused: list[str] = []
+
+    def busy_once(route: Route) -> None:
+        if route.request.url in refused:
+            route.continue_()
+        else:
+            refused.append(route.request.url)
+            route.fulfill(status=503, headers={"Retry-After": "1", "Cache-Control": "no-store"})
+
+    page.route("**/picture*", busy_once)
+    page.goto(f"{server.url}/#/history")
+    choose(page, "Machine", machine.title)
+    pictures = page.get_by_test_id("history-row").locator("img")
+    expect(pictures).to_have_count(2)
+    page.wait_for_function(
+        """() => [...document.querySelectorAll("[data-testid=history-row] img")]
+            .every((one) => one.naturalWidth > 0)"""
+    )
+    assert refused
 
 
 def test_statistics_count_jobs_sheets_and_length(history: Page, machine: OwnMachine) -> None:

@@ -48,7 +48,7 @@ export function AccountButton() {
   return (
     <>
       <Tooltip label={label}>
-        <Indicator disabled={me.has_admin} color="orange" size={9} offset={5}>
+        <Indicator disabled={me.has_admin} color="orange" size={9} offset={9} withBorder>
           <ActionIcon
             variant="subtle"
             color="gray"

@@ -9,6 +9,7 @@ import { formatDuration, pluralize } from "../state/format";
 import { useBoards, useHistory, useMachines } from "../state/queries";
 import { useUiStore } from "../state/store";
 import { dateTimeText } from "../state/times";
+import { DrawingPicture } from "./DrawingPicture";
 import css from "./history.module.css";
 import { OrderLine } from "./OrderDetails";
 import { ShowMore } from "./ShowMore";
@@ -164,11 +165,9 @@ function EndedJob({ job }: { job: Job }) {
         onClick={() => open(job.drawing, job.id)}
         data-testid="history-row"
       >
-        <img
+        <DrawingPicture
           className={css.picture}
           src={`/api/v1/drawings/${encodeURIComponent(job.drawing)}/picture`}
-          alt=""
-          loading="lazy"
         />
         <span className={css.name}>
           {job.drawing_name}

@@ -27,6 +27,7 @@ import {
 } from "../state/queue";
 import { useUiStore } from "../state/store";
 import { ConfirmationCard } from "./ConfirmationCard";
+import { DrawingPicture } from "./DrawingPicture";
 import jobCss from "./job.module.css";
 import { OrderLine } from "./OrderDetails";
 import css from "./queue.module.css";
@@ -145,7 +146,7 @@ function Row({ entry }: { entry: QueueEntry }) {
         {place > 0 ? place : "▶"}
         {place > 0 && <IconGripVertical size={14} className={css.grip} aria-hidden />}
       </span>
-      <img className={css.picture} src={entry.picture} alt="" loading="lazy" draggable={false} />
+      <DrawingPicture className={css.picture} src={entry.picture} />
       <span className={css.text}>
         <span className={css.name}>{job.drawing_name}</span>
         <small>
