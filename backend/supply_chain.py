@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
-LOCK = ROOT / "backend" / "requirements.lock"
+LOCK = ROOT / "backend" / "requirements-extras.lock"
 SBOM = ROOT / "build" / "sbom"
 _NPM = (sys.executable, str(ROOT / "frontend" / "build.py"), "npm")
 #: A package that every advisory service must contain.

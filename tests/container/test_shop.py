@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import re
 import stat
 import subprocess
 from collections.abc import Iterator
@@ -34,6 +35,15 @@ HASH = (
     "for f in sorted(root.rglob('*.py')))).hexdigest())"
 )
 
+#: Prints the packages that are installed in an image, with normalised names.
+PACKAGES = (
+    "import re; from importlib.metadata import distributions\n"
+    "for one in distributions():\n"
+    "    print(re.sub('[-_.]+', '-', one.name).lower() + '==' + one.version)"
+)
+EXTRAS = "import obstore.store, knifetip.api.oidc.sign_in, knifetip.telemetry; print('loaded')"
+LICENCES = ROOT / "backend" / "docs" / "licences.md"
+
 
 def hash_of_sources() -> str:
     root = ROOT / "backend" / "knifetip"
@@ -44,19 +54,34 @@ def hash_of_sources() -> str:
     return hashlib.sha256(b"".join(parts)).hexdigest()
 
 
+def output_in_image(code: str) -> str:
+    """Return what a Python program prints in a container that can write no file."""
+    words = ["docker", "run", "--rm", "--read-only", "--network", "none", "--entrypoint", "python"]
+    done = subprocess.run(
+        [*words, "knifetip", "-c", code], capture_output=True, text=True, check=True
+    )
+    return done.stdout.strip()
+
+
 @pytest.fixture
-def shop(tmp_path: Path) -> Iterator[Shop]:
-    """Start the shop; skip the test where no engine, no images or other sources are."""
-    compose = compose_command()
-    if compose is None or not engine_runs():
-        pytest.skip("no container engine with Compose runs here")
-    for image in ("knifetip", POSTGRES):
-        if not has_image(image):
-            pytest.skip(f"the engine has no image {image} (make image; docker pull {POSTGRES})")
-    words = ["docker", "run", "--rm", "--entrypoint", "python", "knifetip", "-c", HASH]
-    found = subprocess.run(words, capture_output=True, text=True, check=True).stdout.strip()
-    if found != hash_of_sources():
+def image() -> None:
+    """Skip the test where no engine is, or no image that was built from these sources."""
+    if not engine_runs():
+        pytest.skip("no container engine runs here")
+    if not has_image("knifetip"):
+        pytest.skip("the engine has no image knifetip (make image)")
+    if output_in_image(HASH) != hash_of_sources():
         pytest.skip("the image knifetip was built from other sources (make image)")
+
+
+@pytest.fixture
+def shop(image: None, tmp_path: Path) -> Iterator[Shop]:
+    """Start the shop; skip the test where Compose or the image of the database is missing."""
+    compose = compose_command()
+    if compose is None:
+        pytest.skip("Compose is not installed")
+    if not has_image(POSTGRES):
+        pytest.skip(f"the engine has no image {POSTGRES} (docker pull {POSTGRES})")
     one = Shop(compose, tmp_path, speed=0.5)
     try:
         yield one
@@ -71,6 +96,15 @@ def test_a_job_is_cut_once_while_workers_are_killed_and_the_api_restarts(shop: S
     assert (ended["state"], ended["copies_done"]) == ("done", 1)
     events = shop.service.call(f"/api/jobs/{ended['id']}/events")
     assert [event["state"] for event in events].count("done") == 1
+
+
+@pytest.mark.usefixtures("image")
+def test_the_image_contains_the_packages_of_the_page_of_licences_and_the_extras_work() -> None:
+    installed = set(output_in_image(PACKAGES).split())
+    listed = re.findall(r"^\| (\S+) \| (\S+) \|", LICENCES.read_text("utf-8"), re.M)
+    others = installed - {f"{name}=={version}" for name, version in listed}
+    assert [one.split("==")[0] for one in others] == ["knifetip"]
+    assert output_in_image(EXTRAS) == "loaded"
 
 
 def test_one_profile_starts_no_service_of_the_other() -> None:

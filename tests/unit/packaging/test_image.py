@@ -30,6 +30,13 @@ def test_kernels_are_compiled_for_the_processor_that_they_run_on() -> None:
     assert settings[0] == settings[1]
 
 
+def test_the_image_has_the_extras() -> None:
+    # Nothing can be installed into a container whose file system is read-only.
+    assert re.findall(r"--require-hashes \\\n +-r (\S+)", DOCKERFILE) == [
+        "backend/requirements-extras.lock"
+    ]
+
+
 def test_whatever_the_image_copies_is_sent_to_the_build() -> None:
     allowed = {
         line.removeprefix("!").rstrip("/")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.util
 import json
 import re
+import tomllib
 from pathlib import Path
 from types import ModuleType
 
@@ -42,11 +43,23 @@ def test_the_page_of_licences_lists_every_package_of_the_locks_and_no_other() ->
     assert listed() == server | set(licences.extra_packages()) | page, "run: make licences"
 
 
+def test_the_lock_with_the_extras_pins_the_same_server_and_every_extra() -> None:
+    server, extras = set(licences.server_packages()), set(licences.extra_packages())
+    assert server < set(licences.pinned("requirements-extras.lock"))
+    project = tomllib.loads((BACKEND / "pyproject.toml").read_text("utf-8"))["project"]
+    for extra, requirements in project["optional-dependencies"].items():
+        for requirement in requirements if extra != "dev" else []:
+            name = re.split(r"[^a-z0-9._-]", requirement)[0]
+            assert name in {name for name, _ in extras}, (extra, requirement)
+    # What the extras require is delivered as well.
+    assert {"cryptography", "protobuf", "requests"} < {name for name, _ in extras}
+
+
 def test_another_version_in_a_lock_is_detected(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     name, version = licences.server_packages()[0]
-    for lock in ("requirements.lock", "requirements-dev.lock", "pyproject.toml"):
+    for lock in ("requirements.lock", "requirements-extras.lock"):
         text = (BACKEND / lock).read_text("utf-8")
         (tmp_path / lock).write_text(text.replace(f"{name}=={version} ", f"{name}==99.9 "))
     monkeypatch.setattr(licences, "BACKEND", tmp_path)
