@@ -56,7 +56,7 @@ describe("what is asked before it is sent", () => {
   it("asks before an interrupted job is scrapped or declared finished", () => {
     const interrupted = job({ state: "interrupted", copies: 3 });
     expect(confirmationBefore(interrupted, "scrap")?.text).toContain(
-      "ends without its remaining copies",
+      "Copies that are not made can be queued afterwards.",
     );
     expect(confirmationBefore(interrupted, "finish")?.text).toContain(
       "only if all 3 sheets are completely cut",
