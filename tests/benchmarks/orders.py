@@ -14,6 +14,7 @@ import asyncio
 import tempfile
 import time
 from contextlib import ExitStack
+from itertools import pairwise
 from pathlib import Path
 
 import httpx
@@ -30,6 +31,7 @@ from tests.benchmarks.service_process import (
 )
 from tests.support.serving.postgresql import create_database, installed_binaries, run_server
 from tests.support.serving.server import square, upload_drawing
+from tests.support.writers import dxf_text
 
 CHOICES = {"machine": "demo-table", "board": "e-flute"}
 
@@ -55,13 +57,30 @@ def measure_orders(database: str, bare_database: str, orders: int, clients: int)
     return [database.partition(":")[0].partition("+")[0], answered, *figures]
 
 
+def nested(side: float) -> bytes:
+    """Return a DXF file with 625 squares (side in mm); its compile takes longer than its order."""
+    return dxf_text.dxf(
+        *(
+            dxf_text.line(x + x1, y + y1, x + x2, y + y2, (8, "CUT"))
+            for x in range(0, 1000, 40)
+            for y in range(0, 1000, 40)
+            for (x1, y1), (x2, y2) in pairwise(
+                ((0.0, 0.0), (side, 0.0), (side, side), (0.0, side), (0.0, 0.0))
+            )
+        ),
+        units=4,
+    )
+
+
 def compile_rate(database: str, workers: int, count: int) -> float:
-    """Return how many different drawings are compiled per second, from the first order on."""
+    """Return how many different drawings of 2,500 edges are compiled per second."""
     with ExitStack() as running:
         url = running.enter_context(run_knifetip(database))
         with httpx.Client(base_url=url, timeout=120.0, trust_env=False) as client:
-            sides = (50.0 + 3.0 * number + workers for number in range(count + workers))
-            drawings = [upload_drawing(client, square(side=side), unit="mm") for side in sides]
+            drawings = [
+                upload_drawing(client, nested(20.0 + 0.01 * number), unit="mm")
+                for number in range(count + workers)
+            ]
             for number in range(workers):
                 name = f"worker-{number}"
                 running.enter_context(
