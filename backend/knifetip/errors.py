@@ -40,6 +40,7 @@
         ├── NotFound              no stored object, such as a job, has the name
         ├── WrongState            the state of the object does not permit the change
         ├── StaleEpoch            a report on a job that the sender no longer owns
+        ├── GatewayRefused        the server does not accept the key of a gateway
         ├── StoreError            the database cannot be used
         │   └── ContentLost           a stored file or program is missing or altered
         ├── KeyReused             an Idempotency-Key of another request

@@ -47,15 +47,21 @@ export interface Upload {
   readonly fraction: number;
 }
 
-export interface UiState {
+/** What the address of the page names: a view, or the open drawing and a job of it. */
+export interface Route {
+  readonly drawing: string | null;
+  readonly job: string | null;
   /** Name of the machine whose station page is open; null while the page of drawings is. */
   readonly station: string | null;
   /** Whether the page of machines, boards and tools is open. */
   readonly library: boolean;
   /** Whether the page of webhooks is open. */
   readonly webhooks: boolean;
-  readonly drawing: string | null;
-  readonly job: string | null;
+  /** The page of ended jobs, statistics and tools is shown instead of the drawing. */
+  readonly history: boolean;
+}
+
+export interface UiState extends Route {
   readonly selection: ReadonlySet<number>;
   readonly hover: Hover | null;
   readonly hiddenTypes: ReadonlySet<string>;
@@ -73,8 +79,6 @@ export interface UiState {
   readonly leftOpen: boolean;
   readonly rightOpen: boolean;
   readonly helpOpen: boolean;
-  /** The page of ended jobs, statistics and tools is shown instead of the drawing. */
-  readonly history: boolean;
   /** Program time (s) at which the preview shows the head; null while it follows the machine. */
   readonly previewTime: number | null;
   readonly machine: string | null;
@@ -98,8 +102,7 @@ export interface UiState {
   readonly editedProfile: string | null;
 
   open(drawing: string | null, job?: string | null): void;
-  /** Open the page of the person at a machine; null returns to the drawings. */
-  openStation(machine: string | null): void;
+  openRoute(route: Route): void;
   openJob(job: string | null): void;
   selectEdges(rows: Iterable<number>, add?: boolean): void;
   setHover(hover: Hover | null): void;
@@ -158,6 +161,40 @@ const withToggled = (set: ReadonlySet<string>, word: string): ReadonlySet<string
 const equalRows = (a: readonly number[], b: readonly number[]): boolean =>
   a.length === b.length && a.every((row, at) => row === b[at]);
 
+/** What changes when a drawing and a job of it are opened. */
+const withDrawing = (
+  page: UiState,
+  drawing: string | null,
+  job: string | null,
+): Partial<UiState> => {
+  if (page.drawing === drawing) return page.job === job ? {} : { job, previewTime: null };
+  return {
+    drawing,
+    job,
+    selection: NO_ROWS,
+    pin: null,
+    hover: null,
+    hiddenTypes: new Set<string>(),
+    hiddenLayers: new Set<string>(),
+    past: [],
+    future: [],
+    previewTime: null,
+    compileQuestions: [],
+    retypePreviews: [],
+    pickingCorners: false,
+    // The sheet belongs to the drawing that was open, too.
+    sheet: null,
+    // So do the details of an order.
+    details: NO_DETAILS,
+    // Single corners belong to the drawing that was open.
+    corners: { ...page.corners, at: [] },
+  };
+};
+
+/** Whether the drawing stays open behind another view. */
+const isBehind = ({ station, library, webhooks, history }: Omit<Route, "drawing" | "job">) =>
+  station !== null || library || webhooks || history;
+
 export const useUiStore = create<UiState>()((set) => ({
   station: null,
   library: false,
@@ -203,33 +240,10 @@ export const useUiStore = create<UiState>()((set) => ({
   editedProfile: null,
 
   open: (drawing, job = null) =>
-    set((page) =>
-      page.drawing === drawing
-        ? { job, previewTime: null, history: false }
-        : {
-            drawing,
-            job,
-            history: false,
-            selection: NO_ROWS,
-            pin: null,
-            hover: null,
-            hiddenTypes: new Set<string>(),
-            hiddenLayers: new Set<string>(),
-            past: [],
-            future: [],
-            previewTime: null,
-            compileQuestions: [],
-            retypePreviews: [],
-            pickingCorners: false,
-            // The sheet belongs to the drawing that was open, too.
-            sheet: null,
-            // So do the details of an order.
-            details: NO_DETAILS,
-            // Single corners belong to the drawing that was open.
-            corners: { ...page.corners, at: [] },
-          },
-    ),
-  openStation: (station) => set(station === null ? { station } : { station, history: false }),
+    set((page) => ({ ...withDrawing(page, drawing, job), history: false })),
+  openRoute: ({ drawing, job, ...views }) =>
+    // In one step: a subscriber must not see two views at a time.
+    set((page) => (isBehind(views) ? views : { ...withDrawing(page, drawing, job), ...views })),
   openJob: (job) => set({ job, previewTime: null }),
   selectEdges: (rows, add = false) =>
     set(({ selection }) => {
