@@ -93,7 +93,6 @@ def _me(service: Service, principal: Principal) -> MeOut:
 async def change_own_password(
     service: ServiceDep,
     request: Request,
-    response: Response,
     principal: PrincipalDep,
     sent: PasswordIn,
 ) -> None:
@@ -107,11 +106,11 @@ async def change_own_password(
         # Not 401: the session of the request is valid.
         raise RequestError("user.wrong-password", source=["current"]) from reason
     await accounts.sign_out(present)
+    # The page sends other requests meanwhile: if its session ended, they would be refused.
+    kept = request.cookies.get(signin.session_cookie(request))
     change = service.store.users.change
-    await service.threads.claims(change, principal.name, password=sent.new)
+    await service.threads.claims(change, principal.name, password=sent.new, kept_session=kept)
     accounts.clear_cache()
-    token = await accounts.sign_in(principal.name, sent.new, _address(request))
-    signin.set_cookie(request, response, signin.user_cookie(request, token))
 
 
 @router.get("/users")

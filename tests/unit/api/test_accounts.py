@@ -161,7 +161,10 @@ def test_a_user_changes_the_own_password(server: LocalClient, admin: httpx.Clien
         assert carol.post("/api/me/password", json=body).status_code == 422
         body["current"] = CAROL["password"]
         assert carol.post("/api/me/password", json={**body, "new": "short"}).status_code == 422
+        session = dict(carol.cookies)
         assert carol.post("/api/me/password", json=body).status_code == 204
+        # Requests that were sent before the answer arrives have the cookie of the same session.
+        assert dict(carol.cookies) == session
         assert carol.get("/api/me").status_code == 200
         assert tablet.get("/api/me").status_code == 401
 

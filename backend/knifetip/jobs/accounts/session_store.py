@@ -41,7 +41,7 @@ class SessionStore:
                 )
             )
             values = {"seen": now, "expires": now + LIFETIME, "created": now}
-            session.add(BrowserSession(digest=_digest(token), user=user.id, **values))
+            session.add(BrowserSession(digest=digest_of(token), user=user.id, **values))
             session.execute(
                 sa.update(UserAccount).where(UserAccount.id == user.id).values(signed_in=now)
             )
@@ -60,7 +60,7 @@ class SessionStore:
         query = (
             sa.select(BrowserSession, UserAccount)
             .join(UserAccount, UserAccount.id == BrowserSession.user)
-            .where(BrowserSession.digest == _digest(token), UserAccount.active.is_(True))
+            .where(BrowserSession.digest == digest_of(token), UserAccount.active.is_(True))
         )
         with self._db.reading() as session:
             found = session.execute(query).first()
@@ -81,9 +81,10 @@ class SessionStore:
         """End a session; nothing happens if it has ended."""
         with self._db.writing() as session:
             session.execute(
-                sa.delete(BrowserSession).where(BrowserSession.digest == _digest(token))
+                sa.delete(BrowserSession).where(BrowserSession.digest == digest_of(token))
             )
 
 
-def _digest(token: str) -> str:
+def digest_of(token: str) -> str:
+    """Return the SHA-256 digest of a session's token, under which the session is stored."""
     return hashlib.sha256(token.encode("utf-8", "replace")).hexdigest()

@@ -19,6 +19,7 @@ from knifetip.jobs.accounts import passwords
 from knifetip.jobs.accounts.account_tables import BrowserSession, UserAccount
 from knifetip.jobs.accounts.acting import set_subject
 from knifetip.jobs.accounts.scopes import ROLES, AccessScope
+from knifetip.jobs.accounts.session_store import digest_of
 from knifetip.jobs.database import Database, short
 from knifetip.jobs.job import new_id
 
@@ -94,6 +95,7 @@ class UserStore:
         role: AccessScope | None = None,
         active: bool | None = None,
         password: str | None = None,
+        kept_session: str | None = None,
     ) -> UserAccount:
         """Change a user, end the sessions of the user, and return the user.
 
@@ -103,6 +105,8 @@ class UserStore:
             Name of the user.
         role, active, password
             New values; None for no change.
+        kept_session
+            Token of a session that does not end; None to end all sessions.
 
         Raises
         ------
@@ -128,7 +132,7 @@ class UserStore:
             row.role = row.role if role is None else role.value
             row.active = row.active if active is None else active
             row.password = row.password if hashed is None else hashed
-            _end_sessions(session, row, was_admin)
+            _end_sessions(session, row, was_admin, kept_session)
             return row
 
     @staticmethod
@@ -175,12 +179,20 @@ class UserStore:
             return session.scalar(query)
 
 
-def _end_sessions(session: Session, row: UserAccount, was_admin: bool) -> None:
-    """End the sessions of a changed user, unless there would be no active administrator."""
+def _end_sessions(
+    session: Session, row: UserAccount, was_admin: bool, kept: str | None = None
+) -> None:
+    """End the sessions of a changed user, unless there would be no active administrator.
+
+    The session with the token ``kept`` does not end.
+    """
     session.flush()
     if was_admin and not _is_admin(row) and not _active_admins(session):
         raise WrongState("user.last-admin", name=row.name)
-    session.execute(sa.delete(BrowserSession).where(BrowserSession.user == row.id))
+    statement = sa.delete(BrowserSession).where(BrowserSession.user == row.id)
+    if kept is not None:
+        statement = statement.where(BrowserSession.digest != digest_of(kept))
+    session.execute(statement)
 
 
 def _find(session: Session, name: str) -> UserAccount:
