@@ -1,11 +1,14 @@
-"""Changes of jobs, drawings and stations as server-sent events.
+"""Changes of jobs, drawings, stations and the library as server-sent events.
 
 The first event is ``connected``: changes are sent from now on, so a client that lists jobs after it
 misses none.  The others are ``job`` with a JobOut, ``drawing`` with a DrawingSummary, ``deleted``
-with ``{"drawing": id}`` and ``station`` with a StationOut.  The id of an event is the number of the
-change.  Events about stations, and events that report only the progress of a job or only a new
-reason why a job waits, have no id.  A client that reconnects sends the last id that it received
-(``Last-Event-ID``) and gets one event for each job and drawing that has changed since then.
+with ``{"drawing": id}``, ``station`` with a StationOut, and ``library`` with ``{}`` when a machine,
+a board, a tool or a profile has changed.
+
+The id of an event is the number of the change.  Events about stations and the library, and events
+that report only the progress of a job or only a new reason why a job waits, have no id.  A client
+that reconnects sends the last id that it received (``Last-Event-ID``) and gets one event for each
+job and drawing that has changed since then.
 """
 
 from __future__ import annotations
@@ -67,6 +70,7 @@ class Stream:
         self._gaps = EventGaps()
         self._sent_progress: dict[str, tuple[object, ...]] = {}
         self._sent_stations: dict[str, StationOut] = {}
+        self._library: object = None  #: newest versions in the library; None before the first query
         self._waits: dict[str, tuple[WaitingFor, MessageOut | None]] = {}
         self._refreshed = 0.0
         self._watched = False  # a person looks at a machine
@@ -153,6 +157,7 @@ class Stream:
         messages += self._stations()
         if events or time.monotonic() - self._refreshed >= _REFRESH:
             messages += self._queued({event.subject for event in events})
+            messages += self._library_changed()
         self._last = self._gaps.read(self._last, {event.id for event in events})
         return messages
 
@@ -195,6 +200,13 @@ class Stream:
         ]
         self._waits = waits
         return messages
+
+    def _library_changed(self) -> list[ServerSentEvent]:
+        """Return an event if an entry or a profile has changed since the last call."""
+        store = self._service.store
+        before = self._library
+        self._library = store.library.newest_versions(), store.profiles.newest_versions()
+        return [] if before in (None, self._library) else [_message("library", "{}")]
 
     def _messages(self, events: Sequence[Event]) -> list[ServerSentEvent]:
         newest = {(event.kind, event.subject): event.id for event in events}
@@ -241,6 +253,7 @@ class Stream:
                 # The client has just fetched jobs and stations: their present state is not sent.
                 await asyncio.to_thread(self._queued, ())
                 await asyncio.to_thread(self._stations)
+                await asyncio.to_thread(self._library_changed)
             if after is not None and after < self._last:
                 missed = await asyncio.to_thread(self._missed, after, self._last)
             self._listeners.add(queue)
@@ -301,7 +314,7 @@ async def get_events(
         int | None, Query(ge=0, le=2**53, description="Same as the header, which takes precedence")
     ] = None,
 ) -> AsyncIterator[ServerSentEvent]:
-    """Stream changes of jobs and drawings as server-sent events.
+    """Stream changes of jobs, drawings, stations and the library as server-sent events.
 
     ``Last-Event-ID`` or ``after`` is the id of the last event that the client received; the changes
     since then are sent first.  If neither is given, only new changes are sent.  The first event is

@@ -90,6 +90,12 @@ class LibraryStore:
         with self._db.reading() as session:
             return list(session.scalars(query))
 
+    def newest_versions(self) -> frozenset[tuple[str, str, int]]:
+        """Return kind, name and number of the newest version of each entry of the users."""
+        query = sa.select(LibraryEntry.shelf, LibraryEntry.name, LibraryEntry.version)
+        with self._db.reading() as session:
+            return frozenset(session.execute(query))
+
     def get(self, shelf: Shelf, name: str, version: int | None = None) -> LibraryVersion | None:
         """Return a version of an entry, None if there is none.
 

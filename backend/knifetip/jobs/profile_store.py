@@ -34,6 +34,12 @@ class ProfileStore:
         with self._db.reading() as session:
             return list(session.scalars(sa.select(Profile).order_by(Profile.name)))
 
+    def newest_versions(self) -> frozenset[tuple[str, int, float]]:
+        """Return name, version and time of the last change of each profile."""
+        query = sa.select(Profile.name, Profile.version, Profile.updated)
+        with self._db.reading() as session:
+            return frozenset(session.execute(query))
+
     def save(
         self, name: str, title: str, text: str, version: int | None, *, anyway: bool = False
     ) -> Profile:

@@ -898,7 +898,7 @@ export interface paths {
         };
         /**
          * Get Events
-         * @description Stream changes of jobs and drawings as server-sent events.
+         * @description Stream changes of jobs, drawings, stations and the library as server-sent events.
          *
          *     ``Last-Event-ID`` or ``after`` is the id of the last event that the client received; the changes
          *     since then are sent first.  If neither is given, only new changes are sent.  The first event is

@@ -3,7 +3,7 @@
 import type { Shelf } from "../api/client";
 import { ServiceError } from "../api/errors";
 import { renderText, type ServerMessage } from "../messages/render";
-import { queryClient } from "./queries";
+import { queryClient, refreshChoices } from "./queries";
 
 export type Fields = Readonly<Record<string, unknown>>;
 
@@ -198,8 +198,11 @@ export function differences(before: Fields, after: Fields): readonly Difference[
     .map((path) => ({ path, before: left.get(path) ?? "–", after: right.get(path) ?? "–" }));
 }
 
-/** Fetch the library again, and the machines and boards that jobs can choose. */
+/** Fetch the library again, and the definitions on display. */
 export async function refreshLibrary(): Promise<void> {
-  const keys = ["library", "definition", "definitionVersions", "machines", "boards"];
-  await Promise.all(keys.map((key) => queryClient.invalidateQueries({ queryKey: [key] })));
+  const keys = ["definition", "definitionVersions"];
+  await Promise.all([
+    refreshChoices(),
+    ...keys.map((key) => queryClient.invalidateQueries({ queryKey: [key] })),
+  ]);
 }

@@ -62,3 +62,14 @@ test("a stream that breaks makes the page check whether it is still signed in", 
   expect(isStale("me")).toBe(true);
   end();
 });
+
+test("a change of the library fetches again what can be chosen, and no definition", () => {
+  for (const key of ["machines", "boards", "profiles", "library", "definition"])
+    queryClient.setQueryData([key], []);
+  const end = subscribeToEvents(onDrawing);
+  FakeSource.last.emit("library", "{}");
+  for (const key of ["machines", "boards", "profiles", "library"]) expect(isStale(key)).toBe(true);
+  for (const key of ["definition", "jobs"]) expect(isStale(key)).toBe(false);
+  expect(onDrawing).not.toHaveBeenCalled();
+  end();
+});

@@ -373,7 +373,13 @@ function dropInactive(id: string): void {
     queryClient.removeQueries({ queryKey, type: "inactive" });
 }
 
-const EVENTS = ["connected", "job", "drawing", "deleted", "station"];
+/** Fetch again what the library contains: what can be chosen, not the definition in an editor. */
+export async function refreshChoices(): Promise<void> {
+  const keys = ["library", "machines", "boards", "profiles"];
+  await Promise.all(keys.map((key) => queryClient.invalidateQueries({ queryKey: [key] })));
+}
+
+const EVENTS = ["connected", "job", "drawing", "deleted", "station", "library"];
 
 /**
  * Subscribe to server events until the returned function is called.
@@ -397,6 +403,8 @@ export function subscribeToEvents(
       } else if (name === "job" && isJob(data)) upsertJob(data);
       else if (name === "station") {
         if (isStation(data)) showStation(data);
+      } else if (name === "library") {
+        void refreshChoices();
       } else {
         // A drawing was added, changed or deleted.
         void queryClient.invalidateQueries({ queryKey: queries.drawings().queryKey });

@@ -80,6 +80,22 @@ def test_a_new_drawing_and_the_states_of_a_job_are_events(client: httpx.Client) 
         assert event.data == client.get(f"/api/jobs/{job}").json()
 
 
+def test_a_change_of_the_library_is_an_event(client: httpx.Client) -> None:
+    fields = client.get("/api/boards/e-flute/definition").json()["fields"]
+    changes: tuple[tuple[str, str, object], ...] = (
+        ("PUT", "boards/heard", {**fields, "title": "Heard"}),
+        ("PUT", "profiles/heard", {"title": "Heard", "extends": None, "rules": []}),
+        ("DELETE", "profiles/heard", None),
+        ("DELETE", "boards/heard", None),
+    )
+    with event_queue(client) as heard:
+        for method, path, body in changes:
+            assert client.request(method, f"/api/{path}", json=body).is_success
+            event = heard.get(timeout=20.0)
+            assert (event.kind, event.number, event.data) == ("library", None, {})
+        assert heard.empty()
+
+
 def test_the_first_event_states_that_changes_are_sent_from_now_on(client: httpx.Client) -> None:
     with client.stream("GET", "/api/events") as answer:
         lines = answer.iter_lines()
