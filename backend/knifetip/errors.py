@@ -262,7 +262,7 @@ class NoSuchController(ControllerError):
 
 
 class OperationExpired(ControllerError):
-    """An operation of a person at the machine was not executed in time, and was dropped."""
+    """An operation that a person requested at the machine was not executed in time."""
 
 
 class RequestError(KnifetipError):
@@ -324,7 +324,7 @@ class StaleEpoch(JobError):
 
 
 class GatewayRefused(JobError):
-    """The server refuses the requests of a gateway, whose key is missing, invalid or too weak."""
+    """The server refuses the key of a gateway: missing, invalid, or without the scope gateway."""
 
 
 class StoreError(JobError):

@@ -1,7 +1,8 @@
-"""harmless: texts of others without characters that act on a terminal, a log or the direction.
+"""harmless: escape control characters in texts from files and requests before they are shown.
 
-Names of drawings, layers and operators come from files and requests.  A terminal obeys escape codes
-in them, a newline fakes a record of a log, and a right-to-left override shows a name as another.
+Names of drawings, layers and operators come from files and requests.  Escape codes in them would
+control the terminal, a newline would forge a log record, and a right-to-left override would display
+one name as another.
 """
 
 from __future__ import annotations

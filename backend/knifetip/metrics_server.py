@@ -1,4 +1,4 @@
-"""A port of its own for Prometheus, which needs no key there."""
+"""HTTP server on a separate port, from which Prometheus reads metrics without a key."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _ADDRESS: Final = re.compile(r"(?:\[([0-9a-fA-F:.]+)\]|([^:\[\]/]+)):([0-9]{1,5}
 
 
 def serve_metrics(address: str, registry: CollectorRegistry) -> ExitStack:
-    """Answer requests at an address with the metrics of a registry, in a thread.
+    """Serve the metrics of a registry at an address, in a thread.
 
     Parameters
     ----------

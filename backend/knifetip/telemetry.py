@@ -107,7 +107,7 @@ class Telemetry:
     def span(
         self, name: str, kind: str, parent: str | None, attributes: Mapping[str, Any]
     ) -> Iterator[ExportedSpan]:
-        """Return a context whose current span is a new one, which ends with it."""
+        """Return a context manager that begins a span and makes it the current one."""
         span = self._tracer.start_span(
             name,
             None if parent is None else _context(parent),
@@ -129,7 +129,7 @@ class Telemetry:
             _log.warning("the last spans were not exported: the receiver does not answer")
 
     def _quieten(self) -> None:
-        """Let a receiver that is not reached be a record of the log now and then, not each time."""
+        """Limit the log records about failed exports to one per minute for each logger."""
         for name in (OTLPSpanExporter.__module__, "opentelemetry.sdk._shared_internal"):
             logger = logging.getLogger(name)
             if not any(isinstance(one, _NowAndThen) for one in logger.filters):
@@ -137,7 +137,7 @@ class Telemetry:
 
 
 class _NowAndThen(logging.Filter):
-    """Lets a record pass if the one before passed a minute ago."""
+    """Filter of a logger that passes at most one record per minute."""
 
     def __init__(self) -> None:
         super().__init__()

@@ -39,7 +39,7 @@ _log = logging.getLogger("knifetip.tracing")
 
 
 class Kind(StrEnum):
-    """What a span does for which side: see the specification of OpenTelemetry."""
+    """Kind of a span, as OpenTelemetry defines it: server, client, consumer or internal."""
 
     INTERNAL = "internal"
     SERVER = "server"  #: answers a request
@@ -93,7 +93,7 @@ class Span(Protocol):
         """Set attributes of the span."""
 
     def event(self, name: str, **attributes: Unpack[Attributes]) -> None:
-        """Record what happens now, with attributes of its own."""
+        """Record an event at the present time, with its attributes."""
 
     def fail(self, error: str = "") -> None:
         """Mark the span as failed, with a code or the name of an exception if it is known."""
@@ -151,10 +151,9 @@ def is_on() -> bool:
 
 @contextmanager
 def exporting(service: str) -> Iterator[None]:
-    """Return a context in which this process exports spans if the environment asks for it.
+    """Return a context manager; in its context spans are exported if the environment asks for it.
 
-    Whatever is wrong with the variables or the installation is a warning in the log, never an
-    error.
+    Wrong values of the variables and a missing extra are logged as warnings; nothing is raised.
 
     Parameters
     ----------
@@ -175,7 +174,7 @@ def _open_exporter(service: str, environment: Mapping[str, str]) -> Exporter | N
     """Return the exporter that the environment asks for; None for none."""
 
     def first(*names: str) -> tuple[str, str]:
-        """Return the first of some variables that is set, and its value."""
+        """Return name and value of the first variable that is set; empty texts if none is."""
         found = ((name, environment.get(name, "").strip()) for name in names)
         return next(((name, value) for name, value in found if value), ("", ""))
 
@@ -217,7 +216,7 @@ def span(
     parent: str | None = None,
     **attributes: Unpack[Attributes],
 ) -> Iterator[Span]:
-    """Return a context whose current span is a new one; records of the log have its ids.
+    """Return a context manager that begins a span; log records in the context have its ids.
 
     An exception that leaves the context marks the span as failed.
 

@@ -136,7 +136,10 @@ def _owner_of_key(rules: AccessRules, bearer: str, proof: Proof) -> Principal | 
 def _is_served(
     rules: AccessRules, facts: RequestFacts, host: Authority | None, proof: Proof
 ) -> bool:
-    """Return whether the server serves the sender of a request at all."""
+    """Return whether requests of the sender are accepted, or refused whatever they contain.
+
+    Without a key and without an administrator, only requests of this computer are accepted.
+    """
     return bool(rules.key) or proof.closed or (host is not None and _is_local(rules, facts, host))
 
 

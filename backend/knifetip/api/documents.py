@@ -1,8 +1,8 @@
-"""Large answers, most of them JSON: made once by a worker process, stored, and sent as bytes.
+"""Large responses, most of them JSON: made once by a worker process, stored, and sent as bytes.
 
-The JSON of a drawing with 100,000 edges has 30 MB.  If threads of the server made it, all other
-requests would wait for Python's lock.  Small JSON is made by the thread of the request, which takes
-some milliseconds.
+The JSON of a drawing with 100,000 edges has 30 MB.  A thread of the server that made it would hold
+Python's global interpreter lock and delay all other requests.  Small JSON is made by the thread of
+the request, which takes some milliseconds.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ _log = logging.getLogger("knifetip.api")
 
 @dataclass(frozen=True, slots=True)
 class Document(Generic[Row]):
-    """A kind of large answer about drawings or jobs, and how it is made."""
+    """A kind of large response about drawings or jobs: its source, its version and its task."""
 
     kind: str
     #: returns the row with an id, with these large columns; raises NotFound
@@ -57,7 +57,7 @@ class Made(NamedTuple):
 
 
 class Documents:
-    """The documents of a server; requests that wait for the same document wait together."""
+    """The documents of a server; simultaneous requests for a document share one computation."""
 
     def __init__(self, service: Service) -> None:
         self._service = service
@@ -133,7 +133,7 @@ def _headers(version: str, *, weak: bool) -> dict[str, str]:
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """The answer to one request with a document."""
+    """Sends a document as the response to one request."""
 
     documents: Documents
     request: Request

@@ -1,7 +1,6 @@
-"""Slow down repeated failed sign-ins, for each pair of an account and an address.
+"""Delay sign-ins after repeated failures, for each pair of an account and an address.
 
-Other addresses are not affected: failed attempts of an attacker do not lock out the user, whose
-address is another.
+Failed attempts of an attacker do not lock out the user, who signs in from another address.
 """
 
 from __future__ import annotations
@@ -25,13 +24,13 @@ class _Failures(NamedTuple):
 
 
 class SlowDown:
-    """Failed sign-ins of this process by account and address."""
+    """Counts failed sign-ins by account and address, in the memory of this process."""
 
     def __init__(self) -> None:
         self._failures: OrderedDict[tuple[str, str], _Failures] = OrderedDict()
 
     def pause(self, account: str, address: str, now: float) -> int:
-        """Return the time for which a sign-in must wait, in whole seconds; 0 for none.
+        """Return the time (s) until a sign-in is permitted, rounded up; 0 if it is permitted now.
 
         Parameters
         ----------

@@ -50,18 +50,19 @@ def reload_machine(name: str, server: str, headers: Mapping[str, str], kept: Pat
 
 
 def start_machine(name: str, server: str, headers: Mapping[str, str], kept: Path) -> Machine:
-    """Return the machine of a gateway that starts.
+    """Return the definition of the machine for a gateway that starts.
 
-    If the server does not answer, or refuses the gateway, it is the version that the server
-    answered last.  The gateway can then bring the machine into its safe state at once, after a
-    power failure in the middle of a cut; the server assigns jobs for the newest version only.
+    If the server does not answer, or refuses the gateway, the definition that was loaded last is
+    read from ``kept``.  The gateway can then bring the machine into its safe state at once, for
+    example after a power failure during a cut.  The version may be outdated, but the server
+    assigns jobs for the newest version only.
 
     Parameters
     ----------
     name, server, headers
         As for ``find_machine``.
     kept
-        File in which the definition on the server is kept.
+        File that stores the definition which was last loaded from the server.
 
     Raises
     ------

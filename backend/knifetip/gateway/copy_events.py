@@ -26,7 +26,7 @@ class CopyEvents:
         self._held = False
 
     def update(self, progress: Progress) -> None:
-        """Record what has changed with a progress report: nothing, mostly."""
+        """Record an event if a progress report begins a new tenth, a hold or the end of a hold."""
         line = progress.executed
         held = progress.state is State.HOLD
         if held != self._held:

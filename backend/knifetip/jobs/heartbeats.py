@@ -1,4 +1,4 @@
-"""Heartbeats of gateways: the changes that they make to a job, and the commands in return."""
+"""Heartbeats of gateways: each one updates its job and is answered with a command."""
 
 from __future__ import annotations
 

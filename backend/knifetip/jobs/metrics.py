@@ -87,7 +87,7 @@ class Numbers(Collector):
         return ()
 
     def collect(self) -> Iterator[Metric]:
-        """Yield the present numbers; only whether it is available if the database is not."""
+        """Yield the numbers of the process, and those of the database if it is available."""
         for name, (text, value) in self._process().items():
             kind = CounterMetricFamily if name.endswith("_total") else GaugeMetricFamily
             yield kind(f"knifetip_{name}", text, value=value)

@@ -45,7 +45,7 @@ def copy_database(source: Path, target: Path) -> None:
             closing(sqlite3.connect(part, timeout=_BUSY)) as copy,
         ):
             original.backup(copy)
-            # Otherwise the copy would need a write-ahead log, and a folder that can be written to.
+            # In WAL mode a reader of the copy would need write access to its folder.
             copy.execute("PRAGMA journal_mode=DELETE")
         sync(part)
         part.replace(target)

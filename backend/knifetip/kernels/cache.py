@@ -70,10 +70,10 @@ class _LoadedLibrary(JITCodeLibrary):
 
 
 class _ReadOnlyCacheLocator(InTreeCacheLocator):
-    """The folder beside a source file, also if this process cannot write to it.
+    """Finds the cache folder beside a source file, even if this process cannot write to it.
 
-    numba reads a cache only where it can write one.  In an image whose file system is read-only,
-    and where a service may write to no home directory, it would refuse to define any kernel.
+    numba only reads a cache from a folder that it can write to.  In a container image with a
+    read-only file system and no writable home directory, it would refuse to define any kernel.
     """
 
     def ensure_cache_path(self) -> None:
@@ -91,7 +91,7 @@ class _ReadOnlyCacheLocator(InTreeCacheLocator):
 class _StoredKernel(CompileResultCacheImpl):
     """Converts a compiled kernel to the content of its cache file, and back."""
 
-    # The last one, since kernels that it does not contain are compiled again in each process.
+    # Last, because a kernel that is missing in this folder is compiled again in each process.
     # RUF012: numba declares the attribute as a list, not as a class variable.
     _locator_classes = [*CompileResultCacheImpl._locator_classes, _ReadOnlyCacheLocator]  # noqa: RUF012
 

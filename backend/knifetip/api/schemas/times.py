@@ -59,7 +59,7 @@ def _accepted(value: Any) -> float:
 
 #: A time in an answer.
 Moment = Annotated[str, BeforeValidator(_shown), _SCHEMA]
-#: A time in an answer that is stored as 0 if there is none.
+#: A time in an answer that may be missing: stored as 0, sent as null.
 OptionalMoment = Annotated[Moment | None, BeforeValidator(lambda value: value or None)]
 #: A time in a request; the value of the field is in seconds since 1970.
 MomentIn = Annotated[float, BeforeValidator(_accepted), _SCHEMA]

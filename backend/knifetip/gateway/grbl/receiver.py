@@ -23,9 +23,9 @@ from knifetip.gateway.interpreter import strip_comments
 from knifetip.gateway.motion import Pose
 from knifetip.gateway.transport import is_from_web_server
 
-#: Most characters of an echoed line that a message contains.
+#: Maximum number of characters of an echoed line in a message.
 _LONGEST_ECHO = 60
-#: Most lines between two answers that are kept.
+#: Maximum number of stored lines between two answers.
 _MOST_LINES = 1000
 #: Consecutive status reports that must show the same contradiction before it counts as a fault.
 _CONTRADICTIONS = {Count.SURPLUS: 2, Count.MISSING: 3}

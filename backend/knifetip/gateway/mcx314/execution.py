@@ -17,7 +17,7 @@ from knifetip.gateway.mcx314.planner import Planner, Stretch
 from knifetip.gateway.mcx314.refusal import Refused
 from knifetip.gateway.mcx314.stretches import Joints
 
-#: A shorter time is none (s).
+#: Times below this value count as 0 (s).
 MOMENT = 1e-9
 
 
