@@ -40,6 +40,10 @@ class GatewayReport:
 class Heartbeats:
     """Stores the heartbeats of gateways and answers them.
 
+    If the lease of a job has expired before a heartbeat, for example because the server was down,
+    what the operator asked for until then no longer lets the machine move: the operator may have
+    given up waiting and be at the table.
+
     Each method runs in the transaction of the caller, which ``session`` has begun.
     """
 
@@ -57,29 +61,57 @@ class Heartbeats:
         - ``wait`` if the operator has not confirmed the job yet;
         - ``wait`` if the operator has confirmed the job but requested a hold; the job is stored as
           ``held`` until the operator resumes it;
+        - ``wait`` if the lease has expired since the operator confirmed the job; the operator must
+          confirm it again, or resume it if it was started already;
         - ``start`` otherwise; the job is stored as ``running``.
         """
+        late = self._is_late(row)
         renewed: dict[str, Any] = {"lease": self._db.clock() + LEASE}
         if row.requested_action == "cancel":
             self._claimed.change(session, row, renewed)
             return "cancel"
+        if late and row.state == State.QUEUED:
+            self._await_confirmation(session, row, renewed)
+            return "wait"
         if row.confirmation == Confirmation.AWAITED:
             self._claimed.change(session, row, renewed)
             return "wait"
         # If the job is already running, the answer with ``start`` was lost.
-        starts = row.requested_action == "resume" or (
-            row.state != State.HELD and row.requested_action != "hold"
-        )
+        resumes = row.requested_action == "resume"
+        holds = row.state == State.HELD or row.requested_action == "hold"
+        starts = not late and (resumes or not holds)
         goal = State.RUNNING if starts else State.HELD
         renewed["requested_action"] = ""
         if row.state == State.QUEUED:
             self._claimed.start(session, row, **renewed)
         elif row.state != goal:
             event = Message("job.started" if starts else "job.held-before-start")
+            if late:
+                event = Message("job.at-line", line=0)
             self._claimed.move(session, row, goal, event, **renewed)
         else:
             self._claimed.change(session, row, renewed)
         return "start" if starts else "wait"
+
+    def _is_late(self, row: Job) -> bool:
+        """Return whether the lease of a job has expired, and its gateway still owns the job."""
+        return row.lease < self._db.clock()
+
+    def _await_confirmation(self, session: Session, row: Job, renewed: dict[str, Any]) -> None:
+        """Let a claimed job wait for a new confirmation, with the renewed lease in ``renewed``."""
+        confirmed = row.confirmation == Confirmation.GIVEN
+        if confirmed:
+            renewed |= {
+                "confirmation": Confirmation.AWAITED.value,
+                "requested_action": "",
+                "updated": self._db.clock(),
+            }
+        self._claimed.change(session, row, renewed)
+        if confirmed:
+            gateway, event = Actor(ActorKind.GATEWAY, row.owner), Message("job.claimed-to-confirm")
+            self._transitions.write_event(
+                session, "job", row.id, State.QUEUED, gateway, event, row.machine
+            )
 
     def answer_running(
         self, session: Session, row: Job, report: GatewayReport, worn: WornStations
@@ -92,6 +124,7 @@ class Heartbeats:
         - ``hold`` if the operator must first confirm the job, or if the machine is not held
           although the operator must confirm the next sheet;
         - ``hold`` or ``resume`` if this action is requested and the machine has not executed it;
+          ``resume`` only if the lease has not expired since the request;
         - ``continue`` in all other cases.
 
         Parameters
@@ -108,9 +141,8 @@ class Heartbeats:
         confirmation, requested = row.confirmation, row.requested_action
         # The action is completed: a resume must not also start the copy after the next, or confirm
         # the end of the program.
-        if requested == ("hold" if report.held else "resume") or (
-            requested == "resume" and (copy_done or report.phase != row.phase)
-        ):
+        late = copy_done or report.phase != row.phase or self._is_late(row)
+        if requested == ("hold" if report.held else "resume") or (requested == "resume" and late):
             requested = ""
         by_hand = confirmation == Confirmation.GIVEN and not row.feeds
         if copy_done and (by_hand or (row.feeds and uses_worn_tool(row, worn))):

@@ -147,6 +147,62 @@ def test_a_waiting_claim_whose_gateway_falls_silent_is_given_back(
     assert (again.id, again.confirmation) == (job.id, "awaited")
 
 
+def test_a_confirmation_does_not_start_the_machine_after_the_lease(
+    store: Store, clock: Clock
+) -> None:
+    job = waiting(store)
+    store.operators.confirm(job.id)
+    # The server was down; it takes no job back soon after its start.
+    clock.now += LEASE + 0.1
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
+    row = store.jobs.get(job.id)
+    assert (row.state, row.confirmation, row.epoch) == ("queued", "awaited", job.epoch)
+    assert str(store.events.of_job(job.id)[-1].message).endswith("confirmation of the operator.")
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
+    store.operators.confirm(job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
+
+
+def test_a_start_that_did_not_arrive_is_not_repeated_after_the_lease(
+    store: Store, clock: Clock
+) -> None:
+    job = waiting(store)
+    store.operators.confirm(job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
+    clock.now += LEASE + 0.1
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
+    assert store.jobs.get(job.id).state == "held"
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
+    store.operators.resume(job.id)
+    clock.now += LEASE + 0.1
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
+    store.operators.resume(job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
+    assert store.jobs.get(job.id).state == "running"
+
+
+def test_a_resume_does_not_move_a_held_machine_after_the_lease(store: Store, clock: Clock) -> None:
+    job = running(store)
+    held = GatewayReport(line=7, held=True)
+    store.gateways.heartbeat(job.id, job.epoch, held)
+    store.operators.resume(job.id)
+    clock.now += LEASE + 0.1
+    assert store.gateways.heartbeat(job.id, job.epoch, held) == "continue"
+    row = store.jobs.get(job.id)
+    assert (row.state, row.requested_action) == ("held", "")
+    store.operators.resume(job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, held) == "resume"
+
+
+@pytest.mark.parametrize("command", ["hold", "cancel"])
+def test_a_request_to_stop_counts_after_the_lease(store: Store, clock: Clock, command: str) -> None:
+    job = running(store)
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=7))
+    getattr(store.operators, command)(job.id)
+    clock.now += LEASE + 0.1
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=8)) == command
+
+
 def test_a_waiting_claim_that_has_run_out_is_not_confirmed_and_goes_to_another_gateway(
     store: Store, clock: Clock
 ) -> None:
