@@ -138,17 +138,20 @@ class Grbl(GrblOperations):
         except ControllerSilent:
             # After a critical alarm grbl answers nothing until it is reset.
             status = None
+        is_safe = False
         if status and status.state not in (State.IDLE, State.CHECK, State.ALARM):
             if not (stop_motion and status.state in (State.RUN, State.HOLD)):
                 raise ControllerError("controller.busy", name=self.name, state=status.state.value)
             await self.stop()
+            is_safe = True
         else:
             await connection.reset()
         status = await self.status()
         if status.state is State.ALARM:
             raise connection.fail(ControllerAlarm("controller.locked-by-alarm", name=self.name))
         await self._read_settings()
-        await recovery.secure(connection, self._safe, self._silence)
+        if not is_safe:
+            await recovery.secure(connection, self._safe, self._silence)
 
     async def _read_settings(self) -> None:
         """Request the options of the controller, and check its settings."""
