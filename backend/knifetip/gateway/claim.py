@@ -155,9 +155,9 @@ class _GatewayLoop:
             await self._server.finish(end)
 
     async def _recover(self) -> None:
-        """Stop the machine if it may still execute a job of the journal.
+        """Stop the machine if it may still execute a job or a dry run of the journal.
 
-        If the gateway was killed while a job ran, the machine may still execute that job.  The
+        If the gateway was killed meanwhile, the machine may still execute it or be held in it.  The
         method connects to the controller, which stops the machine.  If the controller cannot be
         reached, a warning is logged, and the machine is stopped when the gateway next connects.
         """
@@ -511,7 +511,8 @@ async def run_gateway(
     server = JobServer(http, settings, journal)
     link = MachineLink(SafeState.of(settings.machine), connect)
     station = asyncio.create_task(
-        MachineStation(link, server, settings.machine).run(), name="station of the machine"
+        MachineStation(link, server, settings.machine, journal).run(),
+        name="station of the machine",
     )
     try:
         try:

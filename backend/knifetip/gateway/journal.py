@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import logging
 import os
 import re
 import time
@@ -21,6 +22,10 @@ from knifetip.messages import Message, from_json
 
 #: A longer journal (bytes) is renamed to ``.1`` when the next job starts.
 LONG = 8_000_000
+#: Events that precede motion for which the gateway is responsible.
+_MOTION = ("begin", "dry-run")
+
+_log = logging.getLogger(__name__)
 
 
 @dataclass(slots=True)
@@ -60,10 +65,16 @@ def default_path(machine: str, server: str) -> Path:
 
 
 class Journal:
-    """A file to which events of jobs are appended; if its path is None, nothing is stored."""
+    """A file to which events of jobs are appended; if its path is None, nothing is stored.
+
+    ``begin``, ``dry_run`` and ``rest`` raise ``OSError`` if the file cannot be written, so that the
+    machine does not begin.  The other events are omitted with a warning then: a cut must not be
+    interrupted because a disk is full, and the end of a job must still be reported to the server.
+    """
 
     def __init__(self, path: Path | None) -> None:
         self._path = path
+        self._complaint = ""  # the last logged failure to write an event
         self._last: tuple[object, ...] = ()
         self._abandoned: bool | None = None  # None: not read yet
         if path is not None:
@@ -103,6 +114,17 @@ class Journal:
             safe=True,
         )
 
+    def dry_run(self, job: str) -> None:
+        """Record that the machine begins a run above the board, for a job that waits.
+
+        Parameters
+        ----------
+        job
+            Id of the job.
+        """
+        self._abandoned = True
+        self._append({"event": "dry-run", "job": job}, safe=True)
+
     def line(self, job: str, copy: int, executed: int, acknowledged: int) -> None:
         """Record the progress of the machine, if it has changed since the last call.
 
@@ -120,7 +142,7 @@ class Journal:
         now = (job, copy, executed, acknowledged)
         if now != self._last:
             self._last = now
-            self._append(
+            self._append_if_possible(
                 {
                     "event": "line",
                     "job": job,
@@ -140,7 +162,9 @@ class Journal:
         copies_done
             Number of copies executed so far.
         """
-        self._append({"event": "copy", "job": job, "copies_done": copies_done}, safe=True)
+        self._append_if_possible(
+            {"event": "copy", "job": job, "copies_done": copies_done}, safe=True
+        )
 
     def outcome(self, job: str, outcome: str, cause: Message | None) -> None:
         """Record how a job ended, before it is reported to the server.
@@ -160,7 +184,7 @@ class Journal:
             "outcome": outcome,
             "why": _plain(cause),
         }
-        self._append(row, safe=True)
+        self._append_if_possible(row, safe=True)
 
     def end(self, job: str, epoch: int, outcome: str, cause: Message | None) -> None:
         """Record that the server has answered the report of the end of a job.
@@ -177,7 +201,7 @@ class Journal:
         cause
             Cause of the end; None if there is none.
         """
-        self._append(
+        self._append_if_possible(
             {
                 "event": "end",
                 "job": job,
@@ -189,21 +213,21 @@ class Journal:
         )
 
     def rest(self) -> None:
-        """Record that the controller is idle and no longer executes lines of the last job."""
+        """Record that the controller is idle and executes no lines of a job or a dry run."""
         if self.is_abandoned():
             self._append({"event": "rest"}, safe=True)
         self._abandoned = False
 
     def is_abandoned(self) -> bool:
-        """Return whether the controller was not seen idle since the last job of the journal began.
+        """Return whether the controller was not seen idle since a job or a dry run began.
 
-        It may still execute lines of this job or be held in one, even if the end of the job was
-        reported to the server.
+        It may still execute lines of it or be held in one, even if the end of the job was reported
+        to the server.
         """
         if self._abandoned is None:
             self._abandoned = False
             for row in self._rows():
-                self._abandoned = row["event"] == "begin" or (
+                self._abandoned = row["event"] in _MOTION or (
                     self._abandoned and row["event"] != "rest"
                 )
         return self._abandoned
@@ -233,6 +257,17 @@ class Journal:
                     continue  # the line is incomplete after a power failure
                 if isinstance(row, dict) and "event" in row:
                     yield row
+
+    def _append_if_possible(self, row: dict[str, object], *, safe: bool = False) -> None:
+        """Append an event, or log a warning if the file cannot be written."""
+        try:
+            self._append(row, safe=safe)
+        except OSError as error:
+            if (complaint := str(error)) != self._complaint:
+                self._complaint = complaint
+                _log.warning("the journal cannot be written: %s", complaint)
+        else:
+            self._complaint = ""
 
     def _append(self, row: dict[str, object], *, safe: bool = False) -> None:
         if self._path is None:

@@ -38,6 +38,7 @@ from knifetip.gateway.dry_programs import DryPrograms
 from knifetip.gateway.dry_run import DryRun
 from knifetip.gateway.job_run import JobRun
 from knifetip.gateway.job_server import JobServer
+from knifetip.gateway.journal import Journal
 from knifetip.gateway.machine_link import MachineLink
 from knifetip.gateway.open_loop import OpenLoop
 from knifetip.gateway.operations import (
@@ -89,12 +90,17 @@ class MachineStation:
         Server to which the station reports.
     machine
         The machine.
+    journal
+        Journal of the gateway, in which dry runs are recorded.
     """
 
-    def __init__(self, link: MachineLink, server: JobServer, machine: Machine) -> None:
+    def __init__(
+        self, link: MachineLink, server: JobServer, machine: Machine, journal: Journal
+    ) -> None:
         self._link = link
         self._server = server
         self._machine = machine
+        self._journal = journal
         self._programs = DryPrograms(server, machine)
         self._results: list[OperationResult] = []
         self._tasks: set[asyncio.Task[None]] = set()
@@ -310,6 +316,8 @@ class MachineStation:
                 raise OperationExpired("operation.expired", seconds=EXPIRY)
             if self._link.run is not job or not job.is_waiting:
                 raise ControllerError("dry-run.no-job")
+            # A gateway that is killed during the run may leave the machine held.
+            self._journal.dry_run(job.claim.job)
             self._link.dry_run = run
             self._results.append(OperationResult(id, "done"))
             self._wake.set()
@@ -317,6 +325,9 @@ class MachineStation:
                 await run.run(controller)
             finally:
                 self._link.abandoned = controller.fault is not None
+                if not self._link.abandoned:
+                    with suppress(OSError):  # recorded when the machine is next seen idle
+                        self._journal.rest()
 
     async def _prepared(
         self, operation: Operation, job: JobRun, controller: OperableController

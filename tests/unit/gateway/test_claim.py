@@ -457,6 +457,23 @@ async def test_a_gateway_killed_while_it_stopped_the_machine_stops_it_at_the_nex
     assert office.finished[0]["outcome"] == "done"
 
 
+async def test_a_journal_that_cannot_be_written_does_not_interrupt_the_cut(tmp_path: Path) -> None:
+    path = tmp_path / "journal"
+
+    def command(beat: Beat) -> str:
+        if beat["line"] and not path.is_dir():
+            path.unlink()
+            path.mkdir()
+        return "continue"
+
+    office = Office()
+    office.command = command
+    async with table(speed=2.0) as server:
+        await gateway(office, server, journal=path)
+    assert path.is_dir()
+    assert [end["outcome"] for end in office.finished] == ["done"]
+
+
 # Start by the operator
 
 

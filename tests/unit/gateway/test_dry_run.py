@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from pathlib import Path
 from typing import Any
 
 import httpx
@@ -14,9 +15,10 @@ from knifetip.gateway import simulator, station
 from knifetip.gateway.claim import run_gateway
 from knifetip.gateway.grbl import driver
 from knifetip.gateway.job_server import GatewaySettings
+from knifetip.gateway.journal import Journal
 from knifetip.gateway.table import Table
 from knifetip.model.machine import Machine
-from tests.unit.gateway.test_claim import MACHINE, PROGRAM
+from tests.unit.gateway.test_claim import MACHINE, PROGRAM, Office, gateway
 from tests.unit.gateway.test_station import JOG, StationOffice
 
 DRY: dict[str, Any] = {"operation": "dry_run", "share": 1.0}
@@ -24,7 +26,10 @@ DRY: dict[str, Any] = {"operation": "dry_run", "share": 1.0}
 
 @asynccontextmanager
 async def waiting_job(
-    monkeypatch: pytest.MonkeyPatch, speed: float = 50.0, machine: Machine = MACHINE
+    monkeypatch: pytest.MonkeyPatch,
+    speed: float = 50.0,
+    machine: Machine = MACHINE,
+    journal: Path | None = None,
 ) -> AsyncIterator[tuple[StationOffice, Table]]:
     """Run a gateway with a simulated table whose positions are recorded; its job waits."""
     monkeypatch.setattr(station, "WATCHED_INTERVAL", 0.02)
@@ -39,7 +44,9 @@ async def waiting_job(
     ):
         running = asyncio.create_task(
             run_gateway(
-                GatewaySettings("http://office", machine, "table-7", wait=0.1, beat=0.01),
+                GatewaySettings(
+                    "http://office", machine, "table-7", journal=journal, wait=0.1, beat=0.01
+                ),
                 lambda safe, stop_motion: driver.dial(
                     server.address, safe, stop_motion=stop_motion, silence=0.5, poll=0.02
                 ),
@@ -125,6 +132,36 @@ async def test_a_dry_run_is_held_resumed_and_stopped(monkeypatch: pytest.MonkeyP
         assert office.finished == []
         late = await office.result(office.ask(operation="resume"))
         assert late["message"]["code"] == "dry-run.not-running"
+
+
+async def test_a_dry_run_that_a_killed_gateway_left_held_is_stopped_at_the_next_start(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    path = tmp_path / "journal"
+    async with waiting_job(monkeypatch, speed=0.4, journal=path) as (office, _):
+        await office.result(office.ask(**DRY | {"share": 0.5}))
+        await office.result(office.ask(operation="hold"))
+        await activity(office, "held")
+        held = path.read_bytes()
+        await office.result(office.ask(operation="stop_jog"))
+        await activity(office, "stopped")
+        while Journal(path).is_abandoned():
+            await asyncio.sleep(0.01)
+    path.write_bytes(held)
+    next_office = Office()
+    async with await simulator.serve(MACHINE, speed=20.0) as server:
+        host, _, port = server.address.rpartition(":")
+        _, writer = await asyncio.open_connection(host, int(port))
+        async with asyncio.timeout(10.0):
+            writer.write(b"G1 X500 F600\n")
+            while server.table.state != "Run":
+                await asyncio.sleep(0.01)
+            writer.write(b"!")
+            while not server.table.state.startswith("Hold"):
+                await asyncio.sleep(0.01)
+            writer.close()
+        await gateway(next_office, server, journal=path)
+    assert [end["outcome"] for end in next_office.finished] == ["done"]
 
 
 async def test_an_output_that_was_switched_on_by_hand_is_off_in_a_dry_run(

@@ -47,6 +47,42 @@ def test_a_job_is_abandoned_until_the_controller_was_seen_idle(tmp_path: Path) -
     assert Journal(path).is_abandoned()
 
 
+def test_a_dry_run_is_abandoned_until_the_controller_was_seen_idle(tmp_path: Path) -> None:
+    path = tmp_path / "journal"
+    journal = Journal(path)
+    journal.dry_run("a")
+    assert journal.is_abandoned()
+    assert Journal(path).is_abandoned()
+    # It is no job that ran: nothing is reported to the server.
+    assert Journal(path).unfinished() is None
+    journal.rest()
+    assert not Journal(path).is_abandoned()
+
+
+def test_only_what_precedes_motion_must_be_recorded(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    path = tmp_path / "journal"
+    journal = Journal(path)
+    journal.begin("a", 1, "00", 50)
+    path.unlink()
+    path.mkdir()
+    journal.line("a", 0, 12, 20)
+    journal.line("a", 0, 13, 20)
+    journal.copy("a", 1)
+    journal.outcome("a", "done", None)
+    journal.end("a", 1, "done", None)
+    assert [record.getMessage()[:32] for record in caplog.records] == [
+        "the journal cannot be written: ["
+    ]
+    with pytest.raises(OSError, match="directory"):
+        journal.rest()
+    with pytest.raises(OSError, match="directory"):
+        journal.dry_run("b")
+    with pytest.raises(OSError, match="directory"):
+        journal.begin("b", 2, "00", 50)
+
+
 def test_a_line_cut_short_by_the_power_does_not_hide_the_rest(tmp_path: Path) -> None:
     path = tmp_path / "journal"
     journal = Journal(path)
