@@ -26,7 +26,9 @@ _NO_FIELDS: Final[Mapping[str, object]] = {}
 
 _context: ContextVar[Mapping[str, object]] = ContextVar("log_fields", default=_NO_FIELDS)
 
-_NAMES = r"(?:[\w-]*(?:key|token|secret|password|passwd|session)|authorization|signature)"
+# Ends of names.  Patterns for whole names would be tried at each word of a text, up to its end.
+# This takes minutes for a long path of a request, during which no other thread runs.
+_NAMES = r"(?:key|token|secret|password|passwd|session|authorization|signature)"
 #: What is hidden, with the group that stays visible.
 _SECRETS: Final = (
     # Headers and cookies; their values may contain spaces.
@@ -36,10 +38,12 @@ _SECRETS: Final = (
     re.compile(r"(\b(?:set-)?cookie['\"]?\s*[:=]\s*)[^\r\n}]+", re.I),
     re.compile(r"(\b(?:bearer|basic)\s+)[\w.~+/=-]{6,}", re.I),
     # Parameters of URLs and forms, fields of JSON and of records.
-    re.compile(rf"(\b{_NAMES}['\"]?\s*[=:]\s*['\"]?)[^\s&'\",;}}]+", re.I),
+    re.compile(rf"({_NAMES}['\"]?\s*[=:]\s*['\"]?)[^\s&'\",;}}]+", re.I),
     # Passwords in URLs of databases and proxies.
-    re.compile(r"(\b[a-z][a-z0-9+.-]*://[^\s:/@]*:)[^\s@]+(?=@)", re.I),
+    re.compile(r"(://[^\s:/@]{0,256}:)[^\s@]{1,2000}+(?=@)", re.I),
     re.compile(r"(\bwhsec_)[\w+/=-]+"),
+    # The id of an API key stays visible.
+    re.compile(r"(\bkt_[a-z0-9]{10}_)[\w-]+"),
 )
 _secrets: set[str] = set()
 

@@ -21,6 +21,7 @@ _HEADER: Final = "X-Request-ID"
 _ACCEPTED: Final = re.compile(r"[A-Za-z0-9._-]{1,64}")
 _SUBJECT: Final = re.compile(r"/api/(job|drawing)s/([A-Za-z0-9_-]{1,64})(?:/|$)")
 _PROBES: Final = ("/healthz", "/readyz", "/metrics")
+_LONGEST: Final = 1000  # characters of a path in the log
 
 
 class RequestLog:
@@ -66,7 +67,7 @@ class RequestLog:
                     fields["method"], fields["status"] = scope["method"], status
                     fields["duration"] = round(time.monotonic() - begun, 4)
                     # Without the query, which may contain a key.
-                    path = scope["path"]
+                    path = scope["path"][:_LONGEST]
                     _log.log(level, "%s %s", scope["method"], path, extra={logs.FIELDS: fields})
 
 
