@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, cast
 
@@ -24,7 +25,14 @@ from knifetip.jobs.turns import NoTurns, Turns
 _TOPICS = "topics"  # key of a session's topics in ``Session.info``
 
 
-def _sqlite(engine: sa.Engine) -> None:
+def _sqlite(engine: sa.Engine, file: Path) -> None:
+    @on.listens_for(engine, "do_connect")
+    def create_private(*_arguments: object) -> None:
+        # SQLite would let all users of the computer read a new file, which contains secrets of
+        # webhooks.  The files beside it get its permissions.
+        with suppress(OSError):  # it exists, or the driver reports the error
+            os.close(os.open(file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600))
+
     @on.listens_for(engine, "connect")
     def connect(connection: Any, _record: object) -> None:
         # ``begin`` below begins transactions.  By default the driver begins them only before the
@@ -41,10 +49,12 @@ def _sqlite(engine: sa.Engine) -> None:
         connection.exec_driver_sql("BEGIN IMMEDIATE" if writes else "BEGIN")
 
 
-def _check(url: str) -> None:
+def _check(url: str) -> Path | None:
+    """Return the file of an SQLite database, whose folder is made; None for PostgreSQL."""
     file = sqlite_file(url)
     if file is not None:
         file.parent.mkdir(parents=True, exist_ok=True)
+    return file
 
 
 def dialect_url(url: str) -> str:
@@ -80,11 +90,11 @@ class Database:
     def __init__(self, url: str, clock: Callable[[], float] | None = None) -> None:
         self.url = dialect_url(url)
         self.changes = Changes()
-        _check(self.url)
+        file = _check(self.url)
         self._engine = sa.create_engine(self.url, pool_size=10, max_overflow=40)
         self._turns: Turns | NoTurns = NoTurns()
-        if self._engine.dialect.name == "sqlite":
-            _sqlite(self._engine)
+        if file is not None:
+            _sqlite(self._engine, file)
             self._turns = Turns()
             self.clock = clock or time.time
             self.timer = clock or time.monotonic

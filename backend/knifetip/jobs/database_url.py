@@ -7,6 +7,7 @@ from pathlib import Path
 import sqlalchemy as sa
 
 from knifetip.errors import StoreError
+from knifetip.logs import without_secrets
 
 
 def parse_url(url: str) -> sa.URL:
@@ -21,7 +22,7 @@ def parse_url(url: str) -> sa.URL:
         parts = sa.make_url(url)
         if parts.get_backend_name() in ("sqlite", "postgresql", "postgres"):
             return parts
-    except sa.exc.ArgumentError:
+    except (sa.exc.ArgumentError, ValueError):  # the second for a port that is no number
         pass
     raise StoreError("database.bad-url", url=hide_password(url))
 
@@ -63,5 +64,5 @@ def hide_password(url: str) -> str:
     """Return a URL in which ``***`` replaces the password, for logs and messages."""
     try:
         return sa.make_url(url).render_as_string(hide_password=True)
-    except sa.exc.ArgumentError:
-        return url
+    except (sa.exc.ArgumentError, ValueError):
+        return without_secrets(url)

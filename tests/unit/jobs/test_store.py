@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import stat
 import zlib
 from pathlib import Path
 from typing import Any
@@ -41,7 +43,7 @@ from tests.support.job_states import (
     running,
 )
 from tests.support.messages import stored
-from tests.support.stored import Clock
+from tests.support.stored import Clock, migrated_store
 
 MIGRATIONS = Path(migrations.__file__).parent
 
@@ -260,11 +262,26 @@ def test_a_database_with_the_former_names_of_the_import_report_keeps_its_drawing
     assert unpack_columns(bytes(again.edges))[1] == {"fates": ["kept"]}
 
 
+@pytest.mark.skipif(os.name != "posix", reason="file modes of POSIX")
+def test_only_its_owner_can_read_a_new_database(tmp_path: Path) -> None:
+    with migrated_store(f"sqlite:///{tmp_path}/shop.sqlite"):
+        modes = {file.name: stat.S_IMODE(file.stat().st_mode) for file in tmp_path.iterdir()}
+    assert set(modes) == {"shop.sqlite", "shop.sqlite-wal", "shop.sqlite-shm"}
+    assert set(modes.values()) == {0o600}
+
+
 @pytest.mark.parametrize("url", ["nonsense", "sqlite://", "sqlite:///:memory:", "mysql://h/d", ""])
 def test_a_database_that_cannot_be_used_is_refused_with_a_hint(url: str) -> None:
     with pytest.raises(StoreError) as caught:
         Store(url)
     assert "sqlite:///FILE" in caught.value.hint
+
+
+def test_a_password_in_a_url_that_cannot_be_used_is_not_shown() -> None:
+    with pytest.raises(StoreError) as caught:
+        Store("postgresql://shop:s3cret@db.example:port/shop")
+    assert "db.example" in caught.value.text
+    assert "s3cret" not in f"{caught.value.text} {caught.value.hint}"
 
 
 def test_a_profile_counts_its_changes_and_is_never_overwritten_unseen(store: Store) -> None:
