@@ -78,8 +78,8 @@ export function StationPage({ machine: name }: Props) {
       <StationHeader {...shown} />
       {!reached && (
         <p className={css.lost} role="alert" data-testid="no-server">
-          <b>No connection to the server.</b> What you see may be out of date, and nothing that you
-          press would arrive. In danger, use the emergency stop of the machine.
+          <b>No connection to the server.</b> This page may be out of date, and its buttons have no
+          effect. In danger, use the emergency stop of the machine.
         </p>
       )}
       <div className={css.table} data-idle={job === undefined}>

@@ -83,7 +83,7 @@ export function TopBar() {
         <IconHistory size={18} stroke={1.6} />
       </Icon>
       <span className={css.keys}>
-        <Icon label="Shortcuts of keys and mouse (key ?)" act={() => set({ helpOpen: true })}>
+        <Icon label="Keyboard and mouse shortcuts (?)" act={() => set({ helpOpen: true })}>
           <IconKeyboard size={18} stroke={1.6} />
         </Icon>
       </span>

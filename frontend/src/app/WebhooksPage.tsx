@@ -56,7 +56,7 @@ export function WebhooksPage() {
         </Button>
       </header>
       <p className={css.intro}>
-        Changes of jobs and drawings are sent to these URLs, signed as Standard Webhooks.
+        Changes of jobs and drawings are sent to these URLs as signed requests (Standard Webhooks).
         {none && " There are no webhooks yet."}
       </p>
       <Refusal reason={refusal} />

@@ -36,7 +36,7 @@ export const TEXTS = {
     "hint": "Choose another file, or replace it with --replace."
   },
   "backup.foreign": {
-    "text": "The database in the file {file} has no tables of knifetip.",
+    "text": "The database in the file {file} does not contain tables of knifetip.",
     "hint": "Choose a file that knifetip backup has written."
   },
   "backup.missing-row": {
@@ -464,8 +464,8 @@ export const TEXTS = {
     "hint": "Choose another path."
   },
   "content.altered": {
-    "text": "The stored content {address} of {owner} is altered: its bytes do not have this SHA-256.",
-    "hint": "Nothing was sent to a machine. Restore it from a backup, or compile the job again."
+    "text": "The stored content {address} of {owner} is damaged: its SHA-256 does not match.",
+    "hint": "Restore the content from a backup, or compile the job again. Nothing was sent to a machine."
   },
   "content.bad-url": {
     "text": "{url!r} is not the URL of a folder or a bucket.",
@@ -473,7 +473,7 @@ export const TEXTS = {
   },
   "content.missing": {
     "text": "The stored content {address} of {owner} is missing.",
-    "hint": "Nothing was sent to a machine. Check that --store names the folder or bucket of this database; otherwise restore it from a backup, or compile the job again."
+    "hint": "Check that --store names the folder or bucket of this database. If it does, restore the content from a backup, or compile the job again. Nothing was sent to a machine."
   },
   "content.no-obstore": {
     "text": "The package obstore is not installed, which --store {url} needs.",
@@ -481,7 +481,7 @@ export const TEXTS = {
   },
   "content.outside": {
     "text": "The stored content {address} of {owner} is in a folder or bucket outside the database.",
-    "hint": "Start the server and its workers with the option --store that was given when it was stored."
+    "hint": "Start the server and its workers with the same option --store as when the content was stored."
   },
   "content.unavailable": {
     "text": "The store {url} cannot be used: {reason}.",
@@ -820,12 +820,12 @@ export const TEXTS = {
     "hint": "Stop the server and the workers that use it, then try again."
   },
   "database.missing": {
-    "text": "There is no database {file}.",
-    "hint": "Name the database with --database."
+    "text": "The database {file} does not exist.",
+    "hint": "Set the database with --database sqlite:///FILE."
   },
   "database.newer": {
     "text": "The database {url} was written by knifetip {writer} (revision {revision}). knifetip {version} supports revisions up to {newest} and would damage it.",
-    "hint": "Start that version of knifetip or a newer one. To go back to version {version}, restore a backup from before the upgrade."
+    "hint": "Use that version of knifetip or a newer one. To go back to version {version}, restore a backup from before the upgrade."
   },
   "database.newer-unrecorded": {
     "text": "The database {url} has revision {revision} of a newer or changed knifetip. knifetip {version} supports revisions up to {newest} and would damage it.",
@@ -837,7 +837,7 @@ export const TEXTS = {
   },
   "database.older": {
     "text": "The database {url} has revision {revision}; knifetip {version} needs revision {newest}.",
-    "hint": "Stop all servers and workers, make a backup, and run: knifetip db upgrade. Or start one server with --migrate."
+    "hint": "Stop all servers and workers, make a backup, and run: knifetip db upgrade. Alternatively, start one server with --migrate."
   },
   "database.password-file": {
     "text": "The password of the database cannot be read from {file}: {reason}.",
@@ -1180,7 +1180,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.rest-choice": {
-    "text": "{path} must choose one place (from_track or from_line), a station, both, or only whole; copies are for whole only",
+    "text": "{path} must contain whole alone (copies are possible only with it), or a start (from_track or from_line), a station, or both",
     "hint": ""
   },
   "field.sheet-size": {
@@ -2392,7 +2392,7 @@ export const TEXTS = {
     "hint": ""
   },
   "job.answered": {
-    "text": "The verified program of job {job} is used, because its input was the same.",
+    "text": "The verified program of job {job} was reused, because its input is the same.",
     "hint": ""
   },
   "job.at-line": {
@@ -2520,8 +2520,8 @@ export const TEXTS = {
     "hint": "Resume the job."
   },
   "job.no-shortfalls": {
-    "text": "No shortfalls of job {job} can be accepted: the job is not refused, or also for other reasons.",
-    "hint": "Follow the reason for which the job was refused."
+    "text": "The shortfalls of job {job} cannot be accepted, because the job is not refused, or was also refused for another reason.",
+    "hint": "Check the fields state and reason of the job, and correct this other reason first."
   },
   "job.no-work": {
     "text": "The drawing contains nothing that the machine can make: every edge is too short for its tool, or in a place that the cutter does not enter.",
@@ -2620,7 +2620,7 @@ export const TEXTS = {
     "hint": "Choose one of the jobs that GET /api/jobs lists."
   },
   "job.verdict-changed": {
-    "text": "The verdict on job {job} has changed meanwhile.",
+    "text": "The verdict on job {job} has changed since it was read.",
     "hint": "Read the verdict again, then repeat the request."
   },
   "job.verified": {
@@ -2648,12 +2648,12 @@ export const TEXTS = {
     "hint": "{advice}"
   },
   "key.expired-at-once": {
-    "text": "The key would already be expired.",
-    "hint": "Choose a time in the future, or no time for a key that does not expire."
+    "text": "The expiry of the key is in the past.",
+    "hint": "Choose a time in the future, or leave the expiry out for a key that does not expire."
   },
   "key.incomplete": {
-    "text": "A key needs a title and at least one scope.",
-    "hint": "Write in the title what uses the key, and choose its scopes."
+    "text": "An API key must have a title and at least one scope.",
+    "hint": "Enter a title that names the program that uses the key, and choose its scopes."
   },
   "key.unknown": {
     "text": "There is no API key with the id {id}.",
@@ -2708,8 +2708,8 @@ export const TEXTS = {
     "hint": "Choose a thinner tool or a shorter lead-in, or leave more room between the edges."
   },
   "library.acting-text": {
-    "text": "The text {text!r} ({field}) of the {shelf} {name} contains a control character, or one that changes the direction of the text.",
-    "hint": "Type the text again without invisible characters."
+    "text": "The field {field} of the {shelf} {name} contains an invisible control character: {text!r}.",
+    "hint": "Type the text again without control characters and marks of the writing direction."
   },
   "library.bad-if-match": {
     "text": "The header If-Match is {match!r}, which is not a version number.",
@@ -2748,8 +2748,8 @@ export const TEXTS = {
     "hint": "Correct the number, or write it with a decimal point."
   },
   "library.long-text": {
-    "text": "The text {text!r} ({field}) of the {shelf} {name} is longer than {limit} characters.",
-    "hint": "Use a shorter text."
+    "text": "The field {field} of the {shelf} {name} is longer than {limit} characters: {text!r}.",
+    "hint": "Use at most {limit} characters."
   },
   "library.nested-too-deep": {
     "text": "The tables of the {shelf} {name!r} are nested too deeply.",
@@ -2764,8 +2764,8 @@ export const TEXTS = {
     "hint": "Send an object with the fields that GET /api/schemas/{shelf}s describes."
   },
   "library.not-stored": {
-    "text": "The server has no {shelf} of a user with the name {name}.",
-    "hint": "Choose an entry that GET /api/library lists with shipped false."
+    "text": "The server has no user-defined {shelf} with the name {name}.",
+    "hint": "Choose an entry that GET /api/library lists with shipped: false."
   },
   "library.not-toml": {
     "text": "The {shelf} {name!r} is not valid TOML: {reason}.",
@@ -2792,7 +2792,7 @@ export const TEXTS = {
     "hint": "Remove comments and fields that are not needed."
   },
   "library.too-many": {
-    "text": "The server already has {limit} own machines, boards and tools, which is the largest number allowed.",
+    "text": "The server already has {limit} user-defined machines, boards and tools, which is the largest number allowed.",
     "hint": "Delete entries that are not used."
   },
   "library.unknown": {
@@ -2820,24 +2820,24 @@ export const TEXTS = {
     "hint": "Delete files on the server or enlarge its disk, then send the request again. /readyz shows how much is free."
   },
   "limit.disk-low": {
-    "text": "The disk of the server has only {free} MB free, and {least} MB are kept for running jobs, so nothing was stored.",
+    "text": "The disk of the server has only {free} MB free, and {least} MB are reserved for running jobs, so nothing was stored.",
     "hint": "Delete files on the server or enlarge its disk, then send the request again."
   },
   "limit.too-many-connections": {
     "text": "Too many connections to the server are open.",
-    "hint": "Close connections, or try again in a moment."
+    "hint": "Close unused connections, or try again in a moment."
   },
   "limit.too-many-listeners": {
-    "text": "Too many clients listen to the events of the server (limit: {limit}).",
-    "hint": "Close pages of the server that are not needed, or start it with a greater --max-listeners."
+    "text": "Too many event streams of the server are open (limit: {limit}).",
+    "hint": "Close browser pages of the server that are not needed, or start the server with a greater --max-listeners."
   },
   "limit.too-many-requests": {
-    "text": "This client sends too many requests: more than {rate} in a second on average.",
+    "text": "This client sends too many requests: more than {rate} per second on average.",
     "hint": "Send the request again in {seconds} s."
   },
   "limit.too-slow": {
-    "text": "The request did not arrive in time.",
-    "hint": "Send the whole request without a pause. Check the network connection."
+    "text": "The request did not arrive within the time limit.",
+    "hint": "Send the whole request without a pause, and check the network connection."
   },
   "linuxcnc.bad-address": {
     "text": "{address!r} is not the address of a LinuxCNC.",
@@ -3188,23 +3188,23 @@ export const TEXTS = {
     "hint": "Trim the two segments at their intersection, or move one of the segments."
   },
   "oidc.bad-role": {
-    "text": "{pair} maps no value of the provider to a role.",
-    "hint": "Write VALUE=ROLE, with one of {roles:or} as role."
+    "text": "The option --oidc-role {pair} is not valid.",
+    "hint": "Write it as VALUE=ROLE, where ROLE is {roles:or}."
   },
   "oidc.bad-token": {
-    "text": "The sign-in was refused because the token of the provider is wrong: {reason}.",
-    "hint": "Sign in again. If this repeats, let an administrator compare issuer, client id and clocks of provider and server."
+    "text": "The sign-in was refused, because the ID token of the provider is not valid: {reason}.",
+    "hint": "Sign in again. If the error persists, ask an administrator to compare the issuer, the client id and the clocks of provider and server."
   },
   "oidc.bad-url": {
-    "text": "{url} is not a URL of HTTPS.",
+    "text": "{url} is not an https URL.",
     "hint": "Give a URL that begins with https://; http:// is permitted for this computer only."
   },
   "oidc.code-refused": {
-    "text": "The provider has refused the sign-in: {reason}.",
-    "hint": "Sign in again. If this repeats, let an administrator check client id, secret and redirect URL of this server at the provider."
+    "text": "The provider refused the authorization code of the sign-in: {reason}.",
+    "hint": "Sign in again. If the error persists, ask an administrator to check the client id, the secret and the redirect URL of this server at the provider."
   },
   "oidc.declined": {
-    "text": "The provider has not signed you in: {reason}.",
+    "text": "The provider did not sign you in: {reason}.",
     "hint": "Sign in again, or ask the administrator of the provider whether you may use this server."
   },
   "oidc.disabled": {
@@ -3212,35 +3212,35 @@ export const TEXTS = {
     "hint": "An administrator can enable the user with `knifetip user enable`."
   },
   "oidc.no-client": {
-    "text": "The name of this server at the provider is missing.",
-    "hint": "Give it with --oidc-client-id."
+    "text": "The client id of this server at the OpenID Connect provider is missing.",
+    "hint": "Set it with --oidc-client-id."
   },
   "oidc.no-issuer": {
-    "text": "There are options for OpenID Connect, but no provider.",
-    "hint": "Give its URL with --oidc-issuer."
+    "text": "Options for OpenID Connect are set, but the provider is missing.",
+    "hint": "Set the URL of the provider with --oidc-issuer."
   },
   "oidc.no-role": {
-    "text": "{name} has no role at this server.",
-    "hint": "Ask the administrator of the provider for one of the roles or groups that this server knows (--oidc-role)."
+    "text": "The user {name} has no role on this server.",
+    "hint": "Ask the administrator of the provider for one of the roles or groups that the option --oidc-role of this server lists."
   },
   "oidc.no-roles": {
-    "text": "No role of the provider is mapped, so that nobody could sign in.",
-    "hint": "Give at least one --oidc-role VALUE=ROLE, such as shop-admins=admin."
+    "text": "No value of the provider is mapped to a role, so no user could sign in.",
+    "hint": "Set at least one --oidc-role VALUE=ROLE, for example shop-admins=admin."
   },
   "oidc.not-begun": {
-    "text": "This sign-in was not begun in this browser, is too old, or was finished already.",
-    "hint": "Sign in again, and permit cookies of this server."
+    "text": "This sign-in was not started in this browser, has expired, or is already finished.",
+    "hint": "Sign in again. Cookies of this server must be permitted in the browser."
   },
   "oidc.not-installed": {
     "text": "Sign-in by OpenID Connect needs authlib, which is not installed.",
     "hint": "Install it with `pip install 'knifetip[oidc]'`."
   },
   "oidc.unreachable": {
-    "text": "The provider {issuer} does not answer as it should.",
-    "hint": "Try again in a minute; the log of the server has the reason."
+    "text": "The provider {issuer} cannot be reached or sent an invalid answer.",
+    "hint": "Try again in a minute. The log of the server contains the reason."
   },
   "oidc.used": {
-    "text": "This sign-in was used already.",
+    "text": "This sign-in has already been used.",
     "hint": "Sign in again."
   },
   "operation.bad-feed": {
@@ -3436,8 +3436,8 @@ export const TEXTS = {
     "hint": "Export the drawing again from the program that drew it."
   },
   "process.name-taken": {
-    "text": "Another running process of this database has the name {name}.",
-    "hint": "Give each process a name of its own with --name, or stop the other process."
+    "text": "Another process with the name {name} already uses this database.",
+    "hint": "Give each process a different name with --name, or stop the other process."
   },
   "profile.bad-name": {
     "text": "{name!r} is not a valid profile name.",
@@ -3460,7 +3460,7 @@ export const TEXTS = {
     "hint": "Save the profile without the field extends."
   },
   "profile.not-kept": {
-    "text": "The server has no user-made profile with the name {name}.",
+    "text": "The server has no user-defined profile with the name {name}.",
     "hint": "Choose one of the profiles that GET /api/profiles lists."
   },
   "profile.not-toml": {
@@ -3592,8 +3592,8 @@ export const TEXTS = {
     "hint": ""
   },
   "queue.changed": {
-    "text": "The queue of {machine} was changed meanwhile, so the job was not moved.",
-    "hint": "Look at the present order, and move the job again if that is still necessary."
+    "text": "The queue of {machine} has changed since it was displayed, so the job was not moved.",
+    "hint": "Check the new order of the queue, and move the job again if necessary."
   },
   "queue.claimed": {
     "text": "The machine {machine} has taken job {job} from the queue, so its place and its copies cannot be changed.",
@@ -3604,8 +3604,8 @@ export const TEXTS = {
     "hint": ""
   },
   "queue.copies-done": {
-    "text": "{done:# copy|# copies} of job {job} are complete, so it cannot have fewer copies or as many.",
-    "hint": "Enter a greater number, or cancel the job."
+    "text": "{done:# copy|# copies} of job {job} are complete, so the number of copies must be greater.",
+    "hint": "Enter a number greater than {done}, or cancel the job."
   },
   "queue.does-not-fit": {
     "text": "Job {job} was not moved to {machine}. {reason}",
@@ -3749,19 +3749,19 @@ export const TEXTS = {
   },
   "request.one-drawing": {
     "text": "An order needs either a file or the id of a stored drawing.",
-    "hint": "Send the part file or the field file, or the field drawing, and not both."
+    "hint": "Send either the file (form part or JSON field file) or the field drawing, not both."
   },
   "request.refused": {
     "text": "The request was rejected with the HTTP status {status}.",
     "hint": "Correct the request as /api/openapi.json describes."
   },
   "request.scope-missing": {
-    "text": "{principal} may not do this, because the scope {scope} is missing (present: {scopes:, }).",
+    "text": "{principal} lacks the scope {scope}, which this request requires (present: {scopes:, }).",
     "hint": "Sign in as a user with the role {scope}, or use an API key with this scope."
   },
   "request.unknown-zone": {
     "text": "{zone!r} is not the name of a time zone.",
-    "hint": "Use a name such as Europe/Berlin or UTC."
+    "hint": "Use a name of the IANA time zone database, such as Europe/Berlin or UTC."
   },
   "request.upload-too-large": {
     "text": "The file is larger than {limit} MB, which is the limit of this server.",
@@ -3781,7 +3781,7 @@ export const TEXTS = {
   },
   "rest.bound-to-sheet": {
     "text": "Job {job} makes the rest of the one sheet that lies on the machine {machine}.",
-    "hint": "Make one more copy of the whole job, which may have other copies and another machine."
+    "hint": "Order one more copy of the whole job. It can have another machine and number of copies."
   },
   "rest.continued-already": {
     "text": "Job {other} already continues the sheet of job {job}.",
@@ -3825,7 +3825,7 @@ export const TEXTS = {
   },
   "rest.not-executed": {
     "text": "{count} tracks would be left out, although the machine reported only {executed} executed program lines. The first of them is track {track}, of station {station}.",
-    "hint": "Continue from an earlier track. If these tracks are complete on the sheet, state that the tracks left out are made."
+    "hint": "Continue from an earlier track. If these tracks are complete on the sheet, confirm that the skipped tracks are made."
   },
   "rest.old-program": {
     "text": "The program was made by an older version of knifetip, which did not store the tracks of a program.",
@@ -4124,7 +4124,7 @@ export const TEXTS = {
     "hint": "Check the address and the log of the server."
   },
   "server.bad-metrics-address": {
-    "text": "{address!r} is not an address for metrics.",
+    "text": "{address!r} is not a valid value of --metrics-address.",
     "hint": "Write it as HOST:PORT, such as 127.0.0.1:9464 or [::1]:9464."
   },
   "server.busy": {
@@ -4141,7 +4141,7 @@ export const TEXTS = {
   },
   "server.not-started": {
     "text": "The server could not start with the database {database}.",
-    "hint": "Correct the cause, which the lines above this message show."
+    "hint": "Correct the cause, which the lines above this message state."
   },
   "server.stopping": {
     "text": "The server is shutting down and accepts no new requests.",
@@ -4189,7 +4189,7 @@ export const TEXTS = {
   },
   "sign-in.wrong": {
     "text": "The name or the password is wrong.",
-    "hint": "Check both; an administrator can set a new password."
+    "hint": "Check both. An administrator can set a new password."
   },
   "store.no-column": {
     "text": "The {kind} {id} has no {column} yet.",
@@ -4624,23 +4624,23 @@ export const TEXTS = {
     "hint": "Choose one of {known:or}."
   },
   "user.at-provider": {
-    "text": "{name} signs in at a provider and has no password here.",
+    "text": "The user {name} signs in at a provider and has no password on this server.",
     "hint": "Change the password at the provider."
   },
   "user.bad-name": {
-    "text": "{name} is not permitted as the name of a user.",
-    "hint": "Use 1 to 64 letters, digits and . _ @ + -, with a letter or a digit first."
+    "text": "{name} is not a valid name of a user.",
+    "hint": "Use 1 to 64 letters, digits and . _ @ + -, and begin with a letter or a digit."
   },
   "user.bad-password": {
     "text": "The password has {length} characters, but must have {shortest} to {longest}.",
     "hint": "Choose a longer password, for example four words."
   },
   "user.bad-role": {
-    "text": "{role} is not a role of users.",
-    "hint": "Choose one of {roles:or}; gateways use API keys."
+    "text": "A user cannot have the role {role}.",
+    "hint": "Choose {roles:or}. Gateways use API keys instead of users."
   },
   "user.exists": {
-    "text": "There is already a user with the name {name}.",
+    "text": "A user with the name {name} already exists.",
     "hint": "Choose another name, or change that user."
   },
   "user.last-admin": {
@@ -4656,7 +4656,7 @@ export const TEXTS = {
     "hint": "List the users with `knifetip user list`."
   },
   "user.wrong-password": {
-    "text": "The present password is wrong.",
+    "text": "The current password is wrong.",
     "hint": "Enter the password with which you sign in."
   },
   "verify.bad-tolerance": {
@@ -5185,47 +5185,47 @@ export const TEXTS = {
   },
   "watch.folder": {
     "text": "The folder {folder} cannot be used: {reason}.",
-    "hint": "Choose a folder that exists and that you may change."
+    "hint": "Choose an existing folder with read and write permission."
   },
   "watch.large-sidecar": {
     "text": "The file with the fields of the order is larger than {limit} MB.",
     "hint": "Write only the fields of the order into it."
   },
   "watch.no-drawing": {
-    "text": "The drawing {name}, which the order names, has not come into the folder.",
-    "hint": "Put the drawing into the folder, then the order again; or put both into a package *.xjdf.zip."
+    "text": "The drawing {name} of the order did not arrive in the folder.",
+    "hint": "Put the drawing into the folder, then the order again. Or put both into a package *.xjdf.zip."
   },
   "watch.no-object": {
     "text": "The file with the fields of the order is not a JSON object.",
     "hint": "Write a JSON object with the fields of an order, such as board and copies."
   },
   "watch.xjdf-fields": {
-    "text": "The file beside the order in XJDF has {names:, }, which the order itself states.",
-    "hint": "Write only {permitted:or} into it."
+    "text": "The JSON file of the XJDF order contains {names:, }. The XJDF document defines these fields.",
+    "hint": "Remove these fields. Only {permitted:or} may be in the file."
   },
   "webhook.bad-url": {
-    "text": "The URL of the webhook is not usable: {reason}.",
-    "hint": "Give an http or https URL without user name, such as https://erp.example/hooks."
+    "text": "The URL of the webhook is not valid: {reason}.",
+    "hint": "Use an http or https URL without a user name, such as https://erp.example/hooks."
   },
   "webhook.forbidden-address": {
-    "text": "The webhook would be sent to the address {address}, which is not permitted.",
-    "hint": "Give the URL of another system. Addresses of link-local networks and of metadata services are never permitted; private addresses only without --no-webhook-private."
+    "text": "The URL of the webhook has the address {address}, to which this server sends no webhooks.",
+    "hint": "Use the URL of another system. Link-local addresses and addresses of metadata services are never permitted. Private addresses are not permitted if the server runs with --no-webhook-private."
   },
   "webhook.inactive": {
     "text": "The webhook {webhook} is switched off.",
-    "hint": "Switch it on first."
+    "hint": "Switch the webhook on, then try again."
   },
   "webhook.too-many": {
-    "text": "There are already {count} webhooks, which is the limit.",
+    "text": "The server already has {count} webhooks, which is the largest number allowed.",
     "hint": "Delete a webhook that is no longer needed."
   },
   "webhook.unknown": {
-    "text": "There is no webhook {webhook}.",
-    "hint": "GET /api/webhooks lists the webhooks."
+    "text": "The webhook {webhook} does not exist.",
+    "hint": "Choose an id that GET /api/webhooks lists."
   },
   "webhook.unknown-delivery": {
-    "text": "There is no delivery {delivery} of this webhook.",
-    "hint": "GET /api/webhooks/ID/deliveries lists the deliveries of the last 30 days."
+    "text": "The delivery {delivery} of this webhook does not exist.",
+    "hint": "Choose one of the deliveries of the last 30 days, which GET /api/webhooks/ID/deliveries lists."
   },
   "worker.died": {
     "text": "The process that computed the drawing ended unexpectedly (exit code {code}), probably because it used too much memory.",
@@ -5240,24 +5240,24 @@ export const TEXTS = {
     "hint": "Send a smaller drawing, or split the drawing into several drawings."
   },
   "xjdf.bad-name": {
-    "text": "The package has a file with the name {name!r}, which leads out of the package.",
+    "text": "The package contains a file with the unsafe name {name!r}.",
     "hint": "Use relative names without .., backslashes, colons and control characters."
   },
   "xjdf.bad-package": {
     "text": "The package cannot be read: {reason}.",
-    "hint": "Send a ZIP file or multipart/related, not encrypted, with one XJDF and the drawing."
+    "hint": "Send an unencrypted ZIP file or multipart/related body with one XJDF document and the drawing."
   },
   "xjdf.bad-value": {
-    "text": "{place} is {value!r}, which cannot be used.",
-    "hint": "Correct the value as the how-to about XJDF describes."
+    "text": "{place} has the value {value!r}, which is not supported.",
+    "hint": "Use one of the values that the how-to page order-with-xjdf describes."
   },
   "xjdf.many-files": {
     "text": "The package has more than {limit} files.",
     "hint": "Send only the documents of one order and its drawing."
   },
   "xjdf.missing": {
-    "text": "The order has no {place}.",
-    "hint": "Add it, or give the value as a parameter of the request if there is one."
+    "text": "The XJDF order lacks {place}.",
+    "hint": "Add {place} to the document. Machine and board can also be query parameters of the request."
   },
   "xjdf.nested-parts": {
     "text": "A part of the package contains further parts.",
@@ -5269,31 +5269,31 @@ export const TEXTS = {
   },
   "xjdf.no-parts": {
     "text": "The multipart message has no parts.",
-    "hint": "Separate its parts by the boundary of the header Content-Type."
+    "hint": "Separate the parts with the boundary that the header Content-Type states."
   },
   "xjdf.not-xjdf": {
     "text": "The root element of the document is {element}.",
     "hint": "Send an element {wanted} of the namespace {namespace}."
   },
   "xjdf.same-names": {
-    "text": "The package has two files with the same name.",
-    "hint": "Give each file a name of its own."
+    "text": "Two files of the package have the same name.",
+    "hint": "Give each file a different name."
   },
   "xjdf.too-large": {
     "text": "{name} is larger than {limit} MB.",
     "hint": "Send a smaller file."
   },
   "xjdf.twice": {
-    "text": "The order has several values of {place}.",
-    "hint": "Send one order for each of them."
+    "text": "The XJDF order contains several values of {place}.",
+    "hint": "Send a separate order for each value."
   },
   "xjdf.unreadable": {
     "text": "The document is not readable as XML: {reason}.",
     "hint": "Send an XJDF or XJMF document without a document type declaration."
   },
   "xjdf.wrong-count": {
-    "text": "The package contains {names} {count} times instead of once.",
-    "hint": "Send a ZIP file or multipart/related with one XJDF or XJMF and the drawing."
+    "text": "The package must contain exactly one file {names}, but contains {count}.",
+    "hint": "Send a ZIP file or multipart/related body with one XJDF or XJMF document and the drawing."
   },
   "xjmf.many-messages": {
     "text": "The document has more than {limit} messages.",

@@ -33,8 +33,8 @@ import css from "./account.module.css";
 const ROLES: readonly UserRole[] = ["viewer", "designer", "operator", "admin"];
 const SCOPES: readonly AccessScope[] = [...ROLES, "gateway"];
 const PERMITS: Readonly<Record<string, string>> = {
-  viewer: "You can view drawings, jobs and machines. Changes need another role.",
-  designer: "You can upload and change drawings and order jobs. Releasing needs an operator.",
+  viewer: "You can view drawings, jobs and machines, but not change them.",
+  designer: "You can upload and change drawings and order jobs. An operator must release the jobs.",
   operator: "You can order, release and control jobs, and operate machines.",
   admin: "You can do everything, and manage the library, users and keys.",
 };
@@ -44,7 +44,7 @@ export function AccountButton() {
   const me = useMe();
   const [opened, setOpened] = useState(false);
   if (me === undefined) return null;
-  const label = me.kind === "local" ? "Account: no sign-in needed yet" : `Account: ${me.name}`;
+  const label = me.kind === "local" ? "Account: sign-in is not set up yet" : `Account: ${me.name}`;
   return (
     <>
       <Tooltip label={label}>
@@ -73,7 +73,7 @@ function Account({ me }: { me: Me }) {
   return (
     <Tabs defaultValue="own" keepMounted={false}>
       <Tabs.List>
-        <Tabs.Tab value="own">You</Tabs.Tab>
+        <Tabs.Tab value="own">My account</Tabs.Tab>
         <Tabs.Tab value="users">Users</Tabs.Tab>
         <Tabs.Tab value="keys">API keys</Tabs.Tab>
         <Tabs.Tab value="audit">Audit log</Tabs.Tab>
@@ -109,13 +109,13 @@ function Own({ me }: { me: Me }) {
       </Button>
       {me.sign_in === "password" && <OwnPassword />}
       {me.sign_in === "oidc" && (
-        <p>Your password and your role are managed by the provider at which you sign in.</p>
+        <p>Your password and your role are managed by the provider with which you sign in.</p>
       )}
     </section>
   );
 }
 
-/** A form that shows why its request was refused, and what was done. */
+/** A form that shows the result of its request: a confirmation or the error. */
 function RequestForm({
   send,
   label,
@@ -156,8 +156,8 @@ function FirstAdmin() {
   return (
     <section className={css.section} data-testid="first-admin">
       <p>
-        No administrator exists yet: every program on this computer may do everything, and other
-        computers are not served. Create the first administrator here, or with
+        No administrator exists yet. Every program on this computer has full access, and other
+        computers have none. Create the first administrator here or with this command:
       </p>
       <pre className={css.command}>knifetip user add NAME --role admin</pre>
       <RequestForm send={send} label="Create the administrator">
@@ -184,12 +184,12 @@ function NewPassword({ name = "password", label = "Password" }) {
 function OwnPassword() {
   const send = async (form: FormData) => {
     await accounts.changePassword(textOf(form, "current"), textOf(form, "new"));
-    return "The password is changed. Your other sessions have ended.";
+    return "Password changed. Your other sessions were signed out.";
   };
   return (
     <RequestForm send={send} label="Change the password">
       <PasswordInput
-        label="Present password"
+        label="Current password"
         name="current"
         required
         autoComplete="current-password"
@@ -205,7 +205,7 @@ function Users() {
     const name = textOf(form, "name");
     await accounts.createUser(name, textOf(form, "password"), textOf(form, "role") as UserRole);
     await refreshUsers();
-    return `${name} is created.`;
+    return `User ${name} created.`;
   };
   return (
     <section className={css.section} data-testid="users">
@@ -269,7 +269,7 @@ function Keys() {
     const expires = day === "" ? null : new Date(day).toISOString();
     setSecret(await accounts.createKey(textOf(form, "title"), scopes as AccessScope[], expires));
     await refreshKeys();
-    return "Copy the key now: it cannot be shown again.";
+    return "Copy the key now. It cannot be shown again.";
   };
   const revoke = async (id: string) => {
     await accounts.revokeKey(id);
@@ -298,7 +298,13 @@ function Keys() {
         ))}
       </ul>
       <RequestForm send={send} label="Create a key">
-        <TextInput label="What uses it" name="title" required maxLength={100} />
+        <TextInput
+          label="Used by"
+          description="Program that uses the key"
+          name="title"
+          required
+          maxLength={100}
+        />
         <MultiSelect label="Scopes" data={[...SCOPES]} value={scopes} onChange={setScopes} />
         <TextInput label="Expires (optional)" name="expires" type="date" />
       </RequestForm>

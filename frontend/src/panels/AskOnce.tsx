@@ -1,13 +1,13 @@
 /**
- * A question with two large answers, in place of the button that raised it.
+ * A question with two large buttons, in place of the button that opened it.
  *
- * The answers are enabled after a moment: the second tap of a double tap lands on one of them.
+ * The buttons are enabled after a short time, so that a double tap does not press one of them.
  */
 
 import { useEffect, useState } from "react";
 import css from "./station.module.css";
 
-/** Time (ms) in which a second tap of the same press may arrive. */
+/** Time (ms) for which the buttons are disabled: the longest interval of a double tap. */
 const SECOND_TAP = 400;
 
 interface Props {

@@ -1,4 +1,4 @@
-/** Another person has saved a version in between: what differs, and the two ways out. */
+/** Shown if another user has saved a version meanwhile: the differences, and two choices. */
 
 import { Button } from "@mantine/core";
 import type { Definition } from "../api/client";
@@ -7,9 +7,9 @@ import { DifferenceTable } from "./DifferenceTable";
 import css from "./library.module.css";
 
 interface Props {
-  /** What the other person has saved. */
+  /** The version that the other user has saved. */
   readonly theirs: Definition;
-  /** Who has saved it; empty if it is not known. */
+  /** Name of this user; empty if it is not known. */
   readonly by: string;
   readonly mine: Fields;
   readonly onTakeTheirs: () => void;
@@ -21,18 +21,18 @@ export function ConflictCard({ theirs, by, mine, onTakeTheirs, onKeepMine }: Pro
   return (
     <div className={css.conflict} role="alert" data-testid="conflict">
       <b>
-        {by || "Another person"} has saved version {theirs.version} since you began. Nothing of
-        yours was saved.
+        {by || "Another user"} has saved version {theirs.version} since you began. Your changes are
+        not saved.
       </b>
       {changes.length > 0 && (
         <DifferenceTable changes={changes} before={`Version ${theirs.version}`} after="Yours" />
       )}
       <div className={css.add}>
         <Button onClick={onTakeTheirs} data-testid="take-theirs">
-          Load version {theirs.version}, drop my changes
+          Discard my changes and load version {theirs.version}
         </Button>
         <Button variant="default" onClick={onKeepMine} data-testid="keep-mine">
-          Save mine as version {theirs.version + 1}
+          Save my changes as version {theirs.version + 1}
         </Button>
       </div>
     </div>

@@ -49,13 +49,15 @@ export function DeliveryList({ webhook, active, act }: Props) {
           onClick={() => void act(() => webhookService.replayDeadLetters(webhook))}
           data-testid="replay-all"
         >
-          Send all failed again
+          Send all failed deliveries again
         </Button>
       </div>
       {list.error && <p className={css.fault}>{errorText(list.error)}</p>}
       {list.isSuccess && rows.length === 0 && (
         <p className={css.note}>
-          {state === "" ? "Nothing was sent in the last 30 days." : "No delivery is in this state."}
+          {state === ""
+            ? "Nothing was sent in the last 30 days."
+            : "There are no deliveries in this state."}
         </p>
       )}
       <ul className={css.list}>
@@ -105,7 +107,7 @@ function Row({ delivery, webhook, active, replay }: RowProps) {
       {open && (
         <div id={body} className={css.body}>
           {delivery.attempts.length === 0 ? (
-            <p className={css.note}>No attempt has ended yet.</p>
+            <p className={css.note}>No attempt is complete yet.</p>
           ) : (
             <ol className={css.attempts}>
               {delivery.attempts.map((attempt) => (
@@ -113,7 +115,7 @@ function Row({ delivery, webhook, active, replay }: RowProps) {
                   <time dateTime={attempt.at}>{new Date(attempt.at).toLocaleString()}</time>
                   <span>{statusText(attempt)}</span>
                   <span>{durationText(attempt.seconds)}</span>
-                  <span className={css.answer}>{answerText(attempt) || "(empty answer)"}</span>
+                  <span className={css.answer}>{answerText(attempt) || "(empty response)"}</span>
                 </li>
               ))}
             </ol>

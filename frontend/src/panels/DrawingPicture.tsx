@@ -1,4 +1,4 @@
-/** Small picture of a drawing, which is requested again if the server cannot make it now. */
+/** Small picture of a drawing; failed requests are repeated, because a busy server refuses them. */
 
 import { useEffect, useState } from "react";
 
@@ -7,9 +7,9 @@ interface Props {
   readonly className?: string | undefined;
 }
 
-/** Requests after the first one. */
+/** Largest number of repeated requests. */
 const REPEATS = 5;
-/** Pause before the first of them, doubled after each (ms). */
+/** Pause before the first repeated request (ms); each further pause is twice as long. */
 const PAUSE = 1000;
 
 export function DrawingPicture({ src, className }: Props) {
@@ -22,7 +22,7 @@ export function DrawingPicture({ src, className }: Props) {
   }, [attempt, failed]);
   return (
     <img
-      // Another element is another request.
+      // A new key replaces the element, so that the browser sends the request again.
       key={attempt}
       className={className}
       src={src}

@@ -1,16 +1,16 @@
-/** Controls that only some roles may use: disabled for others, with the reason. */
+/** Controls that need a role: disabled, with the reason, for users without it. */
 
 import type { ReactNode } from "react";
 import { type RestrictedRequest, useRefusal } from "../state/accounts";
 import css from "./account.module.css";
 
 interface Props {
-  /** What the controls send; its role is needed. */
+  /** Request that the controls send; it determines the role. */
   readonly request: RestrictedRequest;
   readonly children: ReactNode;
 }
 
-/** Disables all form controls inside for a person without the role, and says why. */
+/** Disables all form controls inside for a user without the role, and shows the reason. */
 export function Permitted({ request, children }: Props) {
   const reason = useRefusal(request);
   return (

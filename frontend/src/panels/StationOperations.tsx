@@ -46,9 +46,9 @@ const WAYS: readonly Way[] = [
     request: { operation: "zero", axes: "XY" },
     question: {
       title: "Set the zero of X and Y here?",
-      text: "Every program from now on is placed from this point. Home the machine to undo it.",
+      text: "From now on all programs start from this point. To undo this, home the machine.",
       yes: "Set zero here",
-      no: "Leave it",
+      no: "Keep the zero",
     },
   },
   {
@@ -60,9 +60,10 @@ const WAYS: readonly Way[] = [
   },
 ];
 
-/** The reason that hinders all operations, stated once; null if some may be possible. */
+/** The reason why all operations are disabled, to be shown once; null if they differ. */
 function commonReason({ machine, station, job, reached }: Props): string | null {
-  if (!reached) return "There is no connection to the server. Nothing that you press would arrive.";
+  if (!reached)
+    return "There is no connection to the server, so the machine cannot be operated from this page.";
   const reasons = WAYS.map(({ operation }) => reasonAgainst(operation, station, machine, job));
   const [first] = reasons;
   return first !== null && reasons.every((one) => one === first) ? (first ?? null) : null;
@@ -161,13 +162,13 @@ function Outputs({ machine, station, job, reached }: Props) {
 
 interface SwitchProps {
   readonly name: string;
-  /** Text in small letters below the name. */
+  /** Text below the name. */
   readonly note: string;
   readonly on: boolean;
   readonly enabled: boolean;
-  /** Why it cannot be switched now; null if it can. */
+  /** Reason why it cannot be switched now; null if it can. */
   readonly reason: string | null;
-  /** Switches it; the title says what is done. */
+  /** Switches it; `title` names the action in the outcome. */
   readonly onSwitch: (on: boolean, title: string) => void;
   readonly testId: string;
 }

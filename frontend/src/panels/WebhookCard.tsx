@@ -19,7 +19,7 @@ interface Props {
   readonly act: (action: () => Promise<unknown>) => Promise<boolean>;
 }
 
-/** What is open below the texts of a webhook. */
+/** The part that is open below the texts of a webhook. */
 type View = "" | "edit" | "deliveries";
 
 export function WebhookCard({ webhook, act }: Props) {
@@ -110,7 +110,7 @@ export function WebhookCard({ webhook, act }: Props) {
           asking === "delete"
             ? {
                 title: "Delete the webhook?",
-                text: `Nothing is sent to ${webhook.url} any more, and its list of deliveries is deleted.`,
+                text: `No more events are sent to ${webhook.url}, and its list of deliveries is deleted.`,
                 yes: "Delete",
                 no: "Keep",
               }
@@ -146,14 +146,14 @@ function Texts({ webhook }: { webhook: Webhook }) {
       )}
       {until !== null && (
         <p className={css.quiet}>
-          {`Signed with the former secret, too, until ${dateTimeText(until)}`}
+          {`Also signed with the old secret until ${dateTimeText(until)}`}
         </p>
       )}
     </div>
   );
 }
 
-/** What became of a test event. */
+/** Result of a test event. */
 function TestResult({ webhook, delivery }: { webhook: string; delivery: string }) {
   const { data } = useQuery(queries.delivery(webhook, delivery));
   const attempt = data?.attempts.at(-1);
@@ -161,7 +161,7 @@ function TestResult({ webhook, delivery }: { webhook: string; delivery: string }
   const result = attempt === undefined ? "open" : data?.state === "delivered" ? "good" : "bad";
   return (
     <div className={css.test} role="status" data-result={result} data-testid="webhook-test-result">
-      <strong>Test: {data === undefined ? "Waits to be sent" : deliveryText(data)}</strong>
+      <strong>Test: {deliveryText(data)}</strong>
       {answer !== "" && <span>{answer}</span>}
     </div>
   );

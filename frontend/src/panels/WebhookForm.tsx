@@ -47,7 +47,7 @@ export function WebhookForm({ fields, label, onSend, onCancel }: Props) {
       />
       <TextInput
         label="Description"
-        placeholder="What uses it"
+        placeholder="System that receives the events"
         value={draft.description}
         onChange={(event) => change({ description: event.currentTarget.value })}
         maxLength={200}

@@ -11,8 +11,8 @@ export function WebhookSecret({ webhook, onClose }: { webhook: NewWebhook; onClo
   return (
     <section className={css.secret} aria-label="Secret of the webhook">
       <p>
-        <strong>Copy the secret now: it is not shown again.</strong>{" "}
-        {until !== null && `Requests carry both signatures until ${dateTimeText(until)}.`}
+        <strong>Copy the secret now. It cannot be shown again.</strong>{" "}
+        {until !== null && `Requests are signed with both secrets until ${dateTimeText(until)}.`}
       </p>
       <Code data-testid="webhook-secret">{webhook.secret}</Code>
       <div className={css.actions}>
@@ -31,18 +31,18 @@ export function WebhookSecret({ webhook, onClose }: { webhook: NewWebhook; onClo
   );
 }
 
-/** Times for which both secrets sign, in hours. */
+/** Choices for the time (h) in which requests are also signed with the old secret. */
 const OVERLAPS = [
   { value: "24", label: "24 hours" },
   { value: "1", label: "1 hour" },
   { value: "168", label: "7 days" },
-  { value: "0", label: "Not at all: it is known to others" },
+  { value: "0", label: "0 hours (the old secret was disclosed)" },
 ];
 
 interface RotationProps {
   readonly opened: boolean;
   readonly onClose: () => void;
-  /** `overlap` in hours. */
+  /** `overlap`: time in which both secrets sign (h). */
   readonly onRotate: (overlap: number) => void;
 }
 
@@ -52,11 +52,11 @@ export function RotationDialog({ opened, onClose, onRotate }: RotationProps) {
     <Modal opened={opened} onClose={onClose} title="Replace the secret?" centered>
       <div className={css.dialog}>
         <p>
-          Requests are signed with both secrets for a time, so that the receiver can be given the
-          new one without losing any. A secret that was replaced before ends now.
+          For the chosen time, requests are signed with both secrets, so that the receiver accepts
+          them before and after you enter the new secret there. Older secrets become invalid now.
         </p>
         <Select
-          label="The present secret still signs for"
+          label="Also sign with the old secret for"
           data={OVERLAPS}
           value={overlap}
           allowDeselect={false}

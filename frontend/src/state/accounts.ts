@@ -1,4 +1,4 @@
-/** Who uses the page, and the users, keys and audit log of the server. */
+/** The user of the page, and the users, keys and audit log of the server. */
 
 import { queryOptions, useQuery } from "@tanstack/react-query";
 import { accounts, type Me, type UserRole } from "../api/accounts";
@@ -47,7 +47,7 @@ const PLURALS: Readonly<Record<UserRole, string>> = {
   admin: "administrators",
 };
 
-/** Why a person may not do what needs a role; null: the person may, or it is not known yet. */
+/** Reason why a user lacks a role; null: the user has it, or is not known yet. */
 export function roleReason(me: Me | undefined, role: UserRole): string | null {
   if (me === undefined || me.scopes.includes(role)) return null;
   return `Only ${PLURALS[role]} can do this. You are signed in as ${me.name} (${roleOf(me.scopes)}).`;
@@ -56,22 +56,22 @@ export function roleReason(me: Me | undefined, role: UserRole): string | null {
 /** Method and path of a request for which a role is needed. */
 export type RestrictedRequest = keyof typeof ROLE_FOR;
 
-/** Why the server would refuse a request of the person; null: it would not, or it is not known. */
+/** Reason why the role of the user does not permit a request; null: permitted, or not known yet. */
 export const useRefusal = (request: RestrictedRequest): string | null =>
   roleReason(useMe(), ROLE_FOR[request]);
 
-/** Whether it is known that the server permits a request of the person. */
+/** Whether the user is known and has the role for a request. */
 export const useIsPermitted = (request: RestrictedRequest): boolean => {
   const me = useMe();
   return me !== undefined && roleReason(me, ROLE_FOR[request]) === null;
 };
 
-/** As `useRefusal`, for code outside of components. */
+/** The same as `useRefusal`, for code outside of components. */
 export const refusalOf = (request: RestrictedRequest): string | null =>
   roleReason(queryClient.getQueryData(accountQueries.me().queryKey), ROLE_FOR[request]);
 
 export const savingOf = (shelf: Shelf) => `PUT /api/v1/${shelf}/{name}` as const;
 
-/** Role of a person: the greatest of the scopes. */
+/** Role of a user: the greatest of the scopes. */
 export const roleOf = (scopes: readonly string[]): string =>
   ROLES.findLast((role) => scopes.includes(role)) ?? "gateway";

@@ -9,7 +9,7 @@ type Attempt = Delivery["attempts"][number];
 /** Every type of event to which an endpoint can subscribe. */
 export const EVENT_LABELS: Readonly<Record<WebhookEvent, string>> = {
   "job.received": "Job received",
-  "job.compiling": "Job: program is computed",
+  "job.compiling": "Job compiling",
   "job.ready": "Job ready",
   "job.queued": "Job queued",
   "job.running": "Job running",
@@ -18,9 +18,9 @@ export const EVENT_LABELS: Readonly<Record<WebhookEvent, string>> = {
   "job.refused": "Job refused",
   "job.interrupted": "Job interrupted",
   "job.scrapped": "Board scrapped",
-  "job.continued": "Job continued by another one",
+  "job.continued": "Job continued by another job",
   "job.cancelled": "Job cancelled",
-  "job.updated": "Job changed otherwise",
+  "job.updated": "Other change of a job",
   "drawing.read": "Drawing uploaded",
   "drawing.changed": "Drawing changed",
   "drawing.deleted": "Drawing deleted",
@@ -42,25 +42,26 @@ export const durationText = (seconds: number): string =>
 export const statusText = ({ status }: Attempt): string =>
   status === 0 ? "No answer" : `Status ${status}`;
 
-/** The beginning of the answer, or why there was none. */
+/** The beginning of the answer, or the reason why there was none. */
 export const answerText = ({ answer, fault }: Attempt): string => answer || fault;
 
-/** What became of a delivery so far. */
-export function deliveryText({ state, attempts, next_attempt: next }: Delivery): string {
-  const attempt = attempts.at(-1);
-  if (attempt === undefined) return "Waits to be sent";
+/** Result of the last attempt of a delivery, and what follows; undefined: not loaded yet. */
+export function deliveryText(delivery: Delivery | undefined): string {
+  const attempt = delivery?.attempts.at(-1);
+  if (delivery === undefined || attempt === undefined) return "Not sent yet";
+  const { state, next_attempt: next } = delivery;
   const result = `${statusText(attempt)} after ${durationText(attempt.seconds)}`;
   if (state === "delivered") return `Delivered: ${result}`;
   if (state === "dead" || next === null) return `Failed: ${result}`;
-  return `${result}; sent again ${dateTimeText(next)}`;
+  return `${result}; next attempt ${dateTimeText(next)}`;
 }
 
-/** Whether an endpoint works, in one line. */
+/** State of an endpoint in one line. */
 export function healthText({ active, failures, last_delivery: last }: Webhook): string {
   if (!active) return "Switched off";
   if (failures > 0)
     return failures === 1 ? "The last attempt failed" : `${failures} failed attempts`;
-  return last === null ? "Nothing sent yet" : "Works";
+  return last === null ? "Nothing sent yet" : "Working";
 }
 
 /** Fetch the endpoints and all deliveries again. */

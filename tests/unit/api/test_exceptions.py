@@ -87,7 +87,7 @@ def test_a_job_that_could_not_be_compiled_has_nothing_to_accept(client: httpx.Cl
     assert job["actions"] == []
     answer = accept(client, job, {"edge": 0, "code": "verify.wide-slit"})
     assert answer.status_code == 409
-    assert "No shortfalls of job" in answer.text
+    assert answer.json()["code"] == "job.no-shortfalls"
 
 
 def exceptions_of(*findings: dict[str, Any], by: str = "ERP") -> dict[str, Any]:

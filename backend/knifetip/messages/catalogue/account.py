@@ -8,12 +8,12 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "key.expired-at-once": entry(
-        "The key would already be expired.",
-        "Choose a time in the future, or no time for a key that does not expire.",
+        "The expiry of the key is in the past.",
+        "Choose a time in the future, or leave the expiry out for a key that does not expire.",
     ),
     "key.incomplete": entry(
-        "A key needs a title and at least one scope.",
-        "Write in the title what uses the key, and choose its scopes.",
+        "An API key must have a title and at least one scope.",
+        "Enter a title that names the program that uses the key, and choose its scopes.",
     ),
     "key.unknown": entry(
         "There is no API key with the id {id}.",
@@ -21,30 +21,30 @@ MESSAGES: Final[Entries] = {
         id="text",
     ),
     "oidc.bad-role": entry(
-        "{pair} maps no value of the provider to a role.",
-        "Write VALUE=ROLE, with one of {roles:or} as role.",
+        "The option --oidc-role {pair} is not valid.",
+        "Write it as VALUE=ROLE, where ROLE is {roles:or}.",
         pair="text",
         roles="texts",
     ),
     "oidc.bad-token": entry(
-        "The sign-in was refused because the token of the provider is wrong: {reason}.",
-        "Sign in again. If this repeats, let an administrator compare issuer, client id and clocks "
-        "of provider and server.",
+        "The sign-in was refused, because the ID token of the provider is not valid: {reason}.",
+        "Sign in again. If the error persists, ask an administrator to compare the issuer, the "
+        "client id and the clocks of provider and server.",
         reason="text",
     ),
     "oidc.bad-url": entry(
-        "{url} is not a URL of HTTPS.",
+        "{url} is not an https URL.",
         "Give a URL that begins with https://; http:// is permitted for this computer only.",
         url="text",
     ),
     "oidc.code-refused": entry(
-        "The provider has refused the sign-in: {reason}.",
-        "Sign in again. If this repeats, let an administrator check client id, secret and redirect "
-        "URL of this server at the provider.",
+        "The provider refused the authorization code of the sign-in: {reason}.",
+        "Sign in again. If the error persists, ask an administrator to check the client id, the "
+        "secret and the redirect URL of this server at the provider.",
         reason="text",
     ),
     "oidc.declined": entry(
-        "The provider has not signed you in: {reason}.",
+        "The provider did not sign you in: {reason}.",
         "Sign in again, or ask the administrator of the provider whether you may use this server.",
         reason="text",
     ),
@@ -54,38 +54,38 @@ MESSAGES: Final[Entries] = {
         name="text",
     ),
     "oidc.no-client": entry(
-        "The name of this server at the provider is missing.",
-        "Give it with --oidc-client-id.",
+        "The client id of this server at the OpenID Connect provider is missing.",
+        "Set it with --oidc-client-id.",
     ),
     "oidc.no-issuer": entry(
-        "There are options for OpenID Connect, but no provider.",
-        "Give its URL with --oidc-issuer.",
+        "Options for OpenID Connect are set, but the provider is missing.",
+        "Set the URL of the provider with --oidc-issuer.",
     ),
     "oidc.no-role": entry(
-        "{name} has no role at this server.",
-        "Ask the administrator of the provider for one of the roles or groups that this server "
-        "knows (--oidc-role).",
+        "The user {name} has no role on this server.",
+        "Ask the administrator of the provider for one of the roles or groups that the option "
+        "--oidc-role of this server lists.",
         name="text",
     ),
     "oidc.no-roles": entry(
-        "No role of the provider is mapped, so that nobody could sign in.",
-        "Give at least one --oidc-role VALUE=ROLE, such as shop-admins=admin.",
+        "No value of the provider is mapped to a role, so no user could sign in.",
+        "Set at least one --oidc-role VALUE=ROLE, for example shop-admins=admin.",
     ),
     "oidc.not-begun": entry(
-        "This sign-in was not begun in this browser, is too old, or was finished already.",
-        "Sign in again, and permit cookies of this server.",
+        "This sign-in was not started in this browser, has expired, or is already finished.",
+        "Sign in again. Cookies of this server must be permitted in the browser.",
     ),
     "oidc.not-installed": entry(
         "Sign-in by OpenID Connect needs authlib, which is not installed.",
         "Install it with `pip install 'knifetip[oidc]'`.",
     ),
     "oidc.unreachable": entry(
-        "The provider {issuer} does not answer as it should.",
-        "Try again in a minute; the log of the server has the reason.",
+        "The provider {issuer} cannot be reached or sent an invalid answer.",
+        "Try again in a minute. The log of the server contains the reason.",
         issuer="text",
     ),
     "oidc.used": entry(
-        "This sign-in was used already.",
+        "This sign-in has already been used.",
         "Sign in again.",
     ),
     "sign-in.slow-down": entry(
@@ -95,16 +95,16 @@ MESSAGES: Final[Entries] = {
     ),
     "sign-in.wrong": entry(
         "The name or the password is wrong.",
-        "Check both; an administrator can set a new password.",
+        "Check both. An administrator can set a new password.",
     ),
     "user.at-provider": entry(
-        "{name} signs in at a provider and has no password here.",
+        "The user {name} signs in at a provider and has no password on this server.",
         "Change the password at the provider.",
         name="text",
     ),
     "user.bad-name": entry(
-        "{name} is not permitted as the name of a user.",
-        "Use 1 to 64 letters, digits and . _ @ + -, with a letter or a digit first.",
+        "{name} is not a valid name of a user.",
+        "Use 1 to 64 letters, digits and . _ @ + -, and begin with a letter or a digit.",
         name="text",
     ),
     "user.bad-password": entry(
@@ -115,13 +115,13 @@ MESSAGES: Final[Entries] = {
         longest="count",
     ),
     "user.bad-role": entry(
-        "{role} is not a role of users.",
-        "Choose one of {roles:or}; gateways use API keys.",
+        "A user cannot have the role {role}.",
+        "Choose {roles:or}. Gateways use API keys instead of users.",
         role="text",
         roles="texts",
     ),
     "user.exists": entry(
-        "There is already a user with the name {name}.",
+        "A user with the name {name} already exists.",
         "Choose another name, or change that user.",
         name="text",
     ),
@@ -140,7 +140,7 @@ MESSAGES: Final[Entries] = {
         name="text",
     ),
     "user.wrong-password": entry(
-        "The present password is wrong.",
+        "The current password is wrong.",
         "Enter the password with which you sign in.",
     ),
 }

@@ -1,4 +1,4 @@
-"""Messages about contents of drawings and jobs: the folder or bucket in which they are kept."""
+"""content: messages about stored files and programs, and the folder or bucket that keeps them."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "content.altered": entry(
-        "The stored content {address} of {owner} is altered: its bytes do not have this SHA-256.",
-        "Nothing was sent to a machine. Restore it from a backup, or compile the job again.",
+        "The stored content {address} of {owner} is damaged: its SHA-256 does not match.",
+        "Restore the content from a backup, or compile the job again. Nothing was sent to a "
+        "machine.",
         owner="text",
         address="text",
     ),
@@ -21,8 +22,8 @@ MESSAGES: Final[Entries] = {
     ),
     "content.missing": entry(
         "The stored content {address} of {owner} is missing.",
-        "Nothing was sent to a machine. Check that --store names the folder or bucket of this "
-        "database; otherwise restore it from a backup, or compile the job again.",
+        "Check that --store names the folder or bucket of this database. If it does, restore the "
+        "content from a backup, or compile the job again. Nothing was sent to a machine.",
         owner="text",
         address="text",
     ),
@@ -33,7 +34,7 @@ MESSAGES: Final[Entries] = {
     ),
     "content.outside": entry(
         "The stored content {address} of {owner} is in a folder or bucket outside the database.",
-        "Start the server and its workers with the option --store that was given when it was "
+        "Start the server and its workers with the same option --store as when the content was "
         "stored.",
         owner="text",
         address="text",

@@ -27,7 +27,7 @@ MESSAGES: Final[Entries] = {
         file="text",
     ),
     "backup.foreign": entry(
-        "The database in the file {file} has no tables of knifetip.",
+        "The database in the file {file} does not contain tables of knifetip.",
         "Choose a file that knifetip backup has written.",
         file="text",
     ),
@@ -66,14 +66,14 @@ MESSAGES: Final[Entries] = {
         file="text",
     ),
     "database.missing": entry(
-        "There is no database {file}.",
-        "Name the database with --database.",
+        "The database {file} does not exist.",
+        "Set the database with --database sqlite:///FILE.",
         file="text",
     ),
     "database.newer": entry(
         "The database {url} was written by knifetip {writer} (revision {revision}). knifetip "
         "{version} supports revisions up to {newest} and would damage it.",
-        "Start that version of knifetip or a newer one. To go back to version {version}, restore "
+        "Use that version of knifetip or a newer one. To go back to version {version}, restore "
         "a backup from before the upgrade.",
         url="text",
         writer="text",
@@ -93,8 +93,8 @@ MESSAGES: Final[Entries] = {
     ),
     "database.older": entry(
         "The database {url} has revision {revision}; knifetip {version} needs revision {newest}.",
-        "Stop all servers and workers, make a backup, and run: knifetip db upgrade. Or start "
-        "one server with --migrate.",
+        "Stop all servers and workers, make a backup, and run: knifetip db upgrade. "
+        "Alternatively, start one server with --migrate.",
         url="text",
         revision="text",
         version="text",

@@ -191,8 +191,8 @@ MESSAGES: Final[Entries] = {
         numbers="texts",
     ),
     "field.rest-choice": entry(
-        "{path} must choose one place (from_track or from_line), a station, both, or only whole; "
-        "copies are for whole only",
+        "{path} must contain whole alone (copies are possible only with it), or a start "
+        "(from_track or from_line), a station, or both",
         path="text",
     ),
     "field.sheet-size": entry(

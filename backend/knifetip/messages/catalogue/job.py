@@ -177,13 +177,13 @@ MESSAGES: Final[Entries] = {
         job="text",
     ),
     "job.no-shortfalls": entry(
-        "No shortfalls of job {job} can be accepted: the job is not refused, or also for other "
-        "reasons.",
-        "Follow the reason for which the job was refused.",
+        "The shortfalls of job {job} cannot be accepted, because the job is not refused, or was "
+        "also refused for another reason.",
+        "Check the fields state and reason of the job, and correct this other reason first.",
         job="text",
     ),
     "job.verdict-changed": entry(
-        "The verdict on job {job} has changed meanwhile.",
+        "The verdict on job {job} has changed since it was read.",
         "Read the verdict again, then repeat the request.",
         job="text",
     ),
@@ -299,7 +299,7 @@ MESSAGES: Final[Entries] = {
         job="text",
     ),
     "job.answered": entry(
-        "The verified program of job {job} is used, because its input was the same.",
+        "The verified program of job {job} was reused, because its input is the same.",
         job="text",
     ),
     "job.verified": entry(

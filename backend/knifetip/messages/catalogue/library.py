@@ -13,17 +13,17 @@ MESSAGES: Final[Entries] = {
         match="text",
     ),
     "library.acting-text": entry(
-        "The text {text!r} ({field}) of the {shelf} {name} contains a control character, or one "
-        "that changes the direction of the text.",
-        "Type the text again without invisible characters.",
+        "The field {field} of the {shelf} {name} contains an invisible control character: "
+        "{text!r}.",
+        "Type the text again without control characters and marks of the writing direction.",
         shelf="text",
         name="text",
         field="text",
         text="text",
     ),
     "library.long-text": entry(
-        "The text {text!r} ({field}) of the {shelf} {name} is longer than {limit} characters.",
-        "Use a shorter text.",
+        "The field {field} of the {shelf} {name} is longer than {limit} characters: {text!r}.",
+        "Use at most {limit} characters.",
         shelf="text",
         name="text",
         field="text",
@@ -110,8 +110,8 @@ MESSAGES: Final[Entries] = {
         reason="text",
     ),
     "library.not-stored": entry(
-        "The server has no {shelf} of a user with the name {name}.",
-        "Choose an entry that GET /api/library lists with shipped false.",
+        "The server has no user-defined {shelf} with the name {name}.",
+        "Choose an entry that GET /api/library lists with shipped: false.",
         shelf="text",
         name="text",
     ),
@@ -153,8 +153,8 @@ MESSAGES: Final[Entries] = {
         limit="count",
     ),
     "library.too-many": entry(
-        "The server already has {limit} own machines, boards and tools, which is the largest "
-        "number allowed.",
+        "The server already has {limit} user-defined machines, boards and tools, which is the "
+        "largest number allowed.",
         "Delete entries that are not used.",
         limit="count",
     ),
@@ -218,7 +218,7 @@ MESSAGES: Final[Entries] = {
         extends="text",
     ),
     "profile.not-kept": entry(
-        "The server has no user-made profile with the name {name}.",
+        "The server has no user-defined profile with the name {name}.",
         "Choose one of the profiles that GET /api/profiles lists.",
         name="text",
     ),

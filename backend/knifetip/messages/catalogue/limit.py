@@ -13,7 +13,7 @@ MESSAGES: Final[Entries] = {
         "shows how much is free.",
     ),
     "limit.disk-low": entry(
-        "The disk of the server has only {free} MB free, and {least} MB are kept for running "
+        "The disk of the server has only {free} MB free, and {least} MB are reserved for running "
         "jobs, so nothing was stored.",
         "Delete files on the server or enlarge its disk, then send the request again.",
         free="count",
@@ -21,22 +21,22 @@ MESSAGES: Final[Entries] = {
     ),
     "limit.too-many-connections": entry(
         "Too many connections to the server are open.",
-        "Close connections, or try again in a moment.",
+        "Close unused connections, or try again in a moment.",
     ),
     "limit.too-many-listeners": entry(
-        "Too many clients listen to the events of the server (limit: {limit}).",
-        "Close pages of the server that are not needed, or start it with a greater "
-        "--max-listeners.",
+        "Too many event streams of the server are open (limit: {limit}).",
+        "Close browser pages of the server that are not needed, or start the server with a "
+        "greater --max-listeners.",
         limit="count",
     ),
     "limit.too-many-requests": entry(
-        "This client sends too many requests: more than {rate} in a second on average.",
+        "This client sends too many requests: more than {rate} per second on average.",
         "Send the request again in {seconds} s.",
         rate="count",
         seconds="count",
     ),
     "limit.too-slow": entry(
-        "The request did not arrive in time.",
-        "Send the whole request without a pause. Check the network connection.",
+        "The request did not arrive within the time limit.",
+        "Send the whole request without a pause, and check the network connection.",
     ),
 }

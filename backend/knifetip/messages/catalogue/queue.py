@@ -16,8 +16,8 @@ MESSAGES: Final[Entries] = {
         job="text",
     ),
     "queue.changed": entry(
-        "The queue of {machine} was changed meanwhile, so the job was not moved.",
-        "Look at the present order, and move the job again if that is still necessary.",
+        "The queue of {machine} has changed since it was displayed, so the job was not moved.",
+        "Check the new order of the queue, and move the job again if necessary.",
         machine="text",
     ),
     "queue.claimed": entry(
@@ -33,9 +33,9 @@ MESSAGES: Final[Entries] = {
         copies="count",
     ),
     "queue.copies-done": entry(
-        "{done:# copy|# copies} of job {job} are complete, so it cannot have fewer copies or as "
-        "many.",
-        "Enter a greater number, or cancel the job.",
+        "{done:# copy|# copies} of job {job} are complete, so the number of copies must be "
+        "greater.",
+        "Enter a number greater than {done}, or cancel the job.",
         job="text",
         done="count",
     ),

@@ -9,7 +9,7 @@ from knifetip.messages.entry import Entries, entry
 MESSAGES: Final[Entries] = {
     "rest.bound-to-sheet": entry(
         "Job {job} makes the rest of the one sheet that lies on the machine {machine}.",
-        "Make one more copy of the whole job, which may have other copies and another machine.",
+        "Order one more copy of the whole job. It can have another machine and number of copies.",
         job="text",
         machine="text",
     ),
@@ -66,8 +66,8 @@ MESSAGES: Final[Entries] = {
     "rest.not-executed": entry(
         "{count} tracks would be left out, although the machine reported only {executed} executed "
         "program lines. The first of them is track {track}, of station {station}.",
-        "Continue from an earlier track. If these tracks are complete on the sheet, state that the "
-        "tracks left out are made.",
+        "Continue from an earlier track. If these tracks are complete on the sheet, confirm that "
+        "the skipped tracks are made.",
         count="count",
         track="count",
         station="count",

@@ -8,12 +8,12 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "process.name-taken": entry(
-        "Another running process of this database has the name {name}.",
-        "Give each process a name of its own with --name, or stop the other process.",
+        "Another process with the name {name} already uses this database.",
+        "Give each process a different name with --name, or stop the other process.",
         name="text",
     ),
     "server.bad-metrics-address": entry(
-        "{address!r} is not an address for metrics.",
+        "{address!r} is not a valid value of --metrics-address.",
         "Write it as HOST:PORT, such as 127.0.0.1:9464 or [::1]:9464.",
         address="text",
     ),
@@ -47,7 +47,7 @@ MESSAGES: Final[Entries] = {
     ),
     "server.not-started": entry(
         "The server could not start with the database {database}.",
-        "Correct the cause, which the lines above this message show.",
+        "Correct the cause, which the lines above this message state.",
         database="text",
     ),
     "server.stopping": entry(
@@ -116,7 +116,7 @@ MESSAGES: Final[Entries] = {
     ),
     "request.one-drawing": entry(
         "An order needs either a file or the id of a stored drawing.",
-        "Send the part file or the field file, or the field drawing, and not both.",
+        "Send either the file (form part or JSON field file) or the field drawing, not both.",
     ),
     "request.not-marked": entry(
         "The request lacks the header X-Knifetip, which protects the server against requests "
@@ -138,7 +138,7 @@ MESSAGES: Final[Entries] = {
         status="count",
     ),
     "request.scope-missing": entry(
-        "{principal} may not do this, because the scope {scope} is missing (present: {scopes:, }).",
+        "{principal} lacks the scope {scope}, which this request requires (present: {scopes:, }).",
         "Sign in as a user with the role {scope}, or use an API key with this scope.",
         principal="text",
         scope="text",
@@ -146,7 +146,7 @@ MESSAGES: Final[Entries] = {
     ),
     "request.unknown-zone": entry(
         "{zone!r} is not the name of a time zone.",
-        "Use a name such as Europe/Berlin or UTC.",
+        "Use a name of the IANA time zone database, such as Europe/Berlin or UTC.",
         zone="text",
     ),
     "request.upload-too-large": entry(

@@ -14,7 +14,7 @@ MESSAGES: Final[Entries] = {
     ),
     "watch.folder": entry(
         "The folder {folder} cannot be used: {reason}.",
-        "Choose a folder that exists and that you may change.",
+        "Choose an existing folder with read and write permission.",
         folder="text",
         reason="text",
     ),
@@ -24,14 +24,15 @@ MESSAGES: Final[Entries] = {
         limit="count",
     ),
     "watch.xjdf-fields": entry(
-        "The file beside the order in XJDF has {names:, }, which the order itself states.",
-        "Write only {permitted:or} into it.",
+        "The JSON file of the XJDF order contains {names:, }. The XJDF document defines these "
+        "fields.",
+        "Remove these fields. Only {permitted:or} may be in the file.",
         names="texts",
         permitted="texts",
     ),
     "watch.no-drawing": entry(
-        "The drawing {name}, which the order names, has not come into the folder.",
-        "Put the drawing into the folder, then the order again; or put both into a package "
+        "The drawing {name} of the order did not arrive in the folder.",
+        "Put the drawing into the folder, then the order again. Or put both into a package "
         "*.xjdf.zip.",
         name="text",
     ),

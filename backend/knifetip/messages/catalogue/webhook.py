@@ -8,34 +8,36 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "webhook.bad-url": entry(
-        "The URL of the webhook is not usable: {reason}.",
-        "Give an http or https URL without user name, such as https://erp.example/hooks.",
+        "The URL of the webhook is not valid: {reason}.",
+        "Use an http or https URL without a user name, such as https://erp.example/hooks.",
         reason="text",
     ),
     "webhook.forbidden-address": entry(
-        "The webhook would be sent to the address {address}, which is not permitted.",
-        "Give the URL of another system. Addresses of link-local networks and of metadata services "
-        "are never permitted; private addresses only without --no-webhook-private.",
+        "The URL of the webhook has the address {address}, to which this server sends no webhooks.",
+        "Use the URL of another system. Link-local addresses and addresses of metadata services "
+        "are never permitted. Private addresses are not permitted if the server runs with "
+        "--no-webhook-private.",
         address="text",
     ),
     "webhook.inactive": entry(
         "The webhook {webhook} is switched off.",
-        "Switch it on first.",
+        "Switch the webhook on, then try again.",
         webhook="text",
     ),
     "webhook.too-many": entry(
-        "There are already {count} webhooks, which is the limit.",
+        "The server already has {count} webhooks, which is the largest number allowed.",
         "Delete a webhook that is no longer needed.",
         count="count",
     ),
     "webhook.unknown": entry(
-        "There is no webhook {webhook}.",
-        "GET /api/webhooks lists the webhooks.",
+        "The webhook {webhook} does not exist.",
+        "Choose an id that GET /api/webhooks lists.",
         webhook="text",
     ),
     "webhook.unknown-delivery": entry(
-        "There is no delivery {delivery} of this webhook.",
-        "GET /api/webhooks/ID/deliveries lists the deliveries of the last 30 days.",
+        "The delivery {delivery} of this webhook does not exist.",
+        "Choose one of the deliveries of the last 30 days, which GET /api/webhooks/ID/deliveries "
+        "lists.",
         delivery="text",
     ),
 }

@@ -20,44 +20,46 @@ MESSAGES: Final[Entries] = {
         namespace="text",
     ),
     "xjdf.missing": entry(
-        "The order has no {place}.",
-        "Add it, or give the value as a parameter of the request if there is one.",
+        "The XJDF order lacks {place}.",
+        "Add {place} to the document. Machine and board can also be query parameters of the "
+        "request.",
         place="text",
     ),
     "xjdf.twice": entry(
-        "The order has several values of {place}.",
-        "Send one order for each of them.",
+        "The XJDF order contains several values of {place}.",
+        "Send a separate order for each value.",
         place="text",
     ),
     "xjdf.bad-value": entry(
-        "{place} is {value!r}, which cannot be used.",
-        "Correct the value as the how-to about XJDF describes.",
+        "{place} has the value {value!r}, which is not supported.",
+        "Use one of the values that the how-to page order-with-xjdf describes.",
         place="text",
         value="text",
     ),
     "xjdf.bad-name": entry(
-        "The package has a file with the name {name!r}, which leads out of the package.",
+        "The package contains a file with the unsafe name {name!r}.",
         "Use relative names without .., backslashes, colons and control characters.",
         name="text",
     ),
     "xjdf.bad-package": entry(
         "The package cannot be read: {reason}.",
-        "Send a ZIP file or multipart/related, not encrypted, with one XJDF and the drawing.",
+        "Send an unencrypted ZIP file or multipart/related body with one XJDF document and the "
+        "drawing.",
         reason="text",
     ),
     "xjdf.wrong-count": entry(
-        "The package contains {names} {count} times instead of once.",
-        "Send a ZIP file or multipart/related with one XJDF or XJMF and the drawing.",
+        "The package must contain exactly one file {names}, but contains {count}.",
+        "Send a ZIP file or multipart/related body with one XJDF or XJMF document and the drawing.",
         names="text",
         count="count",
     ),
     "xjdf.no-parts": entry(
         "The multipart message has no parts.",
-        "Separate its parts by the boundary of the header Content-Type.",
+        "Separate the parts with the boundary that the header Content-Type states.",
     ),
     "xjdf.same-names": entry(
-        "The package has two files with the same name.",
-        "Give each file a name of its own.",
+        "Two files of the package have the same name.",
+        "Give each file a different name.",
     ),
     "xjdf.nested-parts": entry(
         "A part of the package contains further parts.",
