@@ -17,8 +17,8 @@ STINT = 0.01
 LAG = 0.1
 
 
-class Clocked(Protocol):
-    """The part of a simulated table that its clock uses."""
+class ClockedTable(Protocol):
+    """Interface of a simulated table whose time the clock advances."""
 
     speed: float  #: simulated seconds per second of real time
     time: float  #: simulated seconds of motion and dwell
@@ -37,7 +37,7 @@ class Clocked(Protocol):
 class Clock:
     """Clock of one simulated table."""
 
-    def __init__(self, table: Clocked) -> None:
+    def __init__(self, table: ClockedTable) -> None:
         self._table = table
         self._pending_time = 0.0  # simulated seconds that are due, but not simulated yet
 

@@ -2,26 +2,26 @@
 
 The board keeps loaded program lines in a queue (``program_queue``), plans their ramps
 (``planner``), and feeds the chip through its registers (``feeder``, ``execution``).  ``receive``
-processes bytes from the gateway and returns the answers (``answering``, ``commands``);
+processes bytes from the gateway and returns the answers (``board_link``, ``commands``);
 docs/mcx314-link.md describes the protocol.  Time passes only in ``advance``.
 
-If nothing is heard from the gateway while a program runs or is held, the board brings the machine
-into the safe state by itself (``lost_gateway``): it stops, lifts Z and releases all outputs.
+If no request arrives while a program runs or is held, the board brings the machine
+into the safe state by itself (``gateway_watchdog``): it stops, lifts Z and releases all outputs.
 """
 
 from __future__ import annotations
 
 from knifetip.errors import ControllerError
-from knifetip.gateway.mcx314.answering import Answering, LinkFaults
+from knifetip.gateway.mcx314.board_link import BoardLink, LinkFaults
 from knifetip.gateway.mcx314.chip import Chip, ChipRefused
 from knifetip.gateway.mcx314.commands import Commands
 from knifetip.gateway.mcx314.execution import MOMENT, BoardState, Execution
-from knifetip.gateway.mcx314.lost_gateway import LostGateway
+from knifetip.gateway.mcx314.gateway_watchdog import GatewayWatchdog
 from knifetip.gateway.mcx314.outputs import joints_of
-from knifetip.gateway.mcx314.parts import Parts
+from knifetip.gateway.mcx314.parts import BoardParts
 from knifetip.gateway.mcx314.program_queue import BoardProgram
-from knifetip.gateway.mcx314.record import Record, Switched
-from knifetip.gateway.mcx314.refusal import Refused
+from knifetip.gateway.mcx314.record import BoardRecord, Switched
+from knifetip.gateway.mcx314.refusal import RequestRefused
 from knifetip.geometry.columns import F64
 from knifetip.languages.mcx314.wiring import Wiring
 from knifetip.model.machine import Machine
@@ -63,18 +63,20 @@ class Board:
         self.chip = Chip(wiring.multiple)
         self.boot = 0
         self._wiring = wiring
-        self._record = Record(sample)
+        self._record = BoardRecord(sample)
         self._switch_on(homed)
 
     # -- power, buttons and switches --------------------------------------------------------------
 
     def _switch_on(self, homed: bool) -> None:
         self.boot += 1
-        self._parts = Parts.of(self.machine, self._wiring, self.chip, self._record, homed=homed)
+        self._parts = BoardParts.of(
+            self.machine, self._wiring, self.chip, self._record, homed=homed
+        )
         self._execution = Execution(self._parts)
-        self._lost = LostGateway(self._parts, self._execution)
-        self._commands = Commands(self._parts, self._execution, self._lost, self.boot)
-        self._answering = Answering(self._execute, self._lost.record_request)
+        self._watchdog = GatewayWatchdog(self._parts, self._execution)
+        self._commands = Commands(self._parts, self._execution, self._watchdog, self.boot)
+        self._link = BoardLink(self._execute, self._watchdog.record_request)
 
     def reset(self) -> None:
         """Interrupt the power: all outputs are released, and the position is unknown."""
@@ -184,7 +186,7 @@ class Board:
 
         ``seconds`` is the real time since the last call.
         """
-        self._lost.watch(seconds)
+        self._watchdog.watch(seconds)
 
     def _break(self, refused: ChipRefused) -> None:
         """Stop at once because the chip has refused a write of the board."""
@@ -196,24 +198,24 @@ class Board:
     @property
     def requests(self) -> int:
         """Number of valid requests that have arrived."""
-        return self._answering.requests
+        return self._link.requests
 
     @property
     def hangs_up(self) -> bool:
         """Whether the connection breaks now (an injected fault)."""
-        return self._answering.hangs_up(self.faults)
+        return self._link.hangs_up(self.faults)
 
     def connect(self) -> None:
         """Forget the rest of an earlier connection."""
-        self._answering.connect()
+        self._link.connect()
 
     def receive(self, data: bytes) -> bytes:
         """Process received bytes and return the answers."""
-        return self._answering.receive(data, self.faults)
+        return self._link.receive(data, self.faults)
 
     def _execute(self, text: str) -> str:
         try:
             return self._commands.execute(text)
         except ChipRefused as refused:
             self._break(refused)
-            raise Refused("alarm") from None
+            raise RequestRefused("alarm") from None

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from knifetip.gateway.mcx314.execution import Execution
+from knifetip.gateway.mcx314.gateway_watchdog import GatewayWatchdog, Guard
 from knifetip.gateway.mcx314.instructions import AXES
-from knifetip.gateway.mcx314.lost_gateway import Guard, LostGateway
-from knifetip.gateway.mcx314.parts import Parts
+from knifetip.gateway.mcx314.parts import BoardParts
 from knifetip.gateway.mcx314.program_queue import QUEUE
-from knifetip.gateway.mcx314.refusal import Refused, parse_or_refuse
+from knifetip.gateway.mcx314.refusal import RequestRefused, parse_or_refuse
 
 #: Version of the protocol.
 PROTOCOL = 1
@@ -18,16 +18,18 @@ class Commands:
 
     Parameters
     ----------
-    parts, execution, lost
+    parts, execution, watchdog
         The parts of the board, its execution, and its guard.
     boot
         How often the board was switched on.
     """
 
-    def __init__(self, parts: Parts, execution: Execution, lost: LostGateway, boot: int) -> None:
+    def __init__(
+        self, parts: BoardParts, execution: Execution, watchdog: GatewayWatchdog, boot: int
+    ) -> None:
         self._parts = parts
         self._execution = execution
-        self._lost = lost
+        self._watchdog = watchdog
         self._boot = boot
 
     def execute(self, text: str) -> str:
@@ -67,7 +69,7 @@ class Commands:
             case "UNLOCK":
                 self._parts.interlock.unlock()
             case _:
-                raise Refused("unknown")
+                raise RequestRefused("unknown")
         return ""
 
     def _hello(self) -> str:
@@ -101,7 +103,7 @@ class Commands:
             "OSC": int(self._parts.outputs.oscillates),
             "FREE": self._parts.queue.free,
             "BOOT": self._boot,
-            "LOST": int(self._lost.given_up),
+            "LOST": int(self._watchdog.given_up),
             "ALARM": self._parts.interlock.alarm or "-",
         }
         return f"{axes} " + " ".join(f"{key}={value}" for key, value in fields.items())
@@ -111,26 +113,26 @@ class Commands:
         try:
             lift, patience, outputs = rest.split(" ")
             numbers = [int(number) for number in outputs.split(",") if number != "-"]
-            self._lost.guard = Guard(int(patience) / 1e3, int(lift), tuple(numbers))
+            self._watchdog.guard = Guard(int(patience) / 1e3, int(lift), tuple(numbers))
         except ValueError:
-            raise Refused("syntax") from None
+            raise RequestRefused("syntax") from None
 
     def _begin(self, rest: str) -> str:
         """``BEGIN lines``: a new program; return its number."""
         self._execution.require_idle()
         if not rest.isdecimal() or not int(rest):
-            raise Refused("syntax")
-        self._lost.given_up = False
+            raise RequestRefused("syntax")
+        self._watchdog.given_up = False
         return f"PROGRAM={self._execution.begin(int(rest))}"
 
     def _load(self, rest: str) -> str:
         """``LOAD program first instruction|instruction|…``: lines of the running program."""
         words = rest.split(" ", 2)
         if len(words) != 3 or not (words[0].isdecimal() and words[1].isdecimal()):
-            raise Refused("syntax")
+            raise RequestRefused("syntax")
         self._parts.interlock.require_clear()
         if self._execution.discarding:
-            raise Refused("program")
+            raise RequestRefused("program")
         self._parts.queue.load(int(words[0]), int(words[1]), words[2].split("|"))
         return f"FREE={self._parts.queue.free}"
 
@@ -144,7 +146,7 @@ class Commands:
             self._execution.home()
         elif command == "ZERO":
             if not rest or not set(rest) <= set(AXES):
-                raise Refused("syntax")
+                raise RequestRefused("syntax")
             joints = self._execution.joints()
             for letter in rest:
                 axis = AXES.index(letter)

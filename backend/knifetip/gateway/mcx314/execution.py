@@ -12,9 +12,9 @@ from enum import StrEnum
 
 from knifetip.gateway.mcx314.instructions import MOTIONS, Instruction, Name
 from knifetip.gateway.mcx314.outputs import OSCILLATION, joints_of
-from knifetip.gateway.mcx314.parts import Parts
+from knifetip.gateway.mcx314.parts import BoardParts
 from knifetip.gateway.mcx314.planner import Planner, Stretch
-from knifetip.gateway.mcx314.refusal import Refused
+from knifetip.gateway.mcx314.refusal import RequestRefused
 from knifetip.gateway.mcx314.stretches import Joints
 
 #: Times below this value count as 0 (s).
@@ -41,7 +41,7 @@ class Execution:
         The parts that execute it.
     """
 
-    def __init__(self, parts: Parts) -> None:
+    def __init__(self, parts: BoardParts) -> None:
         self.holding = self.discarding = False
         self.dwell = 0.0  #: s that are left of a dwell
         self.at_rest: deque[Callable[[], None]] = deque()  #: steps to do once nothing moves
@@ -81,15 +81,15 @@ class Execution:
         return bool(self._feeder.driving or self._pending or self.dwell > 0.0)
 
     def require_rest(self) -> None:
-        """Raise ``Refused`` unless the machine is at rest."""
+        """Raise ``RequestRefused`` unless the machine is at rest."""
         if self.busy or self.at_rest:
-            raise Refused("moving")
+            raise RequestRefused("moving")
 
     def require_idle(self) -> None:
-        """Raise ``Refused`` unless the machine is at rest and no program runs."""
+        """Raise ``RequestRefused`` unless the machine is at rest and no program runs."""
         self.require_rest()
         if self.state is not BoardState.IDLE:
-            raise Refused("busy", self.state)
+            raise RequestRefused("busy", self.state)
 
     # -- commands ---------------------------------------------------------------------------------
 
@@ -250,7 +250,7 @@ class Execution:
         if self._pending and not instruction.joined:
             return False
         self._queue.items.popleft()
-        stretch = self._stretches.of(line, instruction, self._planned)
+        stretch = self._stretches.motion(line, instruction, self._planned)
         if stretch is None:
             if not self._pending and not self._feeder.driving:
                 self._queue.complete(line)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from knifetip.gateway.mcx314.refusal import Refused
+from knifetip.gateway.mcx314.refusal import RequestRefused
 
 
 @dataclass(slots=True)
@@ -47,13 +47,13 @@ class Interlock:
         self.alarm = ""
 
     def require_clear(self) -> None:
-        """Raise ``Refused`` if there is an alarm."""
+        """Raise ``RequestRefused`` if there is an alarm."""
         if self.alarm:
-            raise Refused("alarm", self.alarm)
+            raise RequestRefused("alarm", self.alarm)
 
     def _require_released(self) -> None:
         if self.pressed:
-            raise Refused("alarm", "emergency")
+            raise RequestRefused("alarm", "emergency")
 
     def _of_homing(self) -> str:
         return "" if self.homed else "unhomed"

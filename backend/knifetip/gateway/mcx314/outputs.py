@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from knifetip.gateway.mcx314.chip import Chip
 from knifetip.gateway.mcx314.feeder import Feeder
-from knifetip.gateway.mcx314.record import Record, Switched
+from knifetip.gateway.mcx314.record import BoardRecord, Switched
 from knifetip.languages.mcx314 import figures
 
 #: Number of the oscillation among the outputs.
@@ -28,7 +28,7 @@ class Outputs:
         Keeps the changes.
     """
 
-    def __init__(self, chip: Chip, feeder: Feeder, record: Record) -> None:
+    def __init__(self, chip: Chip, feeder: Feeder, record: BoardRecord) -> None:
         self.on: set[int] = set()  #: numbers of the outputs that are on
         self.oscillates = False
         self._chip = chip

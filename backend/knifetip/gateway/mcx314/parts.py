@@ -1,4 +1,4 @@
-"""parts: the parts of a board that is switched on; execution, guard and commands share them."""
+"""parts: the objects of which a running board consists; several other modules share them."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from knifetip.gateway.mcx314.feeder import Feeder
 from knifetip.gateway.mcx314.interlock import Interlock
 from knifetip.gateway.mcx314.outputs import Outputs
 from knifetip.gateway.mcx314.program_queue import ProgramQueue
-from knifetip.gateway.mcx314.record import Record
-from knifetip.gateway.mcx314.stretches import Stretches
+from knifetip.gateway.mcx314.record import BoardRecord
+from knifetip.gateway.mcx314.stretches import StretchBuilder
 from knifetip.languages.mcx314.wiring import Wiring
 from knifetip.model.machine import Machine
 
@@ -31,22 +31,22 @@ class _TimedBus:
 
 
 @dataclass(frozen=True, slots=True)
-class Parts:
+class BoardParts:
     """The parts of a board."""
 
     wiring: Wiring  #: how the machine is connected to the chip
     chip: Chip
     feeder: Feeder  #: writes to the chip
     queue: ProgramQueue
-    stretches: Stretches
+    stretches: StretchBuilder
     outputs: Outputs
     interlock: Interlock
-    record: Record  #: outlasts an interruption of the power, as the chip does
+    record: BoardRecord  #: outlasts an interruption of the power, as the chip does
 
     @classmethod
     def of(
-        cls, machine: Machine, wiring: Wiring, chip: Chip, record: Record, *, homed: bool
-    ) -> Parts:
+        cls, machine: Machine, wiring: Wiring, chip: Chip, record: BoardRecord, *, homed: bool
+    ) -> BoardParts:
         """Return the parts of a board that was just switched on; everything is off and at rest."""
         feeder = Feeder(_TimedBus(chip, wiring.refill / 40.0), wiring)
         feeder.stop()
@@ -59,7 +59,7 @@ class Parts:
             chip,
             feeder,
             ProgramQueue(wiring),
-            Stretches(machine, wiring),
+            StretchBuilder(machine, wiring),
             Outputs(chip, feeder, record),
             Interlock(homed),
             record,

@@ -6,7 +6,7 @@ from collections import deque
 from dataclasses import dataclass
 
 from knifetip.gateway.mcx314.instructions import AXES, MOTIONS, Instruction, Name
-from knifetip.gateway.mcx314.refusal import Refused, parse_or_refuse
+from knifetip.gateway.mcx314.refusal import RequestRefused, parse_or_refuse
 from knifetip.languages.mcx314 import figures
 from knifetip.languages.mcx314.wiring import Wiring
 
@@ -85,11 +85,11 @@ class ProgramQueue:
         """
         program = self.program
         if program is None or program.number != number:
-            raise Refused("program")
+            raise RequestRefused("program")
         if first != program.loaded + 1 or program.loaded + len(texts) > program.lines:
-            raise Refused("order", program.loaded + 1)
+            raise RequestRefused("order", program.loaded + 1)
         if len(texts) > self.free:
-            raise Refused("full")
+            raise RequestRefused("full")
         for line, text in enumerate(texts, first):
             self._load_line(program, line, text)
 
@@ -98,18 +98,18 @@ class ProgramQueue:
         if number == 1 and (
             instruction.name is not Name.FORMAT or instruction.number != figures.FORMAT
         ):
-            raise Refused("line", number, "format")
+            raise RequestRefused("line", number, "format")
         if instruction.name is Name.PULSES:
             stated = [instruction.words.get(letter) for letter in AXES]
             if stated != [float(f"{scale:.6f}") for scale in self._wiring.pulses]:
-                raise Refused("line", number, "pulses")
+                raise RequestRefused("line", number, "pulses")
             program.scaled = True
         elif instruction.name not in (None, Name.FORMAT):
             if not program.scaled:
-                raise Refused("line", number, "pulses")
+                raise RequestRefused("line", number, "pulses")
             self._check_motion(number, instruction)
         if (instruction.name is Name.END) != (number == program.lines):
-            raise Refused("line", number, "end")
+            raise RequestRefused("line", number, "end")
         program.loaded = number
         self.items.append((number, instruction))
 
@@ -117,13 +117,13 @@ class ProgramQueue:
         """Refuse a motion that the chip cannot execute."""
         moved = sum(letter in instruction.words for letter in AXES)
         if instruction.name in MOTIONS and not 1 <= moved <= 3:
-            raise Refused("line", number, "axes")
+            raise RequestRefused("line", number, "axes")
         if any(abs(value) > figures.LARGEST for value in instruction.words.values()):
-            raise Refused("line", number, "range")
+            raise RequestRefused("line", number, "range")
         if instruction.name not in MOTIONS or instruction.name is Name.GO:
             return
         fastest = figures.FASTEST * self._wiring.multiple
         if not self._wiring.multiple <= instruction.words.get("V", 0.0) <= fastest:
-            raise Refused("line", number, "speed")
+            raise RequestRefused("line", number, "speed")
         if not any(instruction.ways):
-            raise Refused("line", number, "axes")
+            raise RequestRefused("line", number, "axes")

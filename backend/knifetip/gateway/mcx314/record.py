@@ -25,8 +25,8 @@ class Switched:
 
 
 @dataclass(slots=True)
-class Record:
-    """Events since the board was made, also before an interruption of the power.
+class BoardRecord:
+    """Events since the board was created; they outlast an interruption of its power.
 
     Parameters
     ----------

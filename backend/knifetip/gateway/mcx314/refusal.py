@@ -5,7 +5,7 @@ from __future__ import annotations
 from knifetip.gateway.mcx314.instructions import BadLine, Instruction, parse
 
 
-class Refused(Exception):
+class RequestRefused(Exception):
     """Raised for a request that the board refuses; the first argument is the code."""
 
 
@@ -20,4 +20,4 @@ def parse_or_refuse(text: str, number: int = 0) -> Instruction:
     try:
         return parse(text)
     except BadLine:
-        raise Refused("line", number, "syntax") from None
+        raise RequestRefused("line", number, "syntax") from None

@@ -5,8 +5,8 @@ from __future__ import annotations
 import asyncio
 from contextlib import suppress
 
-from knifetip.gateway.mcx314.answering import LinkFaults
 from knifetip.gateway.mcx314.board import Board
+from knifetip.gateway.mcx314.board_link import LinkFaults
 from knifetip.gateway.simulation_server import SimulationServer
 from knifetip.model.machine import Machine
 

@@ -14,8 +14,8 @@ SLOW = 0.2
 Joints = tuple[int, int, int, int]
 
 
-class Stretches:
-    """Makes the stretches of one machine.
+class StretchBuilder:
+    """Builds the stretches (planned moves of the axes) of one machine.
 
     Parameters
     ----------
@@ -35,7 +35,7 @@ class Stretches:
         """Travel height of Z (pulses)."""
         return round(self._machine.travel_z * self._wiring.pulses[2])
 
-    def of(self, line: int, instruction: Instruction, start: Joints) -> Stretch | None:
+    def motion(self, line: int, instruction: Instruction, start: Joints) -> Stretch | None:
         """Return the stretch of a motion; None if the axes are there already."""
         speed = instruction.words.get("V", 0.0)
         if instruction.name is Name.GO:

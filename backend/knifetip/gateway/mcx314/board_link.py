@@ -1,4 +1,4 @@
-"""answering: answers each request that arrives at the board once, with the faults of the link."""
+"""board_link: executes and answers the requests to the board, and injects faults of the link."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from knifetip.gateway.mcx314.frames import Splitter, pack, unpack
-from knifetip.gateway.mcx314.refusal import Refused
+from knifetip.gateway.mcx314.refusal import RequestRefused
 
 #: Answers that are kept, in case a request is repeated.
 KEPT = 64
@@ -24,14 +24,14 @@ class LinkFaults:
     silent_from: int = 0  #: no request from this one on is executed or answered
 
 
-class Answering:
-    """The board's end of the link.
+class BoardLink:
+    """The board's end of the link between gateway and board; a repeated request is answered again.
 
     Parameters
     ----------
     execute
         Function that executes a request and returns what its answer states; it may raise
-        ``Refused``.
+        ``RequestRefused``.
     on_request
         Function that is called for each request that arrives, also for a repeated one.
     """
@@ -71,7 +71,7 @@ class Answering:
         if (answer := self._answers.get(tag)) is None:
             try:
                 answer = " ".join(filter(None, ["OK", self._execute(text)]))
-            except Refused as refused:
+            except RequestRefused as refused:
                 answer = f"ERR {' '.join(map(str, refused.args))}"
             self._answers[tag] = answer
             if len(self._answers) > KEPT:

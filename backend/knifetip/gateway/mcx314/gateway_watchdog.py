@@ -1,4 +1,4 @@
-"""lost_gateway: brings the machine into its safe state by itself when the gateway is gone."""
+"""gateway_watchdog: brings the machine into its safe state if the gateway sends no requests."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from knifetip.gateway.mcx314.execution import Execution
 from knifetip.gateway.mcx314.outputs import OSCILLATION
-from knifetip.gateway.mcx314.parts import Parts
+from knifetip.gateway.mcx314.parts import BoardParts
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,8 +18,10 @@ class Guard:
     outputs: tuple[int, ...] = ()
 
 
-class LostGateway:
-    """Measures the silence of the gateway; the guard does nothing at first.
+class GatewayWatchdog:
+    """Brings the machine into its safe state after too long a silence of the gateway.
+
+    The guard has no effect until the gateway sets it.
 
     Parameters
     ----------
@@ -29,7 +31,7 @@ class LostGateway:
         Execution that is then aborted.
     """
 
-    def __init__(self, parts: Parts, execution: Execution) -> None:
+    def __init__(self, parts: BoardParts, execution: Execution) -> None:
         self.guard = Guard()
         self.given_up = False  #: the present or last program was aborted by the board
         self._parts = parts
