@@ -99,7 +99,7 @@ class ProviderSignIn(Protocol):
 
     title: str  #: name of the provider on the sign-in page
 
-    async def answer(self, request: Request, ways: signin.Ways) -> Response | None:
+    async def answer(self, request: Request, ways: signin.SignInMethods) -> Response | None:
         """Return the response to a request of a sign-in; None if it is another request."""
 
 
@@ -142,7 +142,7 @@ class Access:
             state["permission"] = partial(self._is_permitted, facts, found)
         answer: Response | None = None
         title = "" if self._provider is None else self._provider.title
-        ways = signin.Ways(proof.closed, bool(self.rules.key), title)
+        ways = signin.SignInMethods(proof.closed, bool(self.rules.key), title)
         if any(ways) and (refused is None or refused.status == 401):
             answer = await self._sign_in(Request(scope, receive), facts, refused, ways)
         elif refused is not None:
@@ -157,7 +157,11 @@ class Access:
         return find_access(self.rules, facts, time.time(), proof) == principal
 
     async def _sign_in(
-        self, request: Request, facts: RequestFacts, refused: Refusal | None, ways: signin.Ways
+        self,
+        request: Request,
+        facts: RequestFacts,
+        refused: Refusal | None,
+        ways: signin.SignInMethods,
     ) -> Response | None:
         """Return the response to a sign-in or to a refused request, or None to forward the request.
 
@@ -200,7 +204,7 @@ class Access:
         return signin.sign_in_page(ways, again="" if own else signin.retry_url(request))
 
     async def _sign_in_user(
-        self, request: Request, fields: Mapping[str, str], ways: signin.Ways
+        self, request: Request, fields: Mapping[str, str], ways: signin.SignInMethods
     ) -> Response:
         address = "" if request.client is None else request.client.host
         try:

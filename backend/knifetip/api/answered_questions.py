@@ -1,7 +1,7 @@
-"""Cache of the orders without an open question about their drawings.
+"""Cache of orders about whose drawings no question is open.
 
-A worker process finds the questions, which takes longer than the storage of the job.  Repeated
-orders of a drawing therefore need no worker process.
+A worker process determines the questions, which takes longer than storing the job.  With this
+cache, repeated orders of a drawing need no worker process.
 """
 
 from __future__ import annotations
@@ -38,10 +38,10 @@ class AnsweredQuestions:
             if len(self._answered) > _REMEMBERED:
                 self._answered.popitem(last=False)
 
-    def alone(self, key: str) -> asyncio.Lock:
-        """Return the lock under which the questions for a key are found.
+    def lock_of(self, key: str) -> asyncio.Lock:
+        """Return the lock of a key; call this method in the event loop.
 
-        Of many equal orders at the same time only one then needs a worker process.  It must be
-        called in the event loop.
+        An order determines the questions while it holds the lock, so only one of several
+        simultaneous orders with the same key needs a worker process.
         """
         return self._alone.setdefault(key, asyncio.Lock())

@@ -43,13 +43,13 @@ from knifetip.api import (
 from knifetip.api.access import Access, ProviderSignIn
 from knifetip.api.account_access import Accounts
 from knifetip.api.api_version import ApiVersion
-from knifetip.api.client_limits import Clients, LimitClients
+from knifetip.api.client_limits import ClientLimiter, Clients
 from knifetip.api.description import Description
 from knifetip.api.documents import Documents
 from knifetip.api.headers import SecurityHeaders
 from knifetip.api.known_fields import KnownFields, names_near, refuse_unknown
 from knifetip.api.limits import Limits
-from knifetip.api.metrics import CountRequests, Metrics, add_numbers, route_templates
+from knifetip.api.metrics import Metrics, RequestCounter, add_numbers, route_templates
 from knifetip.api.metrics import router as metrics_router
 from knifetip.api.problems import problem
 from knifetip.api.queue import ORDERS_AT_ONCE, ORDERS_WAITING, WorkQueue
@@ -66,7 +66,7 @@ from knifetip.api.routing import (
 from knifetip.api.schemas.common import Health, ServiceOut
 from knifetip.api.service import Service, ServiceDep, Settings
 from knifetip.api.site import Site
-from knifetip.api.storage import OK, KeepSpace, Storage
+from knifetip.api.storage import OK, DiskSpaceGuard, Storage
 from knifetip.api.webhook_sender import WebhookSender
 from knifetip.fields import fault_message
 from knifetip.jobs.accounts.scopes import AccessScope
@@ -205,14 +205,14 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.router.default = site
     # The middleware added last is the outermost.
     app.add_middleware(Limits, upload=chosen.upload, body=chosen.body)
-    app.add_middleware(KeepSpace, storage=storage)
-    app.add_middleware(LimitClients, clients=clients)
+    app.add_middleware(DiskSpaceGuard, storage=storage)
+    app.add_middleware(ClientLimiter, clients=clients)
     app.add_middleware(
         Access, rules=chosen.access, accounts=access, provider=_provider(chosen, access)
     )
     app.add_middleware(SecurityHeaders)
     templates = route_templates(app.routes)
-    app.add_middleware(CountRequests, metrics=metrics, templates=templates)
+    app.add_middleware(RequestCounter, metrics=metrics, templates=templates)
     app.add_middleware(ApiVersion)
     app.add_middleware(RequestLog)
     if tracing.is_on():

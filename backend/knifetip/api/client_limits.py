@@ -85,7 +85,7 @@ class Clients:
         self.listeners: Counter[str] = Counter()
 
 
-class LimitClients:
+class ClientLimiter:
     """ASGI middleware that refuses requests of a client beyond its limits with 429.
 
     It must be inside the access control, which finds the principal of a request.

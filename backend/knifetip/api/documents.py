@@ -49,8 +49,8 @@ class Document(Generic[Row]):
     media: str = "application/json"  #: media type
 
 
-class Made(NamedTuple):
-    """A document that was made for a version of its drawing or job."""
+class BuiltDocument(NamedTuple):
+    """A document of one version of a drawing or a job."""
 
     version: str
     content: bytes  #: gzip
@@ -61,9 +61,9 @@ class Documents:
 
     def __init__(self, service: Service) -> None:
         self._service = service
-        self._making: dict[tuple[str, str, str], asyncio.Task[Made]] = {}
+        self._making: dict[tuple[str, str, str], asyncio.Task[BuiltDocument]] = {}
 
-    async def get(self, client: str, row: Row, document: Document[Row]) -> Made:
+    async def get(self, client: str, row: Row, document: Document[Row]) -> BuiltDocument:
         """Return a stored document; a worker process makes it if it is not stored.
 
         Parameters
@@ -80,7 +80,7 @@ class Documents:
             self._service.store.documents.find, row, document.kind, version
         )
         if content is not None:
-            return Made(version, content)
+            return BuiltDocument(version, content)
         key = (document.kind, row.id, version)
         making = self._making.get(key)
         if making is None:
@@ -90,7 +90,7 @@ class Documents:
             making.add_done_callback(lambda _: self._making.pop(key, None))
         return await asyncio.shield(making)
 
-    def _make(self, id: str, document: Document[Row]) -> Made:
+    def _make(self, id: str, document: Document[Row]) -> BuiltDocument:
         """Make a document in a worker process, and store it if it is large."""
         row = document.read(id, *document.columns)
         version = document.version(row)
@@ -101,25 +101,25 @@ class Documents:
             except SQLAlchemyError as error:
                 # The document is made again for the next request.
                 _log.warning("a document was not stored: %s", error)
-        return Made(version, content)
+        return BuiltDocument(version, content)
 
 
-def _make_here(id: str, document: Document[Row]) -> Made:
+def _make_here(id: str, document: Document[Row]) -> BuiltDocument:
     row = document.read(id, *document.columns)
     content = document.task(_no_progress, *document.arguments(row))
-    return Made(document.version(row), content)
+    return BuiltDocument(document.version(row), content)
 
 
 def _no_progress(_stage: object, _fraction: float) -> None:
     pass
 
 
-def _response(made: Made, media: str, *, packed: bool) -> Response:
-    headers = _headers(made.version, weak=packed)
+def _response(built: BuiltDocument, media: str, *, packed: bool) -> Response:
+    headers = _headers(built.version, weak=packed)
     if packed:
         headers["Content-Encoding"] = "gzip"
-        return Response(made.content, media_type=media, headers=headers)
-    return StreamingResponse(unpack(made.content), media_type=media, headers=headers)
+        return Response(built.content, media_type=media, headers=headers)
+    return StreamingResponse(unpack(built.content), media_type=media, headers=headers)
 
 
 def _headers(version: str, *, weak: bool) -> dict[str, str]:
@@ -164,10 +164,10 @@ class Answer:
             return Response(status_code=304, headers=_headers(version, weak=packed))
         if document.calculates or is_large:
             client = Client.of(self.request).name
-            made = await self.documents.get(client, row, document)
+            built = await self.documents.get(client, row, document)
         else:
-            made = await run_in_threadpool(_make_here, id, document)
-        return _response(made, document.media, packed=packed)
+            built = await run_in_threadpool(_make_here, id, document)
+        return _response(built, document.media, packed=packed)
 
 
 # A coroutine: FastAPI would run a plain function on a thread of the shared pool.

@@ -105,7 +105,7 @@ async def create_stored(
     """
     found = await service.orders.run(partial(_create_answered, service, order, key), client)
     while isinstance(found, str):
-        async with service.answered.alone(found):
+        async with service.answered.lock_of(found):
             if found not in service.answered:
                 await service.work.run(partial(_answer, service, order), client)
         # The drawing may have been changed meanwhile.

@@ -19,8 +19,8 @@ _FORM: Final = "multipart/form-data"
 
 
 @dataclass(frozen=True, slots=True)
-class Operation:
-    """Query parameters and body of an operation."""
+class OperationFields:
+    """Names of the query parameters, and schemas of the body, of an operation."""
 
     query: tuple[str, ...]
     bodies: tuple[Mapping[str, Any], ...]  #: schemas of the body, one for each media type
@@ -50,7 +50,7 @@ class KnownFields:
             for operation in path.values()
         }
 
-    def of(self, request: Request) -> Operation | None:
+    def operation_of(self, request: Request) -> OperationFields | None:
         """Return the operation of a request, None if its route is not described."""
         route = request.scope.get("route")
         return self._operations.get(getattr(route, "name", "").strip("_"))
@@ -65,7 +65,7 @@ class KnownFields:
         place
             Location of the parameter or field, such as ``("body", "sheet", "wdith")``.
         """
-        operation = self.of(request)
+        operation = self.operation_of(request)
         if operation is None:
             return ()
         if place[:1] == ("query",):
@@ -76,11 +76,11 @@ class KnownFields:
         return [name for part in parts for name in part.get("properties", {})]
 
 
-def _operation(operation: Mapping[str, Any], schemas: Mapping[str, Any]) -> Operation:
+def _operation(operation: Mapping[str, Any], schemas: Mapping[str, Any]) -> OperationFields:
     content = operation.get("requestBody", {}).get("content", {})
     bodies = [media["schema"] for media in content.values() if "schema" in media]
     form = content.get(_FORM)
-    return Operation(
+    return OperationFields(
         tuple(one["name"] for one in operation.get("parameters", []) if one["in"] == "query"),
         tuple(bodies),
         None if form is None else tuple(_resolved(form["schema"], schemas).get("properties", {})),
@@ -110,7 +110,7 @@ async def refuse_unknown(request: Request) -> None:
         The query, the form or the body of an operation without a body has an unknown name.
     """
     known: KnownFields = request.app.state.known_fields
-    operation = known.of(request)
+    operation = known.operation_of(request)
     if operation is None:
         return
     unknown = [("query", name) for name in request.query_params if not operation.has_query(name)]

@@ -49,7 +49,7 @@ class Metrics(CompileMetrics):
         )
 
 
-class CountRequests:
+class RequestCounter:
     """ASGI middleware that counts requests and measures their time."""
 
     def __init__(

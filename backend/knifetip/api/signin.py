@@ -209,15 +209,15 @@ def retry_url(request: Request) -> str:
     return f"{path}?{urlencode([*request.query_params.multi_items(), (_AGAIN, '1')])}"
 
 
-class Ways(NamedTuple):
-    """Ways to sign in to a server."""
+class SignInMethods(NamedTuple):
+    """The methods with which a user can sign in to a server."""
 
     password: bool  #: by name and password
     key: bool  #: by the key with which the server was started
     provider: str = ""  #: name of the provider of OpenID Connect; empty for none
 
 
-def sign_in_page(ways: Ways, fault: str = "", *, again: str = "") -> Response:
+def sign_in_page(ways: SignInMethods, fault: str = "", *, again: str = "") -> Response:
     """Return the sign-in page as a response with status 401.
 
     Parameters

@@ -77,7 +77,7 @@ class Storage:
         return OK
 
 
-class KeepSpace:
+class DiskSpaceGuard:
     """ASGI middleware that refuses uploads and orders with 507 while too little space is free."""
 
     def __init__(self, app: ASGIApp, storage: Storage) -> None:

@@ -21,7 +21,7 @@ import numpy as np
 from knifetip.cleaning.merge_collinear import FINE
 from knifetip.cleaning.outcomes import report_outcomes
 from knifetip.cleaning.priority import PRIORITY
-from knifetip.cleaning.state import State
+from knifetip.cleaning.state import CleaningState
 from knifetip.errors import GeometryError
 from knifetip.geometry import arc
 from knifetip.geometry.tolerance import POINT
@@ -67,7 +67,7 @@ def clean(dieline: Dieline) -> Cleaned:
     solid = np.flatnonzero(at_work & (length >= POINT))
     empty = np.flatnonzero(at_work & (length < POINT))
     count, every = len(solid), np.concatenate([solid, empty])
-    state = State(
+    state = CleaningState(
         dieline.ends[solid],
         dieline.bulge[solid],
         dieline.line_type[solid],

@@ -11,7 +11,7 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from knifetip.cleaning.state import State
+from knifetip.cleaning.state import CleaningState
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.model.cleaned import Cleaned, CleaningReason, Stretches
@@ -50,7 +50,7 @@ class _Lengths(NamedTuple):
     off_panel: F64  #: length of dropped stretches outside all panels
 
 
-def report_outcomes(dieline: Dieline, length: F64, at_work: Bool, state: State) -> Cleaned:
+def report_outcomes(dieline: Dieline, length: F64, at_work: Bool, state: CleaningState) -> Cleaned:
     """Return the cleaned dieline, with the outcome of every drawn edge.
 
     Current edges whose stretches all overlap another edge get them back: ``state`` is changed.
@@ -149,7 +149,7 @@ def _is_ascending(column: I64) -> bool:
     return bool((column[1:] > column[:-1]).all())
 
 
-def _slots(state: State, count: int) -> tuple[I64, I64]:
+def _slots(state: CleaningState, count: int) -> tuple[I64, I64]:
     """Return where each of the k current edges is placed in the cleaned dieline.
 
     Two arrays, (k,) each, are returned.  The first contains the row of each current edge in the
@@ -207,7 +207,7 @@ def _main_row(row: I64, size: F64, target: I64, overlapping: Bool, count: int) -
 
 
 def _outcomes(
-    state: State, final_rows: _FinalRows, lengths: _Lengths, at_work: Bool
+    state: CleaningState, final_rows: _FinalRows, lengths: _Lengths, at_work: Bool
 ) -> tuple[U8, U8]:
     """Return the outcome and the reason for it, as codes, for each of n drawn edges, (n,) each.
 

@@ -26,7 +26,7 @@ _SLIVER: Final = 1e-12
 
 
 @dataclass(slots=True)
-class State:
+class CleaningState:
     """State between two steps of cleaning: k current edges, and q stretches of drawn edges.
 
     A stretch is a part of a drawn edge that belongs to one current edge, or is dropped.

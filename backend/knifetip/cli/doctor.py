@@ -10,7 +10,7 @@ import typer
 
 from knifetip.cli.access_key import KeyOptions
 from knifetip.cli.checks import computer, machine, server, storage
-from knifetip.cli.checks.finding import Finding, Grade, run
+from knifetip.cli.checks.check_result import CheckResult, Grade, run
 from knifetip.cli.database_options import DatabaseOptions, StoreOptions
 from knifetip.cli.options import expand
 from knifetip.cli.terminal import print_json, print_line
@@ -46,9 +46,9 @@ def doctor(
     Nothing is changed.  Exit code: 0 if all is well, 1 with warnings, 2 with problems.
     """
     headers = access.headers
-    place = storage.Place(chosen.url, chosen.shown, contents.store, host, bool(headers))
-    findings: list[Finding] = []
-    for finding in _findings(place, server_url, headers, machine_name, controller):
+    options = storage.ServerOptions(chosen.url, chosen.shown, contents.store, host, bool(headers))
+    findings: list[CheckResult] = []
+    for finding in _findings(options, server_url, headers, machine_name, controller):
         findings.append(finding)
         if not as_json:
             _print(finding)
@@ -72,15 +72,15 @@ def doctor(
 
 
 def _findings(
-    place: storage.Place, url: str, headers: dict[str, str], name: str, controller: str
-) -> Iterator[Finding]:
+    options: storage.ServerOptions, url: str, headers: dict[str, str], name: str, controller: str
+) -> Iterator[CheckResult]:
     yield from run("python", computer.check_python)
     yield from run("packages", computer.check_packages)
     yield from run("kernels", computer.check_kernels)
-    folder = storage.data_folder(place)
+    folder = storage.data_folder(options)
     folders = [] if folder is None else [folder]
     yield from run("disk", partial(computer.check_disks, folders))
-    yield from run("database", partial(storage.check_database, place))
+    yield from run("database", partial(storage.check_database, options))
     yield from run("serial ports", machine.check_ports)
     if name:
         yield from run("machine", partial(machine.check_machine, name, controller))
@@ -88,7 +88,7 @@ def _findings(
         yield from run("server", partial(server.check_server, url, headers))
 
 
-def _print(finding: Finding) -> None:
+def _print(finding: CheckResult) -> None:
     word = typer.style(f"{_WORDS[finding.grade]:8}", fg=_COLOURS[finding.grade])
     typer.echo(word, nl=False)
     print_line(f"{finding.subject}: {finding.text}")

@@ -48,8 +48,8 @@ _log = logging.getLogger("knifetip.jobs")
 
 
 @dataclass(frozen=True, slots=True)
-class Staged:
-    """Contents for the columns of a row; those in the object store have been written."""
+class StagedContents:
+    """Contents that ``stage`` has prepared for a row; those in the object store are written."""
 
     values: Mapping[str, bytes]  #: by name of the attribute
     addresses: Mapping[str, str]  #: by name of the attribute
@@ -76,7 +76,7 @@ class ContentStore:
         self._db = database
         self._objects = objects
 
-    def stage(self, **values: bytes) -> Staged:
+    def stage(self, **values: bytes) -> StagedContents:
         """Prepare contents for a transaction, and write those that are kept outside the database.
 
         Parameters
@@ -100,7 +100,7 @@ class ContentStore:
             for address, data in large.items():
                 # Also if there is such an object: it may be damaged.
                 self._objects.put(address, data)
-        return Staged(values, addresses, frozenset(large))
+        return StagedContents(values, addresses, frozenset(large))
 
     def _announce(self, addresses: Sequence[str]) -> None:
         """Keep sweeps from deleting objects that are about to be written."""
@@ -114,7 +114,7 @@ class ContentStore:
                     )
                 )
 
-    def keep(self, session: Session, staged: Staged) -> dict[str, str]:
+    def keep(self, session: Session, staged: StagedContents) -> dict[str, str]:
         """Store contents in the transaction that refers to them.
 
         Returns

@@ -22,15 +22,15 @@ _PENDING: Final[sa.ColumnClause[str]] = sa.literal_column("'pending'")
 
 
 @dataclass(frozen=True, slots=True)
-class Measures:
-    """Numbers of a database at one time."""
+class DatabaseMeasures:
+    """Numbers of jobs, gateways and deliveries in a database at one time."""
 
     jobs: dict[tuple[str, str], int]  #: number of jobs by machine and state
     silent: dict[str, float]  #: seconds since the last request of a gateway, by machine
     deliveries: int  #: webhook deliveries that are pending
 
 
-def measure(database: Database, machines: int) -> Measures:
+def measure(database: Database, machines: int) -> DatabaseMeasures:
     """Return the numbers of a database.
 
     Parameters
@@ -64,4 +64,4 @@ def measure(database: Database, machines: int) -> Measures:
         key = (machine if machine in named else "other", state)
         sums[key] = sums.get(key, 0) + count
     silent = {machine: max(0.0, now - last) for machine, last in gateways}
-    return Measures(sums, silent, deliveries)
+    return DatabaseMeasures(sums, silent, deliveries)

@@ -12,7 +12,7 @@ from prometheus_client.registry import Collector
 
 from knifetip.jobs.compile_service import CompileService
 from knifetip.jobs.database import Database
-from knifetip.jobs.measures import Measures, measure
+from knifetip.jobs.measures import DatabaseMeasures, measure
 from knifetip.model.stage import Stage
 
 #: Limits of the buckets of durations.
@@ -61,12 +61,12 @@ def add_database(
     database: Database,
     process: Callable[[], dict[str, tuple[str, float]]],
 ) -> None:
-    """Add the numbers of a database and of a process to a registry; see ``Numbers``."""
-    registry.register(Numbers(lambda: measure(database, _MACHINES), process))
+    """Add the numbers of a database and of a process to a registry; see ``MeasuresCollector``."""
+    registry.register(MeasuresCollector(lambda: measure(database, _MACHINES), process))
 
 
-class Numbers(Collector):
-    """Numbers that are read when the metrics are requested.
+class MeasuresCollector(Collector):
+    """Collector that reads numbers when the metrics are requested.
 
     Parameters
     ----------
@@ -77,7 +77,9 @@ class Numbers(Collector):
     """
 
     def __init__(
-        self, database: Callable[[], Measures], process: Callable[[], dict[str, tuple[str, float]]]
+        self,
+        database: Callable[[], DatabaseMeasures],
+        process: Callable[[], dict[str, tuple[str, float]]],
     ) -> None:
         self._database = database
         self._process = process

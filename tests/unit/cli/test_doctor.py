@@ -17,7 +17,7 @@ from typing import Any
 import pytest
 
 from knifetip.cli.checks import computer, machine, server, storage
-from knifetip.cli.checks.finding import Finding, Grade, run
+from knifetip.cli.checks.check_result import CheckResult, Grade, run
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.job_store import JobOrder
 from knifetip.jobs.store import Store
@@ -27,7 +27,7 @@ from tests.support.command import Command
 from tests.support.stored import add_drawing, migrated_store
 
 
-def grades(findings: Iterator[Finding]) -> dict[str, Grade]:
+def grades(findings: Iterator[CheckResult]) -> dict[str, Grade]:
     """Return the worst grade of each subject; whatever is not well has an advice."""
     found: dict[str, Grade] = {}
     for finding in findings:
@@ -36,8 +36,10 @@ def grades(findings: Iterator[Finding]) -> dict[str, Grade]:
     return found
 
 
-def place(url: str, store: str = "", host: str = "127.0.0.1", key: bool = False) -> storage.Place:
-    return storage.Place(url, url, store, host, key)
+def server_options(
+    url: str, store: str = "", host: str = "127.0.0.1", key: bool = False
+) -> storage.ServerOptions:
+    return storage.ServerOptions(url, url, store, host, key)
 
 
 # The computer
@@ -105,22 +107,24 @@ def test_a_folder_that_cannot_be_written_is_a_problem(tmp_path: Path) -> None:
 def test_a_sound_database(database_url: str) -> None:
     with migrated_store(database_url) as store:
         store.users.add("anna", "correct horse battery", AccessScope.ADMIN)
-    found = grades(storage.check_database(place(database_url)))
+    found = grades(storage.check_database(server_options(database_url)))
     subjects = ("database", "writing", "clock", "store", "accounts", "gateways")
     assert found == dict.fromkeys(subjects, Grade.OK)
 
 
 def test_a_database_that_is_missing_empty_or_unreachable(tmp_path: Path) -> None:
     url = f"sqlite:///{tmp_path}/none.sqlite"
-    assert grades(storage.check_database(place(url))) == {"database": Grade.WARNING}
+    assert grades(storage.check_database(server_options(url))) == {"database": Grade.WARNING}
     assert not (tmp_path / "none.sqlite").exists()
     (tmp_path / "none.sqlite").write_bytes(b"")
-    assert grades(storage.check_database(place(url))) == {"database": Grade.WARNING}
+    assert grades(storage.check_database(server_options(url))) == {"database": Grade.WARNING}
     (tmp_path / "none.sqlite").write_bytes(b"no database at all" * 100)
-    assert grades(storage.check_database(place(url))) == {"database": Grade.PROBLEM}
+    assert grades(storage.check_database(server_options(url))) == {"database": Grade.PROBLEM}
     url = "postgresql://nobody@127.0.0.1:1/none?connect_timeout=2"
-    assert grades(storage.check_database(place(url))) == {"database": Grade.PROBLEM}
-    assert grades(storage.check_database(place("mysql://h/d"))) == {"database": Grade.PROBLEM}
+    assert grades(storage.check_database(server_options(url))) == {"database": Grade.PROBLEM}
+    assert grades(storage.check_database(server_options("mysql://h/d"))) == {
+        "database": Grade.PROBLEM
+    }
 
 
 @pytest.mark.parametrize(("revision", "grade"), [("0089", Grade.WARNING), ("9999", Grade.PROBLEM)])
@@ -131,7 +135,9 @@ def test_the_revision_of_the_tables(tmp_path: Path, revision: str, grade: Grade)
     with closing(sqlite3.connect(file)) as database:
         database.execute("UPDATE alembic_version SET version_num = ?", (revision,))
         database.commit()
-    assert grades(storage.check_database(place(f"sqlite:///{file}"))) == {"database": grade}
+    assert grades(storage.check_database(server_options(f"sqlite:///{file}"))) == {
+        "database": grade
+    }
 
 
 def test_a_database_that_stores_nothing_is_a_problem(tmp_path: Path) -> None:
@@ -143,7 +149,7 @@ def test_a_database_that_stores_nothing_is_a_problem(tmp_path: Path) -> None:
             "CREATE TRIGGER full BEFORE UPDATE ON write_probe "
             "BEGIN SELECT RAISE(ABORT, 'no room'); END"
         )
-    assert grades(storage.check_database(place(url)))["writing"] is Grade.PROBLEM
+    assert grades(storage.check_database(server_options(url)))["writing"] is Grade.PROBLEM
 
 
 def test_the_clock_of_the_database_server(database_url: str) -> None:
@@ -152,7 +158,7 @@ def test_the_clock_of_the_database_server(database_url: str) -> None:
         now = store.database.clock()
         for difference, grade in ((0.0, Grade.OK), (5.0, Grade.WARNING), (60.0, Grade.PROBLEM)):
             late = partial(float, now - difference)
-            found = grades(storage.check_database(place(database_url), late))
+            found = grades(storage.check_database(server_options(database_url), late))
             assert found["clock"] is (Grade.OK if is_file else grade)
 
 
@@ -161,14 +167,17 @@ def test_the_folder_for_large_values(tmp_path: Path) -> None:
     folder = tmp_path / "contents"
     with closing(Store(url, objects=folder.as_uri())) as store:
         store.migrate()
-        assert grades(storage.check_database(place(url, folder.as_uri())))["store"] is Grade.OK
+        assert (
+            grades(storage.check_database(server_options(url, folder.as_uri())))["store"]
+            is Grade.OK
+        )
         store.contents.stage(content=b"x" * 5000)
-    assert grades(storage.check_database(place(url)))["store"] is Grade.PROBLEM
+    assert grades(storage.check_database(server_options(url)))["store"] is Grade.PROBLEM
     for path in sorted(folder.rglob("*"), reverse=True):
         path.rmdir() if path.is_dir() else path.unlink()
     folder.rmdir()
     folder.write_bytes(b"")
-    found = grades(storage.check_database(place(url, folder.as_uri())))
+    found = grades(storage.check_database(server_options(url, folder.as_uri())))
     assert Grade.PROBLEM in found.values()
 
 
@@ -184,7 +193,9 @@ def test_without_an_administrator(tmp_path: Path, host: str, key: bool, grade: G
     url = f"sqlite:///{tmp_path}/shop.sqlite"
     with migrated_store(url):
         pass
-    assert grades(storage.check_database(place(url, host=host, key=key)))["accounts"] is grade
+    assert (
+        grades(storage.check_database(server_options(url, host=host, key=key)))["accounts"] is grade
+    )
 
 
 def test_jobs_that_wait_for_a_gateway_that_is_not_connected(tmp_path: Path) -> None:
@@ -196,9 +207,9 @@ def test_jobs_that_wait_for_a_gateway_that_is_not_connected(tmp_path: Path) -> N
             session.connection().exec_driver_sql(
                 f"UPDATE job SET state='queued' WHERE id='{job.id}'"
             )
-        assert grades(storage.check_database(place(url)))["gateways"] is Grade.WARNING
+        assert grades(storage.check_database(server_options(url)))["gateways"] is Grade.WARNING
         store.machines.record_contact("demo-table", "gateway")
-        assert grades(storage.check_database(place(url)))["gateways"] is Grade.OK
+        assert grades(storage.check_database(server_options(url)))["gateways"] is Grade.OK
 
 
 # The computer beside a machine
@@ -288,7 +299,7 @@ def test_a_server_that_cannot_be_reached(url: str) -> None:
 # The command
 
 
-def fail(text: str) -> Finding:
+def fail(text: str) -> CheckResult:
     raise RuntimeError(text)
 
 

@@ -19,7 +19,7 @@ from knifetip.errors import (
 )
 from knifetip.gateway.controller import SafeState, State
 from knifetip.gateway.mcx314 import connection, simulator
-from knifetip.gateway.mcx314.answering import LinkFaults
+from knifetip.gateway.mcx314.board_link import LinkFaults
 from knifetip.gateway.mcx314.driver import Mcx314, dial
 from knifetip.gateway.mcx314.link import Link
 from knifetip.gateway.mcx314.simulator import BoardServer

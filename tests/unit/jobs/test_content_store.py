@@ -127,7 +127,7 @@ def test_what_a_transaction_under_way_refers_to_is_not_deleted(
     kept = anywhere.contents.keep
     referred, swept = threading.Event(), threading.Event()
 
-    def keep(session: sa.orm.Session, staged: content_store.Staged) -> dict[str, str]:
+    def keep(session: sa.orm.Session, staged: content_store.StagedContents) -> dict[str, str]:
         columns = kept(session, staged)
         referred.set()
         # With SQLite the sweep waits for this transaction, with PostgreSQL for the row.

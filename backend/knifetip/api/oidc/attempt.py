@@ -18,7 +18,7 @@ LIFETIME: Final = 600
 
 
 @dataclass(frozen=True, slots=True)
-class Attempt:
+class SignInAttempt:
     """An attempt, with the text in the cookie."""
 
     cookie: str  #: ``TIME.RANDOM``
@@ -48,16 +48,16 @@ class Attempt:
         return base64.urlsafe_b64encode(digest).rstrip(b"=").decode("ascii")
 
 
-def new_attempt(now: float) -> Attempt:
+def new_attempt(now: float) -> SignInAttempt:
     """Return a new attempt; ``now`` is in seconds since 1970."""
-    return Attempt(f"{int(now)}.{secrets.token_urlsafe(32)}")
+    return SignInAttempt(f"{int(now)}.{secrets.token_urlsafe(32)}")
 
 
-def attempt_of(cookie: str, now: float) -> Attempt | None:
+def attempt_of(cookie: str, now: float) -> SignInAttempt | None:
     """Return the attempt of a cookie; None if the text is malformed or too old."""
     begun, _, random = cookie.partition(".")
     if not (begun.isascii() and begun.isdecimal() and len(begun) < 16 and len(random) == 43):
         return None
     if not cookie.isascii() or not -60 <= now - int(begun) <= LIFETIME:
         return None
-    return Attempt(cookie)
+    return SignInAttempt(cookie)

@@ -18,7 +18,7 @@ from joserfc import jwt
 from joserfc.errors import JoseError
 from joserfc.jwk import KeySet
 
-from knifetip.api.oidc.attempt import Attempt
+from knifetip.api.oidc.attempt import SignInAttempt
 from knifetip.api.oidc.settings import OidcSettings
 from knifetip.errors import SignInRefused
 from knifetip.jobs.accounts.scopes import ROLES, AccessScope
@@ -59,7 +59,7 @@ class Provider:
         self._lock = asyncio.Lock()
         self._exchanges = asyncio.Semaphore(_AT_ONCE)
 
-    async def sign_in_url(self, attempt: Attempt, redirect: str) -> str:
+    async def sign_in_url(self, attempt: SignInAttempt, redirect: str) -> str:
         """Return the URL at which a user signs in.
 
         Parameters
@@ -88,7 +88,7 @@ class Provider:
         )
         return url
 
-    async def identity(self, attempt: Attempt, code: str, redirect: str) -> Identity:
+    async def identity(self, attempt: SignInAttempt, code: str, redirect: str) -> Identity:
         """Exchange a code for an ID token, check the token, and return its user.
 
         Parameters
@@ -149,7 +149,9 @@ class Provider:
                 raise SignInRefused("oidc.unreachable", issuer=issuer) from reason
             self._read = now
 
-    async def _exchange(self, attempt: Attempt, code: str, redirect: str) -> Mapping[str, Any]:
+    async def _exchange(
+        self, attempt: SignInAttempt, code: str, redirect: str
+    ) -> Mapping[str, Any]:
         fields = {
             "grant_type": "authorization_code",
             "code": code,
@@ -207,7 +209,9 @@ class Provider:
             raise _wrong_token(reason) from reason
         return CodeIDToken(found.claims, found.header)
 
-    def _check(self, claims: CodeIDToken, attempt: Attempt, answer: Mapping[str, Any]) -> None:
+    def _check(
+        self, claims: CodeIDToken, attempt: SignInAttempt, answer: Mapping[str, Any]
+    ) -> None:
         """Check issuer, audience, times, nonce and hash of the access token."""
         claims.options = {
             "iss": {"essential": True, "value": self.settings.issuer},

@@ -45,7 +45,7 @@ class OidcSignIn:
         self._provider = Provider(settings)
         self._open_session = open_session
 
-    async def answer(self, request: Request, ways: signin.Ways) -> Response | None:
+    async def answer(self, request: Request, ways: signin.SignInMethods) -> Response | None:
         """Return the response to a request of a sign-in; None if it is another request."""
         path = request.url.path
         if request.method != "GET" or path not in (signin.OIDC_PATH, CALLBACK):

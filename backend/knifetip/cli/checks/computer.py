@@ -11,7 +11,7 @@ from importlib import import_module, metadata
 from pathlib import Path
 from typing import Final
 
-from knifetip.cli.checks.finding import Finding, ok, problem, warning
+from knifetip.cli.checks.check_result import CheckResult, ok, problem, warning
 
 _OLDEST: Final = (3, 11)
 #: Modules with compiled code, which another processor or system library may not be able to load.
@@ -31,7 +31,7 @@ _FULL: Final = 256 << 20  # bytes below which a server refuses uploads
 _LITTLE: Final = 2 << 30
 
 
-def check_python(found: Sequence[int] = tuple(sys.version_info[:3])) -> Iterator[Finding]:
+def check_python(found: Sequence[int] = tuple(sys.version_info[:3])) -> Iterator[CheckResult]:
     """Check the version of Python."""
     text = ".".join(map(str, found[:3]))
     if tuple(found[:2]) < _OLDEST:
@@ -42,7 +42,7 @@ def check_python(found: Sequence[int] = tuple(sys.version_info[:3])) -> Iterator
 
 def check_packages(
     requirements: Sequence[str] | None = None, load: Callable[[str], object] = import_module
-) -> Iterator[Finding]:
+) -> Iterator[CheckResult]:
     """Check that all packages have a permitted version, and that their native parts load.
 
     Parameters
@@ -93,7 +93,7 @@ def _within(version: str, bound: str) -> bool:
     return padded[0] >= padded[1] if match[1] == ">=" else padded[0] < padded[1]
 
 
-def check_kernels() -> Iterator[Finding]:
+def check_kernels() -> Iterator[CheckResult]:
     """Check that the compiled functions have machine code of this version on the disk."""
     from knifetip.warming import missing_parts
 
@@ -111,7 +111,7 @@ def check_kernels() -> Iterator[Finding]:
 
 def check_disks(
     folders: Sequence[Path], free: Callable[[Path], int] | None = None
-) -> Iterator[Finding]:
+) -> Iterator[CheckResult]:
     """Check the free space of folders and of the folder of temporary files, and write to them.
 
     Parameters
@@ -129,7 +129,7 @@ def _free(folder: Path) -> int:
     return shutil.disk_usage(folder).free
 
 
-def _check_disk(folder: Path, free: Callable[[Path], int]) -> Finding:
+def _check_disk(folder: Path, free: Callable[[Path], int]) -> CheckResult:
     try:
         with tempfile.TemporaryFile(dir=folder) as file:
             file.write(b"knifetip")

@@ -6,14 +6,14 @@ import os
 from collections.abc import Callable, Iterator
 from urllib.parse import urlsplit
 
-from knifetip.cli.checks.finding import Finding, ok, problem
+from knifetip.cli.checks.check_result import CheckResult, ok, problem
 from knifetip.errors import KnifetipError
 
 
 def check_ports(
     ports: Callable[[], list[str]] | None = None,
     may_open: Callable[[str], bool] | None = None,
-) -> Iterator[Finding]:
+) -> Iterator[CheckResult]:
     """Check that this user may open the serial ports of this computer.
 
     Parameters
@@ -42,7 +42,7 @@ def _may_open(name: str) -> bool:
 
 def check_machine(
     name: str, controller: str, ports: Callable[[], list[str]] | None = None
-) -> Iterator[Finding]:
+) -> Iterator[CheckResult]:
     """Check the definition of a machine and the address of its controller.
 
     Parameters

@@ -6,12 +6,12 @@ from collections.abc import Iterator, Mapping
 from importlib.metadata import version
 from typing import Any
 
-from knifetip.cli.checks.finding import Finding, ok, problem, warning
+from knifetip.cli.checks.check_result import CheckResult, ok, problem, warning
 
 _PATIENCE = 10.0  # seconds
 
 
-def check_server(url: str, headers: Mapping[str, str]) -> Iterator[Finding]:
+def check_server(url: str, headers: Mapping[str, str]) -> Iterator[CheckResult]:
     """Check the server with a URL, with the headers that contain its key."""
     import httpx  # slow to import
 
@@ -39,7 +39,7 @@ def _body(answer: Any) -> dict[str, Any]:
     return body if isinstance(body, dict) else {}
 
 
-def _version(theirs: object) -> Finding:
+def _version(theirs: object) -> CheckResult:
     ours = version("knifetip")
     if theirs == ours:
         return ok("version", f"{ours}, as here")
@@ -47,7 +47,7 @@ def _version(theirs: object) -> Finding:
     return warning("version", text, "Install the same version on all computers.")
 
 
-def _ready(answer: Any) -> Finding:
+def _ready(answer: Any) -> CheckResult:
     if answer.is_success:
         return ok("readiness", "the server is ready")
     checks = _body(answer).get("checks")
@@ -57,7 +57,7 @@ def _ready(answer: Any) -> Finding:
     return problem("readiness", f"the server is not ready: {text or answer.status_code}", advice)
 
 
-def _key(answer: Any, given: bool) -> Finding:
+def _key(answer: Any, given: bool) -> CheckResult:
     if answer.is_success:
         return ok("key", "the server accepts the key" if given else "no key is necessary here")
     if answer.status_code in (401, 403):

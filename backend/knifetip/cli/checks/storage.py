@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from knifetip.cli.checks.finding import Finding, ok, problem, warning
+from knifetip.cli.checks.check_result import CheckResult, ok, problem, warning
 from knifetip.errors import StoreError
 
 if TYPE_CHECKING:
@@ -21,8 +21,8 @@ _SILENT: Final = 60.0  # seconds without a request after which a gateway is not 
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
-    """Where a server stores its data, and at which address it is to listen."""
+class ServerOptions:
+    """The options of a server that the checks use: its database, store, address and key."""
 
     url: str  #: of the database
     shown: str  #: without a password
@@ -31,12 +31,12 @@ class Place:
     has_key: bool  #: whether the server has an access key
 
 
-def data_folder(place: Place) -> Path | None:
+def data_folder(options: ServerOptions) -> Path | None:
     """Return the folder of an SQLite database that exists; None for another."""
     from knifetip.jobs.database_url import sqlite_file
 
     try:
-        file = sqlite_file(place.url)
+        file = sqlite_file(options.url)
     except StoreError:
         return None  # see ``check_database``
     if file is None or not file.absolute().parent.is_dir():
@@ -44,7 +44,9 @@ def data_folder(place: Place) -> Path | None:
     return file.absolute().parent
 
 
-def check_database(place: Place, now: Callable[[], float] = time.time) -> Iterator[Finding]:
+def check_database(
+    options: ServerOptions, now: Callable[[], float] = time.time
+) -> Iterator[CheckResult]:
     """Check the database, and what is stored in it."""
     import sqlalchemy.exc
 
@@ -52,7 +54,7 @@ def check_database(place: Place, now: Callable[[], float] = time.time) -> Iterat
     from knifetip.jobs.store import Store
 
     try:
-        file = sqlite_file(place.url)
+        file = sqlite_file(options.url)
     except StoreError as reason:
         yield problem("database", reason.text, reason.hint)
         return
@@ -62,25 +64,25 @@ def check_database(place: Place, now: Callable[[], float] = time.time) -> Iterat
         )
         return
     try:
-        with closing(Store(place.url, objects=place.store)) as store:
+        with closing(Store(options.url, objects=options.store)) as store:
             found = store.database.schema()
-            yield _schema(found, place.shown, is_file=file is not None)
+            yield _schema(found, options.shown, is_file=file is not None)
             if not found.is_current:
                 return
             yield _write(store)
             yield _clock(store, now(), is_file=file is not None)
-            yield _contents(store, place.store)
-            yield _accounts(store, place)
+            yield _contents(store, options.store)
+            yield _accounts(store, options)
             yield from _gateways(store)
     except StoreError as reason:
         yield problem("database", reason.text, reason.hint)
     except sqlalchemy.exc.SQLAlchemyError as reason:
-        text = f"{place.shown} does not answer: {str(reason).splitlines()[0]}"
+        text = f"{options.shown} does not answer: {str(reason).splitlines()[0]}"
         advice = "Start the database server; check the URL, the password and the network."
         yield problem("database", text, advice)
 
 
-def _schema(found: Schema, shown: str, *, is_file: bool) -> Finding:
+def _schema(found: Schema, shown: str, *, is_file: bool) -> CheckResult:
     text = f"{shown}, revision {found.revision or 'none'}"
     if found.is_current:
         return ok("database", text)
@@ -93,7 +95,7 @@ def _schema(found: Schema, shown: str, *, is_file: bool) -> Finding:
     return problem("database", text, "Stop the servers, back it up, and run: knifetip db upgrade")
 
 
-def _write(store: Store) -> Finding:
+def _write(store: Store) -> CheckResult:
     import sqlalchemy.exc
 
     from knifetip.jobs.write_probe import is_disk_full, write_probe
@@ -108,7 +110,7 @@ def _write(store: Store) -> Finding:
     return ok("writing", "the database stores changes")
 
 
-def _clock(store: Store, now: float, *, is_file: bool) -> Finding:
+def _clock(store: Store, now: float, *, is_file: bool) -> CheckResult:
     if is_file:
         return ok("clock", "the database has the clock of this computer")
     difference = abs(store.database.server_time() - now)
@@ -120,7 +122,7 @@ def _clock(store: Store, now: float, *, is_file: bool) -> Finding:
     return grade("clock", text, advice)
 
 
-def _contents(store: Store, url: str) -> Finding:
+def _contents(store: Store, url: str) -> CheckResult:
     outside = store.contents.has_outside()
     if not url:
         if outside:
@@ -134,23 +136,23 @@ def _contents(store: Store, url: str) -> Finding:
     return ok("store", f"{url} can be written and read")
 
 
-def _accounts(store: Store, place: Place) -> Finding:
+def _accounts(store: Store, options: ServerOptions) -> CheckResult:
     from knifetip.api.access_rules import is_loopback
 
     create = "Create an administrator: knifetip user add NAME --role admin"
     if store.users.has_admin():
         return ok("accounts", "there is an administrator")
-    if is_loopback(place.host):
+    if is_loopback(options.host):
         text = "there is no administrator: every program on this computer may do everything"
         return warning("accounts", text, create)
-    if place.has_key:
+    if options.has_key:
         text = "there is no administrator; one key gives access to everything"
         return warning("accounts", text, create)
-    text = f"there is neither administrator nor key: a server does not listen on {place.host}"
+    text = f"there is neither administrator nor key: a server does not listen on {options.host}"
     return problem("accounts", text, create)
 
 
-def _gateways(store: Store) -> Iterator[Finding]:
+def _gateways(store: Store) -> Iterator[CheckResult]:
     connected = store.machines.connected_machines(_SILENT)
     waiting = store.machines.machines_with_queue()
     for machine in sorted(connected):

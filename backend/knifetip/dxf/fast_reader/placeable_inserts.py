@@ -6,14 +6,14 @@ import numpy as np
 
 from knifetip.dxf.fast_reader import fields as f
 from knifetip.dxf.fast_reader.scan import Scan
-from knifetip.dxf.fast_reader.segments import Segments
+from knifetip.dxf.fast_reader.segments import EntitySegments
 from knifetip.dxf.fast_reader.tables import Tables
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.tolerance import BULGE
 
 
 def find_placeable_inserts(
-    scanned: Scan, tables: Tables, segments: Segments, rows: I64, one_by_one: Bool
+    scanned: Scan, tables: Tables, segments: EntitySegments, rows: I64, one_by_one: Bool
 ) -> tuple[I64, I64, F64]:
     """Return the k INSERTs in model space whose blocks are placed by array operations.
 
@@ -60,7 +60,7 @@ def find_placeable_inserts(
     return position[columnar], block[columnar], placement[columnar]
 
 
-def _simple_blocks(scanned: Scan, tables: Tables, segments: Segments) -> dict[int, bool]:
+def _simple_blocks(scanned: Scan, tables: Tables, segments: EntitySegments) -> dict[int, bool]:
     """Return the blocks that array operations can place, and whether each block contains arcs.
 
     The keys of the dictionary are the rows of the blocks in ``Scan.block``.  The values are

@@ -40,7 +40,7 @@ from knifetip.dxf.fast_reader.placeable_inserts import find_placeable_inserts
 from knifetip.dxf.fast_reader.scan import scan
 from knifetip.dxf.fast_reader.segments import segments_of
 from knifetip.dxf.fast_reader.source_entities import SourceEntities
-from knifetip.dxf.fast_reader.style_numbers import StyleNumbers
+from knifetip.dxf.fast_reader.style_numbers import StyleNumbering
 from knifetip.dxf.fast_reader.tables import Tables, Unsupported
 from knifetip.dxf.units import known_unit
 from knifetip.formats.limits import REACH, Limits
@@ -89,7 +89,7 @@ class FastReader:
         self._source = SourceEntities(
             scanned, self.tables, self.segments, self._is_unsupported, limits
         )
-        self._styles = StyleNumbers(scanned, self.tables, self.segments.number)
+        self._styles = StyleNumbering(scanned, self.tables, self.segments.number)
 
     def read(self, scale: float) -> FastReading:
         """Return the rows of the import report and the segments of the file, in file order.

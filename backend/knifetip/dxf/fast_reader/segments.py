@@ -11,7 +11,7 @@ from knifetip.dxf.fast_reader.scan import Scan
 from knifetip.geometry.columns import F64, I64
 
 
-class Segments(NamedTuple):
+class EntitySegments(NamedTuple):
     """The n segments of all e entities of a scanned file.
 
     They are in the coordinates of model space, or of the block that contains the entity.
@@ -23,7 +23,7 @@ class Segments(NamedTuple):
     bulge: F64  #: (n,)
 
 
-def segments_of(scanned: Scan) -> Segments:
+def segments_of(scanned: Scan) -> EntitySegments:
     """Return the segments of all e entities of a scanned file.
 
     Entities with an invalid radius or angle are marked in the column ``UNSUPPORTED``
@@ -33,4 +33,4 @@ def segments_of(scanned: Scan) -> Segments:
     first: I64 = np.concatenate([[0], np.cumsum(count)])
     ends, bulge = np.empty((first[-1], 2, 2)), np.empty(first[-1])
     draw(scanned.entity, scanned.value, scanned.vertex, first, ends, bulge)
-    return Segments(count, first, ends, bulge)
+    return EntitySegments(count, first, ends, bulge)

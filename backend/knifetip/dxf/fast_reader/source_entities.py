@@ -21,7 +21,7 @@ from knifetip.dxf.ezdxf_reader.prescan import PrescannedEntity
 from knifetip.dxf.fast_reader import fields as f
 from knifetip.dxf.fast_reader.import_report_writer import boxes, drop_reason
 from knifetip.dxf.fast_reader.scan import Scan
-from knifetip.dxf.fast_reader.segments import Segments
+from knifetip.dxf.fast_reader.segments import EntitySegments
 from knifetip.dxf.fast_reader.tables import Tables, Unsupported
 from knifetip.formats.limits import Limits
 from knifetip.geometry.columns import I64, Bool
@@ -40,7 +40,12 @@ class SourceEntities:
     """
 
     def __init__(
-        self, scanned: Scan, tables: Tables, segments: Segments, unsupported: Bool, limits: Limits
+        self,
+        scanned: Scan,
+        tables: Tables,
+        segments: EntitySegments,
+        unsupported: Bool,
+        limits: Limits,
     ) -> None:
         """Read the entities in the mask ``unsupported``, (e,), with ezdxf."""
         self.tables = tables

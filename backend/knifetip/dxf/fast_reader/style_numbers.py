@@ -22,7 +22,7 @@ from knifetip.messages import Message
 _STYLE = [f.LAYER, f.LINETYPE, f.COLOUR, f.TRUE_COLOUR]
 
 
-class StyleNumbers:
+class StyleNumbering:
     """The styles of one scanned file in the order in which they are first used.
 
     Parameters
