@@ -37,6 +37,12 @@ _log = logging.getLogger("knifetip.api")
 #: blocked, so an attacker who guesses keys cannot stop the heartbeats of a gateway.
 WRONG_KEY_DELAY = 1.0
 
+#: Headers that proxies add to requests; few add all of them.
+_PROXY_HEADERS = (
+    *("forwarded", "via", "x-real-ip"),
+    *("x-forwarded-for", "x-forwarded-host", "x-forwarded-proto"),
+)
+
 
 def request_facts(scope: Scope, cookie: str) -> RequestFacts:
     """Return method, path, headers and addresses of an ASGI request.
@@ -53,7 +59,7 @@ def request_facts(scope: Scope, cookie: str) -> RequestFacts:
     hosts = headers.getlist("host")
     server = scope.get("server") or ("", 0)
     # Behind a proxy, the peer address is that of the proxy and does not identify the sender.
-    forwarded = "forwarded" in headers or "x-forwarded-for" in headers
+    forwarded = any(name in headers for name in _PROXY_HEADERS)
     return RequestFacts(
         method=scope["method"],
         path=scope["path"],
@@ -81,6 +87,9 @@ class AccountLookup(Protocol):
     async def sign_in(self, name: str, password: str, address: str) -> str:
         """Begin a session of a user and return its token; raise ``SignInRefused`` if refused."""
 
+    async def record_key_sign_in(self, address: str) -> None:
+        """Record that a browser has signed in with the key of the server."""
+
 
 class NoAccounts:
     """Accounts of a server without a database."""
@@ -92,6 +101,9 @@ class NoAccounts:
     async def sign_in(self, name: str, password: str, address: str) -> str:  # noqa: ARG002  # protocol
         """Raise ``SignInRefused``."""
         raise SignInRefused("sign-in.wrong")
+
+    async def record_key_sign_in(self, address: str) -> None:
+        """Do nothing: there is no audit log."""
 
 
 class ProviderSignIn(Protocol):
@@ -136,8 +148,9 @@ class Access:
             return
         found = find_access(self.rules, facts, time.time(), proof)
         refused = found if isinstance(found, Refusal) else None
+        state = scope.setdefault("state", {})
+        state["refused"] = refused is not None
         if isinstance(found, Principal):
-            state = scope.setdefault("state", {})
             state["principal"] = found
             state["permission"] = partial(self._is_permitted, facts, found)
         answer: Response | None = None
@@ -189,6 +202,7 @@ class Access:
             return await self._sign_in_user(request, fields, ways)
         if fields is not None and (ways.key or request.method == "POST"):
             if ways.key and same_key(fields.get("key", ""), self.rules.key):
+                await self._accounts.record_key_sign_in(_address(request))
                 cookie = signin.key_cookie(self.rules.key, time.time())
                 return signin.welcome(request, cookie)
             await asyncio.sleep(WRONG_KEY_DELAY)
@@ -206,14 +220,17 @@ class Access:
     async def _sign_in_user(
         self, request: Request, fields: Mapping[str, str], ways: signin.SignInMethods
     ) -> Response:
-        address = "" if request.client is None else request.client.host
         try:
             token = await self._accounts.sign_in(
-                fields["name"], fields.get("password", ""), address
+                fields["name"], fields.get("password", ""), _address(request)
             )
         except (SignInRefused, SignInSlowDown) as reason:
             return signin.sign_in_page(ways, f"{reason.text} {reason.hint}")
         return signin.welcome(request, signin.user_cookie(request, token))
+
+
+def _address(request: Request) -> str:
+    return "" if request.client is None else request.client.host
 
 
 def _problem(refused: Refusal) -> Response:

@@ -7,10 +7,12 @@ import time
 from collections import Counter, OrderedDict
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from typing import Final, TypeVar
 
 from knifetip.api.access_rules import Proof, RequestFacts, bearer_key
-from knifetip.api.principal import Principal, PrincipalKind
+from knifetip.api.client_limits import network_of
+from knifetip.api.principal import SERVER_KEY, Principal, PrincipalKind
 from knifetip.api.slow_down import SlowDown
 from knifetip.errors import SignInRefused, SignInSlowDown
 from knifetip.jobs.accounts.acting import DONE, REFUSED, Acting
@@ -134,23 +136,24 @@ class Accounts:
             address are waiting.
         """
         account = name.strip().lower()[:64]
+        sender = network_of(address)
         now = time.monotonic()
-        pause = self._slow_down.pause(account, address, now)
-        if pause or self._hashes[address] >= _AT_ONCE:
+        pause = self._slow_down.pause(account, sender, now)
+        if pause or self._hashes[sender] >= _AT_ONCE:
             raise SignInSlowDown(pause or 1)
         # Counted before the result, so that simultaneous attempts do not share one free attempt.
-        self._slow_down.failed(account, address, now)
-        self._hashes[address] += 1
+        self._slow_down.failed(account, sender, now)
+        self._hashes[sender] += 1
         try:
             token = await self._run(
                 self._hashing, lambda: self._open_session(account, password, address)
             )
         finally:
-            self._hashes[address] -= 1
+            self._hashes[sender] -= 1
             self._hashes += Counter()  # drops the addresses without sign-ins
         if token is None:
             raise SignInRefused("sign-in.wrong")
-        self._slow_down.succeeded(account, address)
+        self._slow_down.succeeded(account, sender)
         return token
 
     def _open_session(self, account: str, password: str, address: str) -> str | None:
@@ -170,6 +173,14 @@ class Accounts:
         token = None if user is None else self.store.sessions.open(user)
         self.store.audit.write(acting, REFUSED if token is None else DONE)
         return token
+
+    async def record_key_sign_in(self, address: str) -> None:
+        """Write the entry of the audit log for a sign-in with the key of the server."""
+        assert self.store is not None
+        acting = Acting(
+            kind=SERVER_KEY.kind, name=SERVER_KEY.name, id="", action="sign_in", peer=address
+        )
+        await self._run(self._threads, partial(self.store.audit.write, acting, DONE))
 
     async def sign_in_at_provider(self, who: ProviderUser, address: str) -> str:
         """Begin a session of a user of a provider and return its token.

@@ -22,6 +22,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from knifetip import messages
 from knifetip.api.principal import PrincipalKind, principal_of
 from knifetip.api.problems import problem
+from knifetip.jobs.accounts.scopes import AccessScope
 
 _UNLIMITED: Final = ("/healthz", "/readyz")
 _GATEWAY: Final = "/api/gateway/"
@@ -98,7 +99,7 @@ class ClientLimiter:
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Forward a request, or refuse it if its client has sent too many."""
         path = scope.get("path", "")
-        if scope["type"] != "http" or path in _UNLIMITED or path.startswith(_GATEWAY):
+        if scope["type"] != "http" or path in _UNLIMITED or _is_of_gateway(scope):
             await self.app(scope, receive, send)
             return
         client = client_name(Request(scope))
@@ -131,20 +132,35 @@ class ClientLimiter:
                 del listeners[client]
 
 
+def _is_of_gateway(scope: Scope) -> bool:
+    """Return whether a gateway sends a request; others would be refused and fill the audit log."""
+    scopes = principal_of(Request(scope)).scopes
+    return scope["path"].startswith(_GATEWAY) and AccessScope.GATEWAY in scopes
+
+
 def client_name(request: Request) -> str:
     """Return a text that is equal for all requests of one client."""
     principal = principal_of(request)
     if principal.kind not in _SHARED:
         return f"{principal.kind} {principal.id or principal.name}"
-    host = "" if request.client is None else request.client.host
+    return "" if request.client is None else network_of(request.client.host)
+
+
+def network_of(host: str) -> str:
+    """Return a text that is equal for all addresses that one computer can use.
+
+    It is the address itself for IPv4, and the network /64 for IPv6, in which a computer has 2^64
+    addresses.
+    """
     try:
         address = ipaddress.ip_address(host)
     except ValueError:
         return host
-    if address.version == 4:
+    if isinstance(address, ipaddress.IPv4Address):
         return host
-    # A computer has 2^64 addresses of IPv6 and more.
-    return str(ipaddress.ip_network((address, 64), strict=False))
+    if address.ipv4_mapped is not None:  # on a socket that accepts IPv6 and IPv4
+        return str(address.ipv4_mapped)
+    return str(ipaddress.ip_network((int(address), 64), strict=False))
 
 
 def _too_many_requests(limits: ClientLimits, remaining: float) -> Response:

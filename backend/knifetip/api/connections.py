@@ -22,6 +22,8 @@ import h11
 from uvicorn.protocols.http.h11_impl import STATUS_PHRASES, H11Protocol
 
 from knifetip.api.api_version import route_path
+from knifetip.api.client_limits import network_of
+from knifetip.api.principal import is_refused
 from knifetip.api.problems import PROBLEM, problem
 from knifetip.messages import Message
 
@@ -59,12 +61,14 @@ class LimitedProtocol(H11Protocol):
         self._waits_for: object = None  # state of h11 for which the timer runs
         self._answer_timer: asyncio.TimerHandle | None = None
         self._received = 0  # bytes since the timer was set
+        self._sender = ""  # address of the client, or its network of IPv6
         self._last_active = time.monotonic()
 
     # override: the signature is that of uvicorn, which is narrower than that of asyncio.
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Accept a connection; close an idle one, or refuse this one, if there are too many."""
         super().connection_made(transport)
+        self._sender = network_of(self.client[0]) if self.client else ""
         if not self._make_room():
             self._refuse(503, Message("limit.too-many-connections"), {"Retry-After": "5"})
             return
@@ -109,14 +113,15 @@ class LimitedProtocol(H11Protocol):
     @property
     def is_counted(self) -> bool:
         """Whether the connection counts for its address: all but gateways' requests under way."""
-        return self.is_idle or not route_path(self.scope["path"]).startswith(_GATEWAY)
+        if self.is_idle or not route_path(self.scope["path"]).startswith(_GATEWAY):
+            return True
+        return is_refused(self.scope)  # the answer to a wrong key is delayed
 
     def _make_room(self) -> bool:
         """Close an idle connection for this one if needed; return False if there is none."""
         others = [one for one in self.connections if isinstance(one, LimitedProtocol)]
         others = [one for one in others if one is not self and not one.transport.is_closing()]
-        host = self.client[0] if self.client else ""
-        own = [one for one in others if one.client and one.client[0] == host and one.is_counted]
+        own = [one for one in others if one._sender == self._sender != "" and one.is_counted]
         if len(own) >= self.limits.per_client:
             return _close_idle(own)
         if len(others) >= self.limits.total:

@@ -12,10 +12,13 @@ from starlette.requests import Request
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from knifetip import messages
+from knifetip.api.principal import PrincipalKind, principal_of
 from knifetip.api.problems import problem
 
 #: Routes whose body may be a package with a drawing.
 _PACKAGES = ("/xjdf", "/xjmf")
+#: Largest body of a sender who is not authenticated (bytes): a name and a password.
+_STRANGER = 1 << 20
 
 
 class TooLarge(Exception):
@@ -23,7 +26,10 @@ class TooLarge(Exception):
 
 
 class Limits:
-    """ASGI middleware that refuses requests whose body is too large."""
+    """ASGI middleware that refuses requests whose body is too large.
+
+    It must be inside the access control, which finds the principal of a request.
+    """
 
     def __init__(self, app: ASGIApp, upload: int, body: int) -> None:
         self.app = app
@@ -35,11 +41,15 @@ class Limits:
         if scope["type"] != "http":
             await self.app(scope, receive, send)
             return
-        headers = Request(scope).headers
+        request = Request(scope)
+        headers = request.headers
         form = headers.get("content-type", "").lower().startswith("multipart/form-data")
         multipart = form or scope["path"].endswith(_PACKAGES)
         # A multipart form has part headers in addition to the file.
         limit = self.upload + 65536 if multipart else self.body
+        if principal_of(request).kind is PrincipalKind.NONE:
+            # The body is kept in memory, and a stranger may send it on each of many connections.
+            limit, multipart = min(limit, _STRANGER), False
         refusal = _refusal(limit, multipart)
         declared = headers.get("content-length", "")
         if declared.isdecimal() and int(declared) > limit:

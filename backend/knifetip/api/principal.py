@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Awaitable, Callable, Collection
+from collections.abc import Awaitable, Callable, Collection, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Annotated, Final
+from typing import Annotated, Any, Final
 
 from fastapi import Depends, Request
 
@@ -78,6 +78,12 @@ def principal_of(request: Request) -> Principal:
     """Return the principal of a request, which the access control has found."""
     principal: Principal = request.scope.get("state", {}).get("principal", ANONYMOUS)
     return principal
+
+
+def is_refused(scope: Mapping[str, Any]) -> bool:
+    """Return whether the access control has refused a request, whose answer may be delayed."""
+    refused: bool = scope.get("state", {}).get("refused", False)
+    return refused
 
 
 def permission_of(request: Request) -> Callable[[], Awaitable[bool]]:

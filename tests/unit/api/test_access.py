@@ -440,7 +440,8 @@ async def test_a_request_through_a_proxy_is_not_of_this_machine() -> None:
     async with client_at(KEYED, peer="127.0.0.1") as client:
         own = {"Host": "localhost:8080"}
         assert (await client.get("/api/jobs", headers=own)).text == "inside"
-        for name in ("X-Forwarded-For", "Forwarded"):
+        names = ("X-Forwarded-For", "X-Forwarded-Host", "X-Forwarded-Proto", "X-Real-IP")
+        for name in (*names, "Forwarded", "Via"):
             answer = await client.get("/api/jobs", headers={**own, name: "for=127.0.0.1"})
             assert answer.status_code == 401
 

@@ -7,8 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from knifetip.api.client_limits import ClientLimits, TokenBuckets
+from knifetip.api.client_limits import ClientLimits, TokenBuckets, network_of
 from knifetip.api.service import Settings
+from knifetip.jobs.accounts.scopes import AccessScope
 from tests.support.serving.server import (
     LocalClient,
     order_job,
@@ -65,6 +66,34 @@ def test_gateways_and_health_checks_are_not_limited(tmp_path: Path) -> None:
         answers = [client.post("/api/gateway/heartbeat", json=beat) for _ in range(20)]
         assert {one.status_code for one in answers} == {200}
         assert {client.get("/healthz").status_code for _ in range(20)} == {200}
+
+
+def test_requests_to_routes_of_gateways_are_limited_for_others(tmp_path: Path) -> None:
+    with run_server(settings(tmp_path, ClientLimits(rate=1, burst=3))) as client:
+        secret = client.service.store.keys.add("screen", [AccessScope.VIEWER])[1]
+        headers = {"Authorization": f"Bearer {secret}"}
+        answers = [
+            client.get("/api/gateway/program/none", headers=headers).status_code for _ in range(60)
+        ]
+    assert answers[0] == 403
+    assert 429 in answers
+
+
+@pytest.mark.parametrize(
+    ("host", "expected"),
+    [
+        ("192.0.2.7", "192.0.2.7"),
+        ("2001:db8::1", "2001:db8::/64"),
+        ("2001:db8::ffff:1:2", "2001:db8::/64"),
+        ("2001:db8:0:1::1", "2001:db8:0:1::/64"),
+        ("fe80::1%eth0", "fe80::/64"),
+        ("::ffff:192.0.2.7", "192.0.2.7"),
+        ("testclient", "testclient"),
+        ("", ""),
+    ],
+)
+def test_a_computer_has_one_network(host: str, expected: str) -> None:
+    assert network_of(host) == expected
 
 
 def listen(client: LocalClient, count: int, use: threading.Barrier) -> list[threading.Thread]:

@@ -15,7 +15,7 @@ import httpx
 import pytest
 import uvicorn
 
-from knifetip.api import embedded
+from knifetip.api import access, embedded
 from knifetip.api.access_rules import AccessRules
 from knifetip.api.app import create_app
 from knifetip.api.connections import ConnectionLimits, LimitedProtocol, limited_protocol
@@ -218,6 +218,25 @@ def test_waiting_gateways_of_one_address_are_not_counted(tmp_path: Path) -> None
             connection.setblocking(False)
             with pytest.raises(BlockingIOError):
                 connection.recv(1)
+
+
+def test_refused_requests_to_routes_of_gateways_are_counted(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(access, "WRONG_KEY_DELAY", 600.0)
+    with server(tmp_path, ConnectionLimits(head=0.5, per_client=2)) as client, ExitStack() as held:
+        client.close()
+        for _ in range(2):
+            held.enter_context(connect(client)).sendall(
+                b"GET /api/gateway/program/x HTTP/1.1\r\nAuthorization: Bearer wrong\r\n"
+                + HEAD
+                + b"\r\n"
+            )
+        statuses: list[bytes] = []
+        while b"503" not in statuses and len(statuses) < 60:
+            with connect(client) as further:  # closed after 0.5 s if it is accepted
+                statuses.append(until_closed(further)[9:12])
+        assert statuses[-1] == b"503"
 
 
 def test_a_connection_is_refused_while_all_others_are_busy(tmp_path: Path) -> None:
