@@ -186,8 +186,9 @@ def list_audit(
 ) -> list[AuditOut]:
     """List the audit log, the newest entries first; `Link` contains the URL of the next page.
 
-    It has an entry for each request that is not GET: also for a refused one.  The reports of
-    gateways are left out; what they change is among the events of jobs.
+    It has an entry for each request that is not GET: also for a refused one; and for each change by
+    the commands `knifetip user` and `knifetip key`.  The reports of gateways are left out; what
+    they change is among the events of jobs.
     """
     conditions = AuditFilter(
         wanted.principal,

@@ -25,6 +25,7 @@ from knifetip.api.schemas.orders import JobIn
 from knifetip.api.schemas.orders_with_files import OrderIn, OrderOut, OrderResult, OrdersIn
 from knifetip.api.service import Service, ServiceDep, fingerprint
 from knifetip.errors import KnifetipError, OpenQuestions, RequestError
+from knifetip.jobs.accounts.acting import note_refusal
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.process_pool import TaskFailed
 from knifetip.jobs.request_key import RequestKey
@@ -191,6 +192,7 @@ def _result(service: Service, index: int, order: OrderIn, key: str | None) -> Or
         drawing = _drawing(service, sent, key)
         job = _job(service, sent, drawing, sent.key(key))
     except KnifetipError as reason:
+        note_refusal()
         problem = reason.message
         questions = tuple(reason.questions) if isinstance(reason, OpenQuestions) else ()
     except TaskFailed as reason:

@@ -19,7 +19,7 @@ from fastapi.routing import APIRoute, iter_route_contexts
 from starlette.routing import BaseRoute
 from starlette.types import Message, Receive, Scope, Send
 
-from knifetip.api.principal import Principal, demand, missing_scope, principal_of
+from knifetip.api.principal import Principal, PrincipalKind, demand, missing_scope, principal_of
 from knifetip.jobs.accounts.acting import DONE, FAILED, REFUSED, Acting, acting_as
 from knifetip.jobs.accounts.scopes import AccessScope
 
@@ -81,11 +81,13 @@ class ScopedRoute(APIRoute):
             return
         acting = _acting(self, scope, principal)
         outcome = REFUSED if missing_scope(principal, needed) else FAILED
-        acting.audited = outcome == REFUSED or not getattr(self.endpoint, _UNAUDITED, False)
+        audited = outcome == REFUSED or not getattr(self.endpoint, _UNAUDITED, False)
+        # A stranger, who may sign out, must not fill the disk with entries.
+        acting.audited = audited and principal.kind is not PrincipalKind.NONE
 
         async def send_audited(event: Message) -> None:
             if event["type"] == "http.response.start":
-                await _write_entry(scope, acting, _outcome(event["status"]))
+                await _write_entry(scope, acting, acting.outcome or _outcome(event["status"]))
             await send(event)
 
         try:

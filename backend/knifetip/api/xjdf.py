@@ -19,7 +19,8 @@ from knifetip.api.xjdf_package import MIME, ZIP_TYPES, Package, open_package
 from knifetip.api.xjdf_placing import XjdfDefaults, place_xjdf
 from knifetip.api.xjdf_status import status_document, status_message
 from knifetip.api.xjmf_commands import Answering, answer_messages
-from knifetip.api.xjmf_messages import read_messages, write_answers
+from knifetip.api.xjmf_messages import ReturnCode, read_messages, write_answers
+from knifetip.jobs.accounts.acting import note_refusal
 from knifetip.jobs.accounts.scopes import AccessScope
 
 XJDF: Final = "application/vnd.cip4-xjdf+xml"
@@ -100,6 +101,8 @@ async def answer_xjmf(
     messages = await service.orders.run(partial(read_messages, package.root), client)
     answering = Answering(service, principal, client, package, defaults, key)
     answers = [await answer_messages(answering, message) for message in messages]
+    if any(answer.code is not ReturnCode.SUCCESS for answer in answers):
+        note_refusal()
     return Response(write_answers(answers, service.store.database.clock()), media_type=XJMF)
 
 

@@ -46,6 +46,26 @@ def _opened(database: str) -> Iterator[Store]:
         store.close()
 
 
+@contextmanager
+def _changing(database: str, action: str) -> Iterator[Store]:
+    """Open a database for a change that gets an entry in the audit log, as a request does.
+
+    Parameters
+    ----------
+    database
+        URL of the database.
+    action
+        Operation of the REST interface that makes the same change.
+    """
+    from knifetip.jobs.accounts.acting import Acting, acting_as  # imports the database
+
+    with (
+        _opened(database) as store,
+        acting_as(Acting(kind="command", name="command line", id="", action=action)),
+    ):
+        yield store
+
+
 def _password() -> str:
     """Return a new password: typed twice at a terminal, or the first line of stdin."""
     if sys.stdin.isatty():
@@ -57,7 +77,7 @@ def _password() -> str:
 def add_user(name: UserName, role: Role = AccessScope.VIEWER, *, chosen: DatabaseOptions) -> None:
     """Add a user; the password is read from a prompt or from stdin."""
     password = _password()
-    with _opened(chosen.url) as store:
+    with _changing(chosen.url, "create_user") as store:
         row = store.users.add(name, password, role, "command line")
     typer.echo(f"{row.name}: {row.role}")
 
@@ -78,7 +98,7 @@ def list_users(as_json: Json = False, *, chosen: DatabaseOptions) -> None:
 def set_password(name: UserName, *, chosen: DatabaseOptions) -> None:
     """Set a new password, read from a prompt or from stdin; the user's sessions end."""
     password = _password()
-    with _opened(chosen.url) as store:
+    with _changing(chosen.url, "change_user") as store:
         store.users.change(name, password=password)
 
 
@@ -89,19 +109,19 @@ def set_role(
     chosen: DatabaseOptions,
 ) -> None:
     """Set the role of a user; the user's sessions end."""
-    with _opened(chosen.url) as store:
+    with _changing(chosen.url, "change_user") as store:
         store.users.change(name, role=role)
 
 
 def disable_user(name: UserName, *, chosen: DatabaseOptions) -> None:
     """Disable a user; the user's sessions end."""
-    with _opened(chosen.url) as store:
+    with _changing(chosen.url, "change_user") as store:
         store.users.change(name, active=False)
 
 
 def enable_user(name: UserName, *, chosen: DatabaseOptions) -> None:
     """Enable a disabled user."""
-    with _opened(chosen.url) as store:
+    with _changing(chosen.url, "change_user") as store:
         store.users.change(name, active=True)
 
 
@@ -129,7 +149,7 @@ def create_key(
 ) -> None:
     """Create an API key and print its secret, or write it to a file; it cannot be read again."""
     expires = None if days is None else time.time() + days * _DAY
-    with _opened(chosen.url) as store, ExitStack() as stack:
+    with _changing(chosen.url, "create_key") as store, ExitStack() as stack:
         new_file = None
         if file is not None:
             from knifetip.cli.key_file import NewKeyFile, key_in  # imports the database
@@ -169,7 +189,7 @@ def revoke_key(
     chosen: DatabaseOptions,
 ) -> None:
     """Revoke an API key."""
-    with _opened(chosen.url) as store:
+    with _changing(chosen.url, "revoke_key") as store:
         store.keys.revoke(id)
 
 

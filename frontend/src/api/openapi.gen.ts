@@ -2286,8 +2286,9 @@ export interface paths {
          * List Audit
          * @description List the audit log, the newest entries first; `Link` contains the URL of the next page.
          *
-         *     It has an entry for each request that is not GET: also for a refused one.  The reports of
-         *     gateways are left out; what they change is among the events of jobs.
+         *     It has an entry for each request that is not GET: also for a refused one; and for each change by
+         *     the commands `knifetip user` and `knifetip key`.  The reports of gateways are left out; what
+         *     they change is among the events of jobs.
          *
          *     Needs the scope `admin`.
          */
@@ -2685,7 +2686,7 @@ export interface components {
         };
         /**
          * AuditOut
-         * @description An entry of the audit log: a request that changed something or was refused.
+         * @description An entry of the audit log: a request or command that changed something or was refused.
          */
         AuditOut: {
             /**
@@ -2702,7 +2703,7 @@ export interface components {
             at: string;
             /**
              * Kind
-             * @description Kind of the sender, as in `GET /api/me`
+             * @description Kind of the sender, as in `GET /api/me`; command for the commands `knifetip user` and `knifetip key`
              */
             kind: string;
             /**

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -11,9 +12,12 @@ import httpx
 import pytest
 
 from knifetip.api import access
-from knifetip.api.account_access import KEPT
+from knifetip.api.access_rules import AccessRules
+from knifetip.api.account_access import KEPT, Accounts
 from knifetip.api.service import Settings
 from knifetip.api.slow_down import FORGOTTEN, FREE, LONGEST, SlowDown
+from knifetip.errors import SignInRefused, SignInSlowDown
+from knifetip.jobs.accounts.audit_store import AuditFilter
 from knifetip.jobs.accounts.scopes import AccessScope
 from tests.support.serving.server import LocalClient, run_server, square, upload_drawing
 
@@ -40,7 +44,7 @@ def admin(server: LocalClient) -> Iterator[httpx.Client]:
 
 def visitor(server: httpx.Client, key: str = "") -> httpx.Client:
     headers = {"X-Knifetip": "test", **({"Authorization": f"Bearer {key}"} if key else {})}
-    return httpx.Client(base_url=server.base_url, trust_env=False, timeout=30.0, headers=headers)
+    return httpx.Client(base_url=server.base_url, trust_env=False, timeout=300.0, headers=headers)
 
 
 def sign_in(client: httpx.Client, user: dict[str, str]) -> httpx.Response:
@@ -260,3 +264,116 @@ def test_the_pause_grows_for_one_account_at_one_address_only() -> None:
     assert slow.pause("anna", "a", now + FORGOTTEN + 1.0) == 0
     slow.succeeded("anna", "a")
     assert slow.pause("anna", "a", now) == 0
+
+
+def test_addresses_of_one_network_of_ipv6_share_their_failed_sign_ins(server: LocalClient) -> None:
+    store = server.service.store
+    store.users.add("anna", ADMIN["password"], AccessScope.ADMIN)
+    accounts = Accounts()
+    accounts.store = store
+
+    async def attempts() -> list[type[Exception]]:
+        refusals: list[type[Exception]] = []
+        for number in range(FREE + 1):
+            with pytest.raises((SignInRefused, SignInSlowDown)) as refused:
+                await accounts.sign_in("anna", "wrong wrong wrong", f"2001:db8::{number:x}")
+            refusals.append(refused.type)
+        token = await accounts.sign_in("anna", ADMIN["password"], "2001:db8:0:1::1")
+        assert (await accounts.user_of(token)).name == "anna"
+        return refusals
+
+    assert asyncio.run(attempts()) == [SignInRefused] * FREE + [SignInSlowDown]
+    accounts.close()
+
+
+@pytest.mark.parametrize("media", ["application/json", "multipart/form-data; boundary=x"])
+def test_a_stranger_cannot_send_a_large_body(
+    server: LocalClient, admin: httpx.Client, media: str
+) -> None:
+    content, headers = b"x" * (2 << 20), {"Content-Type": media}
+    with visitor(server) as stranger:
+        answer = stranger.post("/api/session", content=content, headers=headers)
+    assert answer.status_code == 413
+    assert answer.json()["code"] == "request.body-too-large"
+    assert "1 MB" in answer.json()["detail"]
+    # The limit of a user is another.
+    answer = admin.post("/api/me/password", content=content, headers=headers)
+    assert answer.status_code == 422
+
+
+def test_a_stranger_writes_nothing_into_the_audit_log(
+    server: LocalClient, admin: httpx.Client
+) -> None:
+    with visitor(server) as stranger:
+        stranger.cookies.set(f"knifetip-session-{server.base_url.port}", "no session")
+        for _ in range(3):
+            assert stranger.delete("/api/session").status_code == 204
+    assert "sign_out" not in [row["action"] for row in admin.get("/api/audit").json()]
+    assert admin.delete("/api/session").status_code == 204
+    newest = server.service.store.audit.search(AuditFilter())[0]
+    assert (newest.principal, newest.action, newest.outcome) == ("anna", "sign_out", "done")
+
+
+def test_a_refusal_in_a_response_with_status_200_is_refused_in_the_audit_log(
+    server: LocalClient, admin: httpx.Client
+) -> None:
+    drawing = upload_drawing(admin, square())["id"]
+    order = {"drawing": drawing, "machine": "demo-table", "board": "e-flute"}
+    job = admin.post("/api/jobs", json=order).json()["id"]
+    hold = (
+        '<XJMF xmlns="http://www.CIP4.org/JDFSchema_2_0">'
+        '<Header DeviceID="ERP" Time="2026-01-02T03:04:05+01:00"/><CommandModifyQueueEntry>'
+        '<Header ID="M1" DeviceID="ERP" Time="2026-01-02T03:04:05+01:00"/>'
+        '<ModifyQueueEntryParams Operation="Hold">'
+        f'<QueueFilter QueueEntryIDs="{job}"/></ModifyQueueEntryParams>'
+        "</CommandModifyQueueEntry></XJMF>"
+    )
+    headers = {"Content-Type": "application/vnd.cip4-xjmf+xml"}
+    with visitor(server, new_key(admin, "designer")["secret"]) as erp:
+        answer = erp.post("/api/xjmf", content=hold, headers=headers)
+        assert answer.status_code == 200, answer.text
+        assert 'ReturnCode="0"' not in answer.text
+        unknown = {"orders": [{**order, "drawing": "none"}]}
+        assert erp.post("/api/orders/batch", json=unknown).json()[0]["problem"]
+        assert erp.post("/api/orders/batch", json={"orders": [order]}).json()[0]["job"]
+    rows = admin.get("/api/audit?principal=ERP").json()
+    assert [(row["action"], row["outcome"]) for row in rows] == [
+        ("place_orders", "done"),
+        ("place_orders", "refused"),
+        ("answer_xjmf", "refused"),
+    ]
+
+
+def test_behind_a_tls_proxy_the_page_can_sign_in_and_its_cookie_is_secure(
+    server: LocalClient, admin: httpx.Client
+) -> None:
+    sent = {"name": ADMIN["name"], "password": ADMIN["password"]}
+    host = f"localhost:{server.base_url.port}"
+    proxied = {"Host": host, "X-Forwarded-For": "192.0.2.7", "X-Forwarded-Proto": "https"}
+    with httpx.Client(base_url=server.base_url, trust_env=False, timeout=300.0) as page:
+        own = {**proxied, "Origin": f"https://{host}", "User-Agent": "Mozilla/5.0"}
+        answer = page.post("/api/session", json=sent, headers=own)
+        assert answer.status_code == 200, answer.text
+        assert "; Secure" in answer.headers["Set-Cookie"]
+        insecure = page.post("/api/session", json=sent, headers={**own, "Origin": f"http://{host}"})
+        assert insecure.status_code == 403
+    newest = admin.get("/api/audit?action=sign_in&limit=1").json()
+    assert newest[0]["peer"] == "192.0.2.7"
+
+
+def test_a_sign_in_with_the_key_of_the_server_is_in_the_audit_log(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(access, "WRONG_KEY_DELAY", 0.0)
+    key = "correct-horse-battery"
+    settings = Settings(
+        f"sqlite:///{tmp_path}/a.sqlite", compiles=False, access=AccessRules(key=key)
+    )
+    with run_server(settings) as server, visitor(server) as browser:
+        assert browser.get("/?key=wrong-horse-battery").status_code == 401
+        assert browser.post("/sign-in", data={"key": key}).status_code == 200
+        assert browser.get(f"/?key={key}").status_code == 200
+        rows = browser.get("/api/audit").json()
+    assert [(row["kind"], row["action"], row["outcome"], row["peer"]) for row in rows] == [
+        ("server-key", "sign_in", "done", "127.0.0.1")
+    ] * 2

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from knifetip.cli.access_key import KeyOptions
+from knifetip.jobs.accounts.audit_store import AuditFilter
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.store import Store
 from tests.support.command import Command
@@ -170,3 +171,28 @@ def test_hostile_titles_and_names_are_harmless_in_the_terminal(
         assert len(text) < 1000
         assert "Traceback" not in text
     assert not store.users.all()
+
+
+def test_each_change_is_in_the_audit_log(account: Account, store: Store) -> None:
+    account("user", "add", "anna", "--role", "admin")
+    account("user", "add", "carol")
+    account("user", "role", "carol", "operator")
+    account("user", "password", "carol", password="another long text")
+    account("user", "disable", "carol")
+    account("user", "enable", "carol")
+    account("user", "disable", "anna")  # refused: the last administrator
+    account("user", "list")
+    key = store.keys.find(account("key", "create", "ERP", "--scope", "viewer")[1].strip())
+    assert key is not None
+    account("key", "revoke", key.id)
+    rows = store.audit.search(AuditFilter())
+    assert {(row.kind, row.principal, row.outcome) for row in rows} == {
+        ("command", "command line", "done")
+    }
+    assert [(row.action, row.subject_kind, row.subject) for row in reversed(rows)] == [
+        ("create_user", "user", "anna"),
+        ("create_user", "user", "carol"),
+        *[("change_user", "user", "carol")] * 4,
+        ("create_key", "key", key.id),
+        ("revoke_key", "key", key.id),
+    ]

@@ -127,11 +127,14 @@ class NewKeyOut(KeyOut):
 
 
 class AuditOut(BaseModel):
-    """An entry of the audit log: a request that changed something or was refused."""
+    """An entry of the audit log: a request or command that changed something or was refused."""
 
     id: int = Field(description="Number of the entry")
     at: Moment = Field(description="Time")
-    kind: str = Field(description="Kind of the sender, as in `GET /api/me`")
+    kind: str = Field(
+        description="Kind of the sender, as in `GET /api/me`; command for the commands "
+        "`knifetip user` and `knifetip key`"
+    )
     principal: str = Field(description="Name of the user or of the key")
     action: str = Field(description="Operation, as `operationId` in the OpenAPI description")
     subject_kind: str = Field(description="Kind of the object, such as job; empty for none")

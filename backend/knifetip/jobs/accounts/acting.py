@@ -34,6 +34,7 @@ class Acting:
     peer: str = ""  #: address of the sender
     audited: bool = True  #: whether the audit log gets an entry
     written: bool = False  #: whether it has the entry
+    outcome: str = ""  #: outcome of a request whose status does not show it; "" for others
 
     @property
     def account(self) -> str:
@@ -56,7 +57,8 @@ class Acting:
             # A name in the path of a refused request is any text, also one that a database refuses.
             subject=harmless(self.subject)[:200],
             outcome=outcome,
-            peer=self.peer[:80],
+            # Behind a proxy, the address is the text of a header.
+            peer=harmless(self.peer)[:80],
         )
 
 
@@ -112,6 +114,16 @@ def acting_principal() -> str:
     """
     acting = _acting.get()
     return "" if acting is None else f"{acting.kind}:{acting.id}"
+
+
+def note_refusal() -> None:
+    """Note that the present request, or a part of it, is refused although its status will be 200.
+
+    If it changes nothing else, the audit log gets an entry with this outcome.
+    """
+    acting = _acting.get()
+    if acting is not None:
+        acting.outcome = REFUSED
 
 
 def set_subject(session: Session, kind: str, subject: str) -> None:
