@@ -13,7 +13,7 @@ from typing import Final, TypeVar
 from knifetip.api.access_rules import Proof, RequestFacts, bearer_key
 from knifetip.api.client_limits import network_of
 from knifetip.api.principal import SERVER_KEY, Principal, PrincipalKind
-from knifetip.api.slow_down import SlowDown
+from knifetip.api.sign_in_throttle import SignInThrottle
 from knifetip.errors import SignInRefused, SignInSlowDown
 from knifetip.jobs.accounts.acting import DONE, REFUSED, Acting
 from knifetip.jobs.accounts.provider_users import ProviderUser
@@ -41,7 +41,7 @@ class Accounts:
         self._threads = ThreadPoolExecutor(2, "accounts")
         self._hashing = ThreadPoolExecutor(2, "passwords")
         self._found: OrderedDict[tuple[str, bool], tuple[float, Principal | None]] = OrderedDict()
-        self._slow_down = SlowDown()
+        self._throttle = SignInThrottle()
         self._hashes: Counter[str] = Counter()
         self._closed = False  # never becomes False again: there is always an administrator then
         self._checked = -KEPT
@@ -132,17 +132,17 @@ class Accounts:
         SignInRefused
             The name or the password is wrong, or the user is disabled.
         SignInSlowDown
-            Too many sign-ins have failed for this name from this address, or too many of this
-            address are waiting.
+            Too many sign-ins have failed for this name from this address, or too many sign-ins
+            from this address are waiting.
         """
         account = name.strip().lower()[:64]
         sender = network_of(address)
         now = time.monotonic()
-        pause = self._slow_down.pause(account, sender, now)
+        pause = self._throttle.pause(account, sender, now)
         if pause or self._hashes[sender] >= _AT_ONCE:
             raise SignInSlowDown(pause or 1)
         # Counted before the result, so that simultaneous attempts do not share one free attempt.
-        self._slow_down.failed(account, sender, now)
+        self._throttle.failed(account, sender, now)
         self._hashes[sender] += 1
         try:
             token = await self._run(
@@ -153,7 +153,7 @@ class Accounts:
             self._hashes += Counter()  # drops the addresses without sign-ins
         if token is None:
             raise SignInRefused("sign-in.wrong")
-        self._slow_down.succeeded(account, sender)
+        self._throttle.succeeded(account, sender)
         return token
 
     def _open_session(self, account: str, password: str, address: str) -> str | None:

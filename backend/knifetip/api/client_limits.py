@@ -78,7 +78,7 @@ class TokenBuckets:
 
 
 class Clients:
-    """What the server counts for each client: its tokens, and its open streams of events."""
+    """Counters of each client: its remaining tokens, and its open event streams."""
 
     def __init__(self, limits: ClientLimits) -> None:
         self.limits = limits

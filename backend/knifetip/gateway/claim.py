@@ -413,7 +413,7 @@ class _GatewayLoop:
         return self._server.refusal if self._now() > run.lease_end else None
 
     def _raise_if_refused(self, run: JobRun) -> None:
-        """Raise ``GatewayRefused`` if nobody can hold or resume a job any more."""
+        """Raise ``GatewayRefused`` if the server refuses the key and so no operator can act."""
         if (refusal := self._refusal_of(run)) is not None:
             raise refusal
 
@@ -521,7 +521,7 @@ async def run_gateway(
             station.cancel()
             await asyncio.gather(station, return_exceptions=True)
     except GatewayRefused:
-        # Nobody can stop what a person has begun on the page, such as a jog or a spindle.
+        # The page can no longer stop operations that it has started, such as a jog or a spindle.
         await link.release()
         raise
     finally:

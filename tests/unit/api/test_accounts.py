@@ -15,7 +15,7 @@ from knifetip.api import access
 from knifetip.api.access_rules import AccessRules
 from knifetip.api.account_access import KEPT, Accounts
 from knifetip.api.service import Settings
-from knifetip.api.slow_down import FORGOTTEN, FREE, LONGEST, SlowDown
+from knifetip.api.sign_in_throttle import FORGOTTEN, FREE, LONGEST, SignInThrottle
 from knifetip.errors import SignInRefused, SignInSlowDown
 from knifetip.jobs.accounts.audit_store import AuditFilter
 from knifetip.jobs.accounts.scopes import AccessScope
@@ -250,20 +250,20 @@ def test_failed_sign_ins_are_slowed_down(server: LocalClient, admin: httpx.Clien
 
 
 def test_the_pause_grows_for_one_account_at_one_address_only() -> None:
-    slow, now = SlowDown(), 100.0
+    throttle, now = SignInThrottle(), 100.0
     pauses = []
     for _ in range(FREE + 6):
-        slow.failed("anna", "a", now)
-        pauses.append(slow.pause("anna", "a", now))
+        throttle.failed("anna", "a", now)
+        pauses.append(throttle.pause("anna", "a", now))
         now += pauses[-1]
-        assert slow.pause("anna", "a", now) == 0
+        assert throttle.pause("anna", "a", now) == 0
     assert pauses == [0] * (FREE - 1) + [1, 2, 4, 8, 15, 15, 15]
     assert LONGEST == 15.0
-    slow.failed("anna", "a", now)
-    assert slow.pause("anna", "b", now) == slow.pause("bob", "a", now) == 0
-    assert slow.pause("anna", "a", now + FORGOTTEN + 1.0) == 0
-    slow.succeeded("anna", "a")
-    assert slow.pause("anna", "a", now) == 0
+    throttle.failed("anna", "a", now)
+    assert throttle.pause("anna", "b", now) == throttle.pause("bob", "a", now) == 0
+    assert throttle.pause("anna", "a", now + FORGOTTEN + 1.0) == 0
+    throttle.succeeded("anna", "a")
+    assert throttle.pause("anna", "a", now) == 0
 
 
 def test_addresses_of_one_network_of_ipv6_share_their_failed_sign_ins(server: LocalClient) -> None:

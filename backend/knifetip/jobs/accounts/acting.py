@@ -54,7 +54,7 @@ class Acting:
             principal=harmless(self.name)[:200],
             action=self.action[:80],
             subject_kind=self.subject_kind[:32],
-            # A name in the path of a refused request is any text, also one that a database refuses.
+            # The path of a refused request may contain text that the database cannot store.
             subject=harmless(self.subject)[:200],
             outcome=outcome,
             # Behind a proxy, the address is the text of a header.

@@ -23,7 +23,7 @@ class _Failures(NamedTuple):
     last: float
 
 
-class SlowDown:
+class SignInThrottle:
     """Counts failed sign-ins by account and address, in the memory of this process."""
 
     def __init__(self) -> None:
