@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Final
 
 import sqlalchemy as sa
 from sqlalchemy.exc import IntegrityError
 
-from knifetip.errors import NotFound, StaleRevision, WrongState
+from knifetip.errors import ContentLost, NotFound, StaleRevision, WrongState
 from knifetip.jobs.content_store import ContentStore
 from knifetip.jobs.database import Database, rows, short
 from knifetip.jobs.interpretations import drawing_columns
@@ -21,6 +22,8 @@ from knifetip.jobs.tables import Drawing, Job
 from knifetip.jobs.transitions import Transitions
 from knifetip.messages import Message
 from knifetip.model.interpretation import Interpretation
+
+_BATCH: Final = 1000  # drawings that one query for old ones finds
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,7 +162,7 @@ class DrawingStore:
         """
         row = self._contents.find(Drawing, Drawing.id == id, *columns)
         if row is None:
-            raise _unknown_drawing_error(id)
+            raise unknown_drawing_error(id)
         return row
 
     def column(self, id: str, column: str) -> bytes:
@@ -246,7 +249,7 @@ class DrawingStore:
             if not changed:
                 now = session.scalar(sa.select(Drawing.version).where(Drawing.id == id))
                 if now is None:
-                    raise _unknown_drawing_error(id)
+                    raise unknown_drawing_error(id)
                 raise StaleRevision(id, now, str(version))
             if "extra" in changes:
                 serial = session.scalars(sa.select(Drawing.serial).where(Drawing.id == id)).one()
@@ -269,6 +272,8 @@ class DrawingStore:
         """
         self.get(id)
         with self._db.writing() as session:
+            # An order of this drawing that is being stored ends first, or finds it deleted.
+            session.execute(sa.select(Drawing.serial).where(Drawing.id == id).with_for_update())
             if used := session.scalar(sa.select(Job.id).where(Job.drawing == id).limit(1)):
                 raise WrongState("drawing.in-use", job=used, drawing=id)
             session.execute(sa.delete(Drawing).where(Drawing.id == id))
@@ -276,22 +281,39 @@ class DrawingStore:
                 session, "drawing", id, "deleted", OPERATOR, Message("drawing.deleted")
             )
 
-    def delete_unused_before(self, end: float) -> int:
+    def delete_unused_before(self, end: float, save: Callable[[str], None] | None = None) -> int:
         """Delete the drawings that were uploaded before a time and of which no job is stored.
 
-        Returns the number of deleted drawings.
+        Parameters
+        ----------
+        end
+            Drawings that were uploaded before this time are deleted (seconds since 1970).
+        save
+            Called with the id of a drawing before it is deleted; an error of it keeps the drawing.
+
+        Returns
+        -------
+        The number of deleted drawings.
         """
         used = sa.exists().where(Job.drawing == Drawing.id)
-        old = sa.select(Drawing.id).where(Drawing.created < end, ~used)
-        with self._db.reading() as session:
-            ids = list(session.scalars(old))
-        deleted = 0
-        for id in ids:
-            with suppress(NotFound, WrongState):  # deleted or used meanwhile
-                self.delete(id)
-                deleted += 1
-        return deleted
+        page = sa.select(Drawing.serial, Drawing.id).where(Drawing.created < end, ~used)
+        page = page.order_by(Drawing.serial).limit(_BATCH)
+        last = deleted = 0
+        while True:
+            with self._db.reading() as session:
+                found = session.execute(page.where(Drawing.serial > last)).all()
+            if not found:
+                return deleted
+            for _, id in found:
+                # Deleted or used meanwhile, or its file is lost.
+                with suppress(NotFound, WrongState, ContentLost):
+                    if save is not None:
+                        save(id)
+                    self.delete(id)
+                    deleted += 1
+            last = found[-1].serial
 
 
-def _unknown_drawing_error(id: str) -> NotFound:
+def unknown_drawing_error(id: str) -> NotFound:
+    """Return the error that there is no drawing with an id."""
     return NotFound("drawing.unknown", drawing=short(id))

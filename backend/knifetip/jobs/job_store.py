@@ -15,6 +15,7 @@ from knifetip.errors import WrongState
 from knifetip.jobs.accounts.acting import acting_owner
 from knifetip.jobs.content_store import ContentStore
 from knifetip.jobs.database import Database
+from knifetip.jobs.drawing_store import unknown_drawing_error
 from knifetip.jobs.interpretations import job_columns
 from knifetip.jobs.job import (
     ADVICE,
@@ -116,6 +117,8 @@ class JobStore:
 
         Raises
         ------
+        NotFound
+            The drawing was deleted since it was read.
         KeyReused
             The key was used for a request with another content.
         """
@@ -154,10 +157,17 @@ class JobStore:
                     new_state=True,
                 )
         except IntegrityError:
-            if key is None or (earlier := self.find(key)) is None:
-                raise
-            return earlier
+            if key is not None and (earlier := self.find(key)) is not None:
+                return earlier
+            self._require_drawing(drawing.id)
+            raise
         return row
+
+    def _require_drawing(self, id: str) -> None:
+        """Raise ``NotFound`` if a drawing was deleted after it was read."""
+        with self._db.reading() as session:
+            if session.scalar(sa.select(Drawing.serial).where(Drawing.id == id)) is None:
+                raise unknown_drawing_error(id)
 
     def add_continuation(
         self, parent: str, continuation: Continuation, key: RequestKey | None = None
