@@ -1,4 +1,4 @@
-"""Deletion of old jobs and drawings, after an archive of the jobs was written (ADR 84)."""
+"""Deletion of old jobs and drawings, after an archive of them was written (ADR 84)."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import Final
 
-from knifetip.api.job_export import archive_jobs
+from knifetip.api.job_export import archive_drawing, archive_jobs
 from knifetip.api.service import Service
 from knifetip.jobs.content_store import ContentStore
 from knifetip.jobs.store import Store
@@ -62,12 +62,12 @@ def purge(
     keep_jobs, keep_drawings
         Days after their end, or after their upload, for which they are kept; 0 for ever.
     archive
-        Folder for a zip file of each job before it is deleted; None for none.
+        Folder for a zip file of each job and each drawing before it is deleted; None for none.
 
     Raises
     ------
     OSError
-        The archive cannot be written; the jobs that it lacks were not deleted.
+        The archive cannot be written; the jobs and drawings that it lacks were not deleted.
     """
     now = store.database.clock()
     jobs = drawings = 0
@@ -75,7 +75,8 @@ def purge(
         save = None if archive is None else partial(archive_jobs, store, archive)
         jobs = store.history.delete_before(now - keep_jobs * _DAY, save)
     if keep_drawings > 0:
-        drawings = store.drawings.delete_unused_before(now - keep_drawings * _DAY)
+        keep = None if archive is None else partial(archive_drawing, store, archive)
+        drawings = store.drawings.delete_unused_before(now - keep_drawings * _DAY, keep)
     if jobs or drawings:
         _log.info("deleted %d jobs and %d drawings", jobs, drawings)
     return jobs, drawings

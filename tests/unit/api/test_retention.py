@@ -11,10 +11,12 @@ import httpx
 import pytest
 import sqlalchemy as sa
 
-from knifetip.api import retention
+from knifetip.api import job_export, retention
+from knifetip.api.job_export import archive_jobs
 from knifetip.api.service import Settings
+from knifetip.jobs.content_store import address_of
 from knifetip.jobs.store import Store
-from knifetip.jobs.tables import Drawing, Job
+from knifetip.jobs.tables import Content, Drawing, Job
 from tests.support.command import Command
 from tests.support.serving.server import (
     order_job,
@@ -109,9 +111,13 @@ def test_old_jobs_are_archived_and_deleted_and_the_others_kept(tmp_path: Path) -
         assert not list(tmp_path.glob("archive/*"))
         assert retention.purge(store, 29, 29, tmp_path / "archive") == (1, 2)
 
-        (file,) = (tmp_path / "archive").iterdir()
-        assert file.name == f"{old}.zip"
-        assert contents(file.read_bytes()) == exported
+        files = {file.name: contents(file.read_bytes()) for file in tmp_path.glob("archive/*")}
+        assert set(files) == {f"{old}.zip", f"drawing-{old_drawing}.zip", f"drawing-{unused}.zip"}
+        assert files[f"{old}.zip"] == exported
+        archived = files[f"drawing-{unused}.zip"]
+        assert set(archived) == {"drawing.json", "drawing-square.dxf"}
+        assert archived["drawing-square.dxf"] == square()
+        assert json.loads(archived["drawing.json"])["id"] == unused
         assert client.get(f"/api/jobs/{old}").status_code == 404
         assert client.get(f"/api/jobs/{ready}").json()["state"] == "ready"
         gone = {one: client.get(f"/api/drawings/{one}").status_code for one in (
@@ -124,13 +130,55 @@ def test_old_jobs_are_archived_and_deleted_and_the_others_kept(tmp_path: Path) -
         assert client.get("/api/history").status_code == 200
 
 
-def test_a_job_that_cannot_be_archived_is_kept(tmp_path: Path) -> None:
+def test_what_cannot_be_archived_is_kept(tmp_path: Path) -> None:
     with run_server(Settings(f"sqlite:///{tmp_path}/a.sqlite", name="test")) as client:
         store = service_of(client.app).store
         _, job = compiled_job(client)
+        unused = upload_drawing(client, square())["id"]
         client.post(f"/api/jobs/{job}/cancel")
         make_older(store, 30.0)
         (tmp_path / "archive").write_text("a file, not a folder")
         with pytest.raises(OSError, match="archive"):
             retention.purge(store, 1, 0, tmp_path / "archive")
+        with pytest.raises(OSError, match="archive"):
+            retention.purge(store, 0, 1, tmp_path / "archive")
         assert client.get(f"/api/jobs/{job}").json()["state"] == "cancelled"
+        assert client.get(f"/api/drawings/{unused}").status_code == 200
+
+
+def test_a_job_whose_program_is_lost_is_kept_and_the_others_are_deleted(tmp_path: Path) -> None:
+    with run_server(Settings(f"sqlite:///{tmp_path}/a.sqlite", name="test")) as client:
+        store = service_of(client.app).store
+        lost, other = (compiled_job(client)[1] for _ in range(2))
+        for job in (lost, other):
+            client.post(f"/api/jobs/{job}/cancel")
+        address = address_of(b"the program of this job")
+        with store.database.writing() as session:
+            session.execute(sa.insert(Content).values(address=address, data=b"other bytes"))
+            session.execute(sa.update(Job).where(Job.id == lost).values(program_address=address))
+        make_older(store, 30.0)
+        assert retention.purge(store, 1, 0, tmp_path / "archive") == (1, 0)
+        assert [file.name for file in (tmp_path / "archive").iterdir()] == [f"{other}.zip"]
+        assert client.get(f"/api/jobs/{lost}").status_code == 200
+        assert client.get(f"/api/jobs/{other}").status_code == 404
+
+
+def test_two_servers_archive_into_one_folder(tmp_path: Path) -> None:
+    with run_server(Settings(f"sqlite:///{tmp_path}/a.sqlite", name="test")) as client:
+        store = service_of(client.app).store
+        _, job = compiled_job(client)
+        # The other server has deleted a job meanwhile.
+        assert archive_jobs(store, tmp_path / "archive", ["gone", job]) == [job]
+        assert [file.name for file in (tmp_path / "archive").iterdir()] == [f"{job}.zip"]
+
+
+def test_an_archive_is_on_the_disk_before_its_job_is_deleted(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with run_server(Settings(f"sqlite:///{tmp_path}/a.sqlite", name="test")) as client:
+        store = service_of(client.app).store
+        _, job = compiled_job(client)
+        synced: list[str] = []
+        monkeypatch.setattr(job_export, "sync", lambda path: synced.append(path.name))
+        archive_jobs(store, tmp_path / "archive", [job])
+        assert [name.partition(".")[0] for name in synced] == [job, "archive"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 from zoneinfo import ZoneInfo
 
@@ -262,6 +263,24 @@ def test_old_jobs_are_deleted_and_their_statistics_are_kept(
     # The events remain, so that the log still contains every action with its user.
     assert [event.state for event in store.events.of_job(old.id)][-1] == "done"
     assert (store.statistics.sums(0.0, 1e10, "day", UTC), used(store, machine)) == before
+
+
+def test_a_job_that_cannot_be_saved_is_kept_and_does_not_hold_back_the_others(
+    store: Store, clock: Clock, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("knifetip.jobs.history_store._BATCH", 2)
+    jobs = [ended(store, clock).id for _ in range(5)]
+    lost = jobs[:2]
+    offered: list[str] = []
+
+    def save(ids: Sequence[str]) -> list[str]:
+        offered.extend(ids)
+        return [id for id in ids if id not in lost]
+
+    assert store.history.delete_before(clock.now + 1e6, save) == 3
+    assert offered == jobs
+    left = store.history.search(HistoryFilter(), None, 10)
+    assert sorted(row.id for row in left) == sorted(lost)
 
 
 def test_an_interrupted_job_is_never_deleted(store: Store, clock: Clock) -> None:
