@@ -15,7 +15,7 @@ import re
 import tempfile
 import time
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
@@ -115,8 +115,16 @@ def describe(store: Store, rows: list[Job]) -> None:
     store.jobs.remaining_copies(rows)
 
 
-def whole_tables(store: Store) -> list[str]:
-    """Return the statements of a round whose plans read a whole large table (PostgreSQL)."""
+def whole_tables(store: Store, work: Callable[[], object] | None = None) -> list[str]:
+    """Return the statements whose plans read a whole large table (PostgreSQL).
+
+    Parameters
+    ----------
+    store
+        The store.
+    work
+        Executes the statements; None for those of a round.
+    """
     seen: dict[str, Any] = {}
     engine = store.database._engine  # only the engine has the statements
 
@@ -125,7 +133,10 @@ def whole_tables(store: Store) -> list[str]:
             seen.setdefault(statement, values)
 
     sa.event.listen(engine, "before_cursor_execute", keep)
-    run_round(store, defaultdict(list))
+    if work is None:
+        run_round(store, defaultdict(list))
+    else:
+        work()
     sa.event.remove(engine, "before_cursor_execute", keep)
     found = []
     with engine.connect() as connection:

@@ -275,36 +275,56 @@ class ContentStore:
         The first sweep that finds a content unused marks it, and a later one deletes it.
         """
         now, deleted = self._db.clock(), 0
-        for address, since, is_used, is_outside in self._contents():
-            if is_used:
-                if since is not None:
-                    self._mark(address, None)
-            elif since is None:
-                self._mark(address, now)
-            elif since < now - _KEPT and not (is_outside and self._objects is None):
-                deleted += self._delete(address, now - _KEPT, is_outside)
+        for page in self._pages():
+            marked = [row.address for row in page if row.is_used and row.since is not None]
+            self._mark(marked, None)
+            unused = [row for row in page if not row.is_used]
+            self._mark([row.address for row in unused if row.since is None], now)
+            for row in unused:
+                is_kept = row.is_outside and self._objects is None
+                if row.since is not None and row.since < now - _KEPT and not is_kept:
+                    deleted += self._delete(row.address, now - _KEPT, row.is_outside)
         return deleted
 
-    def _contents(self) -> Iterator[tuple[str, float | None, bool, bool]]:
-        """Yield each content: address, time since which it may be unused, whether a row refers to
-        it, and whether its bytes are outside the database.
+    def _pages(self) -> Iterator[Sequence[sa.Row[str, float | None, bool, bool]]]:
+        """Yield the contents in pages.
+
+        A row has the ``address``, the time ``since`` which it may be unused, whether a row refers
+        to it (``is_used``), and whether its bytes are outside the database (``is_outside``).
         """
-        page = sa.select(
-            Content.address, Content.unused_since, _is_used(), Content.data.is_(None)
+        query = sa.select(
+            Content.address,
+            Content.unused_since.label("since"),
+            _is_used().label("is_used"),
+            Content.data.is_(None).label("is_outside"),
         ).order_by(Content.address)
         last = ""
         while True:
             with self._db.reading() as session:
-                found = session.execute(page.where(Content.address > last).limit(_PAGE)).all()
-            if not found:
+                page = session.execute(query.where(Content.address > last).limit(_PAGE)).all()
+            if not page:
                 return
-            yield from found
-            last = found[-1][0]
+            yield page
+            last = page[-1].address
 
-    def _mark(self, address: str, since: float | None) -> None:
+    def _mark(self, addresses: Sequence[str], since: float | None) -> None:
+        """Set or clear the time from which contents may be unused.
+
+        A time that a writer has announced since is kept.
+        """
+        marked = Content.unused_since.is_not(None)
+        chosen = sa.and_(Content.address.in_(addresses), ~marked if since is not None else marked)
+        # Always in the same order, so that two transactions do not wait for each other.
+        locked = sa.select(Content.address).where(chosen).order_by(Content.address)
+        if not addresses:
+            return
         with self._db.writing() as session:
+            found = session.scalars(locked.with_for_update(key_share=True)).all()
             session.execute(
-                sa.update(Content).where(Content.address == address).values(unused_since=since)
+                sa.update(Content)
+                .where(Content.address.in_(found))
+                .values(unused_since=since)
+                .execution_options(synchronize_session=False)
             )
 
     def _delete(self, address: str, before: float, is_outside: bool) -> bool:
@@ -330,7 +350,21 @@ def address_of(data: bytes) -> str:
 
 
 def _is_used() -> sa.ColumnElement[bool]:
-    return sa.or_(*(sa.exists().where(column == Content.address) for column in _REFERENCES))
+    """Return the condition that a drawing or a job refers to a content.
+
+    The least address that is not less than that of the content is the first entry of an index.
+    With EXISTS, PostgreSQL would read all rows: it assumes that a column with one value for almost
+    all rows, such as that of line types, has this value here too.
+    """
+    return sa.or_(
+        *(
+            sa.select(sa.func.min(column))
+            .where(column >= Content.address)
+            .scalar_subquery()
+            .is_not_distinct_from(Content.address)
+            for column in _REFERENCES
+        )
+    )
 
 
 def _insert(session: Session) -> sqlite.Insert | postgresql.Insert:

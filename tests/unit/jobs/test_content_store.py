@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import os
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -116,6 +116,30 @@ def test_a_content_that_is_used_again_is_no_longer_marked(anywhere: Store, clock
     clock.now += DAY / 2
     assert anywhere.contents.sweep() == 0
     assert address_of(FILE) in contents(anywhere)
+
+
+def test_a_content_that_is_announced_during_a_sweep_keeps_its_day(
+    anywhere: Store, clock: Clock, tmp_path: Path
+) -> None:
+    if not (tmp_path / "contents").exists():
+        pytest.skip("contents in the database need no announcement")
+    anywhere.drawings.delete(upload(anywhere).id)
+    mark = anywhere.contents._mark
+
+    def announce(addresses: Sequence[str], since: float | None) -> None:
+        clock.now += 5.0  # the sweep is slow
+        anywhere.contents.stage(content=FILE)
+        mark(addresses, since)
+
+    anywhere.contents._mark = announce  # type: ignore[method-assign]
+    anywhere.contents.sweep()
+    anywhere.contents._mark = mark  # type: ignore[method-assign]
+    clock.now += DAY - 1.0
+    anywhere.contents.sweep()
+    assert stored_files(tmp_path / "contents") == [address_of(FILE)]
+    clock.now += 2.0
+    anywhere.contents.sweep()
+    assert stored_files(tmp_path / "contents") == []
 
 
 def test_what_a_transaction_under_way_refers_to_is_not_deleted(
