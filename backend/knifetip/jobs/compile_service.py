@@ -13,9 +13,11 @@ import contextlib
 import logging
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from importlib.metadata import version
+
+import sqlalchemy.exc
 
 from knifetip import logs, tracing
 from knifetip.errors import (
@@ -48,6 +50,8 @@ from knifetip.tracing import Kind
 
 LIMIT = 120.0  #: seconds that a reading or a compile may take
 _RENEW = 0.2  # seconds between two renewals of a compile's lease
+_KEEP = 2.5  # seconds between two renewals while nothing reports progress
+_LONGEST = 900.0  # seconds for which a lease is renewed without progress
 _SWEEP = 1.0  # seconds between two sweeps while a job has a lease
 _IDLE_SWEEP = 3.0  # seconds between two sweeps otherwise: several in the duration of a lease
 _SERVER_POLL = 3.0  # seconds between two looks of a server for jobs that another process received
@@ -244,12 +248,39 @@ class CompileService:
         with (
             logs.about(job=job.id),
             tracing.span("compile", Kind.CONSUMER, job.traceparent, **about),
+            self._kept_lease(job.id, job.epoch),
         ):
             begun = time.monotonic()
             self._compile(job)
             self.observe_compile(time.monotonic() - begun)
             fields = {"duration": round(time.monotonic() - begun, 4)}
             _log.info("compiled", extra={logs.FIELDS: fields})
+
+    @contextlib.contextmanager
+    def _kept_lease(self, id: str, epoch: int) -> Iterator[None]:
+        """Return a context in which the lease of a compile is renewed by a thread of its own.
+
+        A compile also waits where nothing reports progress: for a worker process while requests
+        occupy all of them, and for the folder or the bucket that contains large values.
+        """
+        ended = threading.Event()
+
+        def renew() -> None:
+            until = time.monotonic() + _LONGEST
+            while not ended.wait(_KEEP) and time.monotonic() < until:
+                try:
+                    if not self.store.compiles.renew_lease(id, epoch):
+                        return
+                except sqlalchemy.exc.SQLAlchemyError as reason:
+                    _log.warning("the lease of job %s was not renewed: %s", id, reason)
+
+        thread = threading.Thread(target=renew, name="lease", daemon=True)
+        thread.start()
+        try:
+            yield
+        finally:
+            ended.set()
+            thread.join()
 
     def _compile(self, job: Job) -> None:
         """Compile a job and store the result.

@@ -224,6 +224,21 @@ class CompileStore:
                 )
             )
 
+    def renew_lease(self, id: str, epoch: int) -> bool:
+        """Renew the lease of a job that is being compiled; return False if the worker has lost it.
+
+        Parameters
+        ----------
+        id
+            Id of the job.
+        epoch
+            Epoch of the job when the worker took the job.
+        """
+        owned = sa.and_(Job.id == id, Job.state == State.COMPILING, Job.epoch == epoch)
+        with self._db.writing() as session:
+            renewed = sa.update(Job).where(owned).values(lease=self._db.clock() + LEASE)
+            return bool(rows(session, renewed))
+
     def answer(self, id: str, epoch: int, key: str) -> bool:
         """Give a job the stored program of an earlier job with the same input, if there is one.
 

@@ -25,7 +25,8 @@ _PREFIX: Final = "compile"
 _TIDY: Final = 60.0  # seconds between two searches for records of workflows that have no use
 _KEPT: Final = timedelta(hours=1)  # age up to which the records of ended workflows are kept
 _ORPHANED: Final = timedelta(minutes=1)  # age at which a workflow without its compile is orphaned
-_BATCH: Final = 500
+_BATCH: Final = 500  # records of one state that one search finds
+_BATCHES: Final = 40  # searches in a row: more records than all workers can make in a minute
 _ENDED: Final = ["SUCCESS", "ERROR", "CANCELLED", "MAX_RECOVERY_ATTEMPTS_EXCEEDED"]
 _UNENDED: Final = ["PENDING", "ENQUEUED"]
 
@@ -103,7 +104,9 @@ class DurableQueue:
         """Delete records of workflows at intervals, until this object is stopped."""
         while not self._stopping.wait(_TIDY):
             try:
-                self.delete_old_workflows(datetime.now(UTC))
+                for _ in range(_BATCHES):
+                    if self.delete_old_workflows(datetime.now(UTC)) < _BATCH:
+                        break
             except Exception:
                 if not self._stopping.is_set():
                     _log.exception("the records of workflows were not deleted")

@@ -69,7 +69,8 @@ class LeaseSweep:
     def _take_back(self, id: str, now: float) -> None:
         with self._db.writing() as session:
             row = session.scalar(sa.select(Job).where(Job.id == id).with_for_update())
-            if row is None or row.lease >= now:
+            # It may have been renewed, finished or taken back meanwhile.
+            if row is None or row.lease >= now or not _is_leased(row):
                 return
             self.taken_back += 1
             with tracing.span("lease expired", parent=row.traceparent, job=id, machine=row.machine):
@@ -99,3 +100,8 @@ class LeaseSweep:
             self._claimed.give_back(session, row, CLOCK, silent_gateway_message(row.owner))
         elif row.state == State.COMPILING:
             self._compiles.take_back(session, row)
+
+
+def _is_leased(row: Job) -> bool:
+    """Return whether a worker or a gateway owns a job."""
+    return row.state == State.COMPILING or row.state in LEASED or is_claimed(row)

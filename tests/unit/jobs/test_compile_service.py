@@ -8,10 +8,11 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import pytest
 
+from knifetip.errors import ContentLost
 from knifetip.jobs import compile_service, tasks
 from knifetip.jobs.compile_service import CompileService
 from knifetip.jobs.process_pool import ProcessPool, Watch
@@ -177,6 +178,59 @@ def test_a_silent_compile_keeps_its_lease(
     assert store.jobs.get(job.id).lease > lease + 1.0
     store.operators.cancel(job.id)
     thread.join(5.0)
+
+
+@pytest.fixture
+def lease_passes(monkeypatch: pytest.MonkeyPatch, store: Store) -> Callable[[str], None]:
+    """Return a function that waits until the lease of a compile was renewed by its service."""
+    monkeypatch.setattr(compile_service, "_KEEP", 0.05)
+
+    def wait(id: str) -> None:
+        lease, until = store.jobs.get(id).lease, time.monotonic() + 20.0
+        while store.jobs.get(id).lease <= lease:
+            assert time.monotonic() < until
+            time.sleep(0.02)
+
+    return wait
+
+
+def test_a_compile_keeps_its_lease_while_requests_occupy_all_processes(
+    store: Store,
+    service: CompileService,
+    job: Job,
+    compiles_by: Callable[[object], None],
+    lease_passes: Callable[[str], None],
+) -> None:
+    compiles_by(crew_tasks.refuse)
+    thread = threading.Thread(target=service.compile, args=(begin(store, service),))
+    with service.pool._free:
+        thread.start()
+        lease_passes(job.id)
+        assert store.jobs.get(job.id).stage == "read"
+    thread.join(60.0)
+    assert store.jobs.get(job.id).state == "refused"
+
+
+def test_a_compile_keeps_its_lease_while_a_bucket_is_slow(
+    store: Store,
+    service: CompileService,
+    job: Job,
+    monkeypatch: pytest.MonkeyPatch,
+    lease_passes: Callable[[str], None],
+) -> None:
+    read = threading.Event()
+
+    def slowly(*_: object) -> NoReturn:
+        assert read.wait(60.0)
+        raise ContentLost("content.missing", owner=job.drawing, address="5e" * 32)
+
+    monkeypatch.setattr(compile_service, "compile_arguments", slowly)
+    thread = threading.Thread(target=service.compile, args=(begin(store, service),))
+    thread.start()
+    lease_passes(job.id)
+    read.set()
+    thread.join(60.0)
+    assert store.jobs.get(job.id).state == "refused"
 
 
 def test_a_service_that_stops_gives_its_compile_back(

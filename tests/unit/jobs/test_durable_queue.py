@@ -102,6 +102,19 @@ def test_the_workflow_of_a_lost_compile_is_deleted_and_that_of_a_running_one_kep
         queue.stop()
 
 
+def test_records_are_deleted_until_few_are_left(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with migrated_store(f"sqlite:///{tmp_path}/shop.sqlite") as store:
+        queue = durable_queue(store)
+        left = [500, 500, 3, 500]
+        monkeypatch.setattr(queue, "delete_old_workflows", lambda _now: left.pop(0))
+        waits = [False, True]
+        monkeypatch.setattr(queue._stopping, "wait", lambda _seconds: waits.pop(0))
+        queue._tidy()
+        assert left == [500]
+
+
 def test_the_database_decides_on_the_queue(tmp_path: Path) -> None:
     store = Store(f"sqlite:///{tmp_path}/shop.sqlite")
     assert isinstance(queue_of(store, "a", 1), TableQueue)
