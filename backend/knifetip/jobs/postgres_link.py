@@ -209,7 +209,13 @@ class PostgresLink:
         if topics:
             text = "\n".join(sorted(topics))
             payload = text if len(text.encode()) <= _LARGEST else ALL
-            connection.execute("SELECT pg_notify(%s, %s)", (_CHANNEL, payload))
+            try:
+                connection.execute("SELECT pg_notify(%s, %s)", (_CHANNEL, payload))
+            except psycopg.Error:
+                # They are sent by the next connection.
+                with self._lock:
+                    self._topics |= topics
+                raise
 
     def _read(self, connection: psycopg.Connection) -> None:
         """Receive the notifications that have arrived."""

@@ -56,13 +56,19 @@ class SharedClock:
         sqlalchemy.exc.SQLAlchemyError
             The server cannot be read, and was never read before.
         """
-        with self._lock:
-            if self._offset is None:
-                self._offset = self._read_offset()
-            elif self._uptime() - self._read_at > _READ_AGAIN:
+        offset = self._offset
+        if offset is None:
+            with self._lock:
+                offset = self._read_offset() if self._offset is None else self._offset
+                self._offset = offset
+        elif self._uptime() - self._read_at > _READ_AGAIN and self._lock.acquire(blocking=False):
+            # The other threads do not wait: they may have the connections for which this one waits.
+            try:
                 with suppress(sa.exc.SQLAlchemyError):
-                    self._offset = self._read_offset()
-            return self._uptime() + self._offset
+                    offset = self._offset = self._read_offset()
+            finally:
+                self._lock.release()
+        return self._uptime() + offset
 
     def _read_offset(self) -> float:
         before = self._uptime()

@@ -153,6 +153,26 @@ def test_a_lost_connection_is_made_again_and_wakes_all(postgresql_url: str) -> N
             assert woken.wait(10.0)
 
 
+def test_a_notification_that_was_not_sent_is_sent_by_the_next_connection(
+    postgresql_url: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    send, failed = postgres_link.PostgresLink._send, threading.Event()
+
+    def fail_once(link: postgres_link.PostgresLink, connection: psycopg.Connection) -> None:
+        if link.name == "a" and link._topics and not failed.is_set():
+            failed.set()
+            connection.close()
+        send(link, connection)
+
+    with linked_store(postgresql_url, "a") as here, linked_store(postgresql_url, "b") as there:
+        monkeypatch.setattr(postgres_link.PostgresLink, "_send", fail_once)
+        woken = threading.Event()
+        with there.changes.subscribed(woken.set, machine_topic("a table")):
+            here.changes.notify([machine_topic("a table")])
+            assert woken.wait(20.0)
+        assert failed.is_set()
+
+
 def test_a_waiting_link_uses_no_processor_time(postgresql_url: str) -> None:
     with linked_store(postgresql_url, "a"):
         before, began = time.process_time(), time.monotonic()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 import time
 
 import pytest
@@ -55,6 +56,35 @@ def test_the_clock_goes_on_while_the_server_cannot_be_read() -> None:
     assert server.readings == 2
     with pytest.raises(sa.exc.OperationalError):
         SharedClock(server.read, lambda: server.uptime)()
+
+
+def test_threads_do_not_wait_for_one_that_reads_the_server() -> None:
+    # That one may wait for a connection that one of the others has.
+    server = _Server()
+    asked, answered = threading.Event(), threading.Event()
+
+    def read() -> float:
+        if server.readings:
+            asked.set()
+            assert answered.wait(60.0)
+        return server.read()
+
+    clock = SharedClock(read, lambda: server.uptime)
+    began = clock()
+    server.uptime += 60.0
+    reading = threading.Thread(target=clock)
+    reading.start()
+    assert asked.wait(60.0)
+    times: list[float] = []
+    other = threading.Thread(target=lambda: times.append(clock()))
+    other.start()
+    other.join(10.0)
+    before = list(times)
+    answered.set()
+    for thread in (reading, other):
+        thread.join(60.0)
+    assert before == [pytest.approx(began + 60.0)]
+    assert server.readings == 2
 
 
 def test_a_computer_whose_clock_is_ahead_takes_no_job_from_a_gateway(
