@@ -112,14 +112,19 @@ def restore(
 
     target = _file(chosen, must_exist=False)
     found = _schema_of_copy(file)
+    if target.exists() and not replace:
+        raise StoreError("backup.exists", file=target)
+    moment = time.strftime("%Y%m%dT%H%M%SZ", time.gmtime())
+    kept = target.with_name(f"{target.name}.replaced.{moment}")
     if target.exists():
-        if not replace:
-            raise StoreError("backup.exists", file=target)
-        sqlite_copy.require_unused(target)
-        moment = time.strftime("%Y%m%dT%H%M%SZ", time.gmtime())
-        kept = target.with_name(f"{target.name}.replaced.{moment}")
-        sqlite_copy.copy_database(target, kept)
+        # Copied rather than renamed, so that there is a database at any time.
+        if sqlite_copy.require_unused(target):
+            sqlite_copy.copy_database(target, kept)
+        else:
+            sqlite_copy.move_away(target, kept)
         typer.echo(f"The former database is kept as {kept}.")
+    else:
+        sqlite_copy.move_away(target, kept)  # its logs, if only the database was deleted
     sqlite_copy.copy_database(file, target)
     typer.echo(f"{target}: {_describe(found)}")
 

@@ -15,6 +15,8 @@ from knifetip.errors import StoreError
 from knifetip.jobs.disk_sync import sync
 
 _BUSY = 30.0  # seconds to wait for a lock
+#: Ends of the names of files beside a database that contain changes of it.
+_LOGS = ("-wal", "-shm", "-journal")
 
 
 def copy_database(source: Path, target: Path) -> None:
@@ -76,8 +78,13 @@ def check_copy(file: Path) -> None:
         raise StoreError("backup.not-a-backup", file=file, reason=reason) from reason
 
 
-def require_unused(file: Path) -> None:
+def require_unused(file: Path) -> bool:
     """Raise an error if another process has opened a database; move its write-ahead log into it.
+
+    Returns
+    -------
+    bool
+        False if the file is damaged or no database; it can then be replaced, but not copied.
 
     Raises
     ------
@@ -91,7 +98,26 @@ def require_unused(file: Path) -> None:
     except sqlite3.OperationalError as reason:
         raise StoreError("database.in-use", file=file) from reason
     except sqlite3.DatabaseError:
-        return  # not a database; the caller may replace it
+        return False
+    return True
+
+
+def move_away(file: Path, kept: Path) -> None:
+    """Rename a database and its logs, as far as there are any.
+
+    A log that remains would be applied to the next database with the name of the file.
+
+    Raises
+    ------
+    StoreError
+        A file cannot be renamed.
+    """
+    try:
+        for end in ("", *_LOGS):
+            with suppress(FileNotFoundError):
+                file.with_name(file.name + end).rename(kept.with_name(kept.name + end))
+    except OSError as reason:
+        raise StoreError("backup.unwritable", file=kept, reason=reason.strerror) from reason
 
 
 def _connect(file: Path) -> sqlite3.Connection:

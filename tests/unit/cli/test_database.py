@@ -110,6 +110,38 @@ def test_a_database_in_use_is_not_replaced(knifetip: Command, shop: Path, tmp_pa
     assert knifetip("restore", copy, "--replace")[0] == 0
 
 
+def test_the_log_of_a_deleted_database_is_not_applied_to_the_restored_one(
+    knifetip: Command, shop: Path, tmp_path: Path
+) -> None:
+    copy, log = tmp_path / "copy", tmp_path / "shop.sqlite-wal"
+    assert knifetip("backup", copy)[0] == 0
+    # A server was killed, so that its log remained; then a person deleted the database.
+    with closing(Store(f"sqlite:///{shop}")) as store:
+        add_drawing(store)
+        assert drawings(shop) == 2
+        left = log.read_bytes()
+    shop.unlink()
+    log.write_bytes(left)
+    assert knifetip("restore", copy)[0] == 0
+    assert drawings(shop) == 1
+    (kept,) = tmp_path.glob("shop.sqlite.replaced.*-wal")
+    assert kept.read_bytes() == left
+
+
+def test_a_damaged_database_is_replaced_and_kept(
+    knifetip: Command, shop: Path, tmp_path: Path
+) -> None:
+    copy = tmp_path / "copy"
+    assert knifetip("backup", copy)[0] == 0
+    shop.write_bytes(b"x" * 4096)
+    code, out, err = knifetip("restore", copy, "--replace")
+    assert code == 0, err
+    assert drawings(shop) == 1
+    (kept,) = tmp_path.glob("shop.sqlite.replaced.*")
+    assert str(kept) in out
+    assert kept.read_bytes() == b"x" * 4096
+
+
 def test_only_a_whole_backup_of_knifetip_is_restored(
     knifetip: Command, shop: Path, tmp_path: Path
 ) -> None:
