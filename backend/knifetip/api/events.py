@@ -247,6 +247,7 @@ class Stream:
         async with self._lock:
             newest = await asyncio.to_thread(store.events.last_id)
             missed: list[ServerSentEvent] = []
+            read = last = 0
             if not self._listeners:
                 self._last, self._sent_progress = newest, {}
                 await asyncio.to_thread(self._find_gaps, newest)
@@ -255,15 +256,19 @@ class Stream:
                 await asyncio.to_thread(self._stations)
                 await asyncio.to_thread(self._library_changed)
             if after is not None and after < self._last:
-                missed = await asyncio.to_thread(self._missed, after, self._last)
+                last = self._last
+                missed, read = await asyncio.to_thread(self._missed, after, last)
             self._listeners.add(queue)
             self._has_listeners.set()
         watch = asyncio.create_task(self._disconnect_when_refused(queue, permission))
         try:
             # The headers are sent before this client is a listener, so they prove nothing.
             yield ServerSentEvent(event="connected", raw_data="{}", retry=_RETRY)
-            for message in missed:
-                yield message
+            # After a long absence there may be more than the memory should contain at a time.
+            while missed and not watch.done():
+                for message in missed:
+                    yield message
+                missed, read = await asyncio.to_thread(self._missed, read, last)
             while (news := await queue.get()) is not None:
                 yield news
         finally:
@@ -279,12 +284,16 @@ class Stream:
         self._gaps = EventGaps()
         self._gaps.read(before, {event.id for event in recent if event.id <= newest})
 
-    def _missed(self, after: int, last: int) -> list[ServerSentEvent]:
-        events: list[Event] = []
+    def _missed(self, after: int, last: int) -> tuple[list[ServerSentEvent], int]:
+        """Return messages about the first changes after one, and the number of the last of them.
+
+        There are none if ``after`` is ``last``, the number of the last change of all.
+        """
         while after < last and (batch := self._service.store.events.after(after)):
-            events += [event for event in batch if event.id <= last]
             after = batch[-1].id
-        return self._messages(events)
+            if found := self._messages([event for event in batch if event.id <= last]):
+                return found, after
+        return [], last
 
 
 async def _is_permitted(permission: Callable[[], Awaitable[bool]]) -> bool:

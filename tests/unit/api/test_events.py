@@ -11,6 +11,9 @@ from typing import Any
 import httpx
 import pytest
 
+from knifetip.jobs.event_store import EventStore
+from knifetip.jobs.job_store import JobStore
+from knifetip.jobs.tables import Event, Job
 from tests.support.serving.server import order_job, square, upload_drawing, wait_for_state
 
 pytestmark = pytest.mark.xdist_group("server")
@@ -121,6 +124,35 @@ def test_a_client_that_reconnects_receives_only_missed_events(client: httpx.Clie
         cancelled = wait_for_event(heard, missed, "cancelled")
         assert cancelled.number is not None
         assert cancelled.number > event.number
+
+
+def test_a_client_that_was_away_for_long_receives_changes_in_portions(
+    client: httpx.Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first = upload_drawing(client, square())["id"]
+    with event_queue(client) as heard:
+        last = wait_for_event(heard, upload_drawing(client, square())["id"]).number
+    missed = [order_job(client, first)["id"] for _ in range(3)]
+    for job in missed:
+        wait_for_state(client, job, "ready")
+    after, search = EventStore.after, JobStore.search
+    searched: list[int] = []
+
+    def two_events(store: EventStore, last: int, limit: int = 2, **late: Any) -> list[Event]:
+        return after(store, last, limit, **late)
+
+    def count_ids(store: JobStore, *conditions: Any, **more: Any) -> list[Job]:
+        searched.append(len(more.get("ids") or ()))
+        return search(store, *conditions, **more)
+
+    monkeypatch.setattr(EventStore, "after", two_events)
+    monkeypatch.setattr(JobStore, "search", count_ids)
+    with event_queue(client, last) as heard:
+        numbers = [wait_for_event(heard, job, "ready").number for job in missed]
+        assert None not in numbers
+        after_all = upload_drawing(client, square())["id"]
+        assert wait_for_event(heard, after_all).kind == "drawing"
+    assert max(searched) <= 2
 
 
 def test_events_of_progress_have_no_number(client: httpx.Client) -> None:
