@@ -223,6 +223,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_exception_handler(TaskCancelled, _stopping_problem)
     app.add_exception_handler(TaskFailed, _internal_problem)
     app.add_exception_handler(sqlalchemy.exc.DBAPIError, _database_problem)
+    # No connection became free in time.
+    app.add_exception_handler(sqlalchemy.exc.TimeoutError, _database_problem)
     app.add_exception_handler(OSError, _system_problem)
     app.add_exception_handler(Exception, _internal_problem)
 

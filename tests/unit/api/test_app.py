@@ -8,13 +8,15 @@ import json
 import threading
 import time
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, NoReturn
 
 import httpx
 import pytest
+import sqlalchemy.exc
 
 from knifetip import errors
 from knifetip.api.app import status_of
+from knifetip.jobs.job_store import JobStore
 from knifetip.jobs.warm_up import WarmUp, WarmUpProgress
 from tests.support.serving.server import square, upload_drawing
 
@@ -460,3 +462,15 @@ def test_a_body_that_is_not_multipart_is_a_problem_with_a_code(client: httpx.Cli
     headers = {"Content-Type": "multipart/form-data"}  # without a boundary
     data = problem(client.post("/api/drawings", content=b"hello", headers=headers), 400)
     assert data["code"] == "request.body-unreadable"
+
+
+def test_a_server_without_a_free_connection_to_its_database_answers_503(
+    client: httpx.Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def get(_store: JobStore, _id: str) -> NoReturn:
+        raise sqlalchemy.exc.TimeoutError("QueuePool limit of size 10 overflow 40 reached")
+
+    monkeypatch.setattr(JobStore, "get", get)
+    answer = client.get("/api/jobs/abc")
+    assert answer.status_code == 503
+    assert answer.json()["code"] == "server.database-silent"

@@ -7,6 +7,7 @@ import shutil
 import sqlite3
 import subprocess
 import sys
+import threading
 from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
@@ -152,6 +153,28 @@ def test_a_database_that_cannot_be_written_is_not_ready(
         assert ready.status_code == 503
         assert ready.json()["checks"]["database"] == "OperationalError"
         assert ready.json()["status"] == "failing"
+
+
+def test_a_check_that_hangs_occupies_one_thread_only(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    settings = Settings(database=f"sqlite:///{tmp_path}/shop.sqlite", name="test")
+    with run_server(settings) as client:
+        began: list[int] = []
+        answers = threading.Event()
+
+        def hang(_database: Database) -> None:
+            began.append(1)
+            assert answers.wait(60.0)
+
+        monkeypatch.setattr(readiness_module, "_PATIENCE", 0.01)
+        monkeypatch.setattr(readiness_module, "write_probe", hang)
+        for _ in range(3):
+            assert client.get("/readyz").json()["checks"]["database"] == "no answer"
+        assert len(began) == 1
+        answers.set()
+        monkeypatch.setattr(readiness_module, "_PATIENCE", 60.0)
+        assert client.get("/readyz").status_code == 200
 
 
 def test_a_folder_that_cannot_be_written_is_not_ready(
