@@ -291,6 +291,20 @@ def test_a_server(
     assert grades(server.check_server(url, {}))[subject] is grade
 
 
+def test_the_advice_about_a_key_is_a_command_that_exists(
+    answers: tuple[str, dict[str, tuple[int, Any]]], knifetip: Command, tmp_path: Path
+) -> None:
+    url, by_path = answers
+    by_path["/api/v1/service"] = (401, {})
+    *_, finding = server.check_server(url, {})
+    words = finding.advice.partition("knifetip ")[2].partition(";")[0].split()
+    database = f"sqlite:///{tmp_path}/shop.sqlite"
+    named = [{"FILE": str(tmp_path / "key"), "TITLE": "office"}.get(word, word) for word in words]
+    code, _, err = knifetip(*named, "--database", database)
+    assert code == 0, err
+    assert (tmp_path / "key").read_text()
+
+
 @pytest.mark.parametrize("url", ["http://127.0.0.1:1", "not a URL"])
 def test_a_server_that_cannot_be_reached(url: str) -> None:
     assert grades(server.check_server(url, {})) == {"server": Grade.PROBLEM}

@@ -62,7 +62,6 @@ def _key(answer: Any, given: bool) -> CheckResult:
         return ok("key", "the server accepts the key" if given else "no key is necessary here")
     if answer.status_code in (401, 403):
         text = "the server refuses the key" if given else "the server requires a key"
-        return problem(
-            "key", text, "Create one at the server: knifetip key add NAME; give --key-file."
-        )
+        create = "knifetip key create TITLE --scope viewer --file FILE"
+        return problem("key", text, f"Create one at the server: {create}; give --key-file FILE.")
     return problem("key", f"the server answers {answer.status_code}", "Read the log of the server.")
