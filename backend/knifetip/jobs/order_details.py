@@ -43,7 +43,7 @@ class DetailsFilter:
         if self.due_before is not None:
             found.append(table.due < self.due_before)
         if self.notes:
-            found.append(table.notes.icontains(self.notes, autoescape=True))
+            found.append(contains(table.notes, self.notes))
         labels = JobMetadata if table is Job else DrawingMetadata
         for key, text in self.metadata.items():
             entry = sa.select(labels.owner).where(
@@ -51,6 +51,24 @@ class DetailsFilter:
             )
             found.append(entry.exists())
         return found
+
+
+def contains(column: sa.SQLColumnExpression[str], text: str) -> sa.ColumnElement[bool]:
+    """Return the condition that a column contains a text, in upper or lower case.
+
+    Parameters
+    ----------
+    column
+        The column.
+    text
+        The text.
+    """
+    lowered = text.lower()
+    for letter in sorted(set(lowered)):
+        # SQLite's function ``lower`` changes ASCII letters only.
+        if not letter.isascii() and len(letter.upper()) == 1:
+            column = sa.func.replace(column, letter.upper(), letter, type_=sa.String)
+    return column.icontains(lowered, autoescape=True)
 
 
 def metadata_rows(table: type[Drawing] | type[Job], serial: int, extra: Details) -> list[Any]:
