@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from typing import Literal, NamedTuple, TypeAlias
 
 from knifetip.api.waiting import ABSENT
@@ -11,7 +11,7 @@ from knifetip.jobs.machine_queues import is_waiting
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 
-NoEstimate: TypeAlias = Literal["", "hold", "interrupted", "gateway"]
+NoEstimate: TypeAlias = Literal["", "hold", "compile", "interrupted", "gateway"]
 
 
 class Estimate(NamedTuple):
@@ -31,15 +31,18 @@ def estimates(store: Store, rows: Sequence[Job]) -> dict[str, Estimate]:
     found: dict[str, Estimate] = {}
     for machine in machines:
         queue = store.queues.jobs(machine)
+        outdated = store.library.changes(queue)
         blocked = any(row.state == State.INTERRUPTED for row in queue)
         place = 0
-        for row, start in zip(queue, start_times(queue), strict=True):
+        for row, start in zip(queue, start_times(queue, outdated), strict=True):
             if not is_waiting(row):
                 continue
             place += 1
             missing: NoEstimate = ""
             if row.on_hold:
                 missing = "hold"
+            elif row.id in outdated:
+                missing = "compile"
             elif blocked:
                 missing = "interrupted"
             elif machine not in connected:
@@ -56,19 +59,21 @@ def remaining_seconds(row: Job) -> float:
     return row.seconds_left + max(remaining - 1, 0) * row.seconds
 
 
-def start_times(rows: Sequence[Job]) -> list[float | None]:
+def start_times(rows: Sequence[Job], outdated: Container[str] = ()) -> list[float | None]:
     """Return the times after which jobs start (s), None if a time cannot be estimated.
 
     Parameters
     ----------
     rows
         The jobs of a machine in the order in which they run.
+    outdated
+        Ids of the jobs that must be compiled again before their machine claims them.
     """
     blocked = any(row.state == State.INTERRUPTED for row in rows)
     starts: list[float | None] = []
     total = 0.0
     for row in rows:
-        if row.on_hold or blocked:
+        if row.on_hold or blocked or (is_waiting(row) and row.id in outdated):
             starts.append(None)
             continue
         starts.append(total)

@@ -48,7 +48,7 @@ def get_queue(service: ServiceDep, response: Response, name: MachineName) -> Que
     rows = service.store.queues.jobs(name)
     waiting = [row for row in rows if is_waiting(row)]
     response.headers["ETag"] = f'"{order_version(waiting)}"'
-    starts = start_times(rows)
+    starts = start_times(rows, service.store.library.changes(waiting))
     first = len(rows) - len(waiting)
     return QueueOut.model_validate(
         {

@@ -248,6 +248,30 @@ def test_a_job_is_compiled_for_the_version_with_which_it_was_ordered(client: htt
     assert client.delete("/api/boards/own-grey").status_code == 204
 
 
+def test_a_queued_job_that_must_be_compiled_again_has_no_estimated_start(
+    client: httpx.Client,
+) -> None:
+    """Its machine takes the jobs behind it first."""
+    save(client, "boards/aging", BOARD)
+    save(client, "machines/aging-table", MACHINE)
+    drawing = upload_drawing(client, square())["id"]
+    jobs = []
+    for board in ("aging", "e-flute"):
+        job = order_job(client, drawing, machine="aging-table", board=board)["id"]
+        wait_for_state(client, job, "ready")
+        assert client.post(f"/api/jobs/{job}/release").status_code == 200
+        jobs.append(job)
+    save(client, "boards/aging", BOARD + "\n", '"1"')
+    rows = [client.get(f"/api/jobs/{job}").json() for job in jobs]
+    assert [row["queue_position"] for row in rows] == [1, 2]
+    assert [row["no_estimate"] for row in rows] == ["compile", "gateway"]
+    assert [row["estimated_start"] for row in rows] == [None, None]
+    queue = client.get("/api/machines/aging-table/queue").json()
+    assert [entry["starts_in"] for entry in queue["entries"]] == [None, 0.0]
+    for job in jobs:
+        client.post(f"/api/jobs/{job}/cancel")
+
+
 def test_a_gateway_with_an_older_definition_gets_no_job(client: httpx.Client) -> None:
     save(client, "machines/gated", MACHINE)
     claim = {"gateway": "g", "machine": "gated", "wait": 0.0, "machine_version": 1}

@@ -205,11 +205,11 @@ class JobOut(OrderDetailsOut):
         description="Estimated start: now, and the machine time of the jobs before it. Null if the "
         "job does not wait in a queue, or if `no_estimate` states why there is none",
     )
-    no_estimate: Literal["", "hold", "interrupted", "gateway"] = Field(
+    no_estimate: Literal["", "hold", "compile", "interrupted", "gateway"] = Field(
         default="",
-        description="Why a waiting job has no estimated start. hold: it is on hold. interrupted: "
-        "an interrupted job occupies the machine. gateway: the machine is not connected. Empty "
-        "otherwise",
+        description="Why a waiting job has no estimated start. hold: it is on hold. compile: it "
+        "must be compiled again. interrupted: an interrupted job occupies the machine. gateway: "
+        "the machine is not connected. Empty otherwise",
     )
     on_hold: bool = Field(
         default=False,

@@ -28,8 +28,8 @@ class QueueEntry(BaseModel):
     )
     starts_in: float | None = Field(
         description="Estimated time until the job starts: the machine time of the jobs before it "
-        "(s). Null if it cannot be estimated: the job is on hold, or the machine is "
-        "occupied by an interrupted job"
+        "(s). Null if it cannot be estimated: the job is on hold or must be compiled again, or the "
+        "machine is occupied by an interrupted job"
     )
     picture: str = Field(description="URL of a picture of the drawing (SVG)")
     job: JobOut = Field(description="The job")
