@@ -17,6 +17,7 @@ from knifetip.api.routing import ScopedOperation
 from knifetip.api.schemas.common import Problem
 from knifetip.api.schemas.messages import describe_codes
 from knifetip.api.schemas.security import describe_scopes, with_open_door
+from knifetip.api.text_examples import add_text_examples
 
 _JSON: Final = "application/json"
 
@@ -92,11 +93,12 @@ def describe(app: FastAPI, operations: Sequence[ScopedOperation]) -> dict[str, A
 
 
 def _add_examples(described: dict[str, Any]) -> None:
-    """Add an example of its JSON to each request and each answer."""
+    """Add an example to each request and each answer, except of bytes."""
     examples = Examples(described["components"]["schemas"])
     for path, item in described["paths"].items():
         name = library_name(path)
         for operation in item.values():
+            add_text_examples(operation)
             for parameter in operation.get("parameters", ()):
                 if name is not None and (parameter["in"], parameter["name"]) == ("path", "name"):
                     parameter["example"] = name

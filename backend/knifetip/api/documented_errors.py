@@ -46,6 +46,7 @@ _WRITING: Final[Mapping[int, Sequence[str]]] = {
     507: ("limit.disk-low", "limit.disk-full"),
 }
 _BODY: Final[Mapping[int, Sequence[str]]] = {400: ("request.body-unreadable",)}
+_KEYED: Final[Mapping[int, Sequence[str]]] = {422: ("request.key-reused",)}
 _SAFE: Final = ("get", "head")
 
 
@@ -102,6 +103,8 @@ def errors_of(
         groups.append(_WRITING)
     if "requestBody" in operation:
         groups.append(_BODY)
+    if any(one["name"] == "Idempotency-Key" for one in operation.get("parameters", ())):
+        groups.append(_KEYED)
     groups.append(declared.get(operation["operationId"], {}))
     found: dict[int, list[str]] = {}
     for group in groups:

@@ -11,8 +11,10 @@ from typing import Any, Final
 
 from knifetip.messages import Message, with_text
 
-_ID: Final = "5p256sc8xs7q"
-_TIME: Final = "2030-01-02T03:04:05.123Z"
+EXAMPLE_ID: Final = "5p256sc8xs7q"
+EXAMPLE_TIME: Final = "2030-01-02T03:04:05.123Z"
+_ID: Final = EXAMPLE_ID
+_TIME: Final = EXAMPLE_TIME
 _HASH: Final = "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08"
 _TOML: Final = 'title = "Demo table"\n'
 _TEXTS: Final[Mapping[str, str]] = {

@@ -6,9 +6,11 @@ both are stored or neither is, so a client may repeat the command until it gets 
 
 from __future__ import annotations
 
+from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
-from knifetip.jobs.database import Database
+from knifetip.errors import KeyReused
+from knifetip.jobs.database import Database, short
 from knifetip.jobs.request_key import RequestKey
 from knifetip.jobs.tables import CommandKey, Job
 from knifetip.jobs.transitions import Transitions
@@ -55,5 +57,9 @@ class CommandKeys:
                 created=self._db.clock(),
             )
         )
-        session.flush()
+        try:
+            session.flush()
+        except IntegrityError as reason:
+            # Another command has stored it meanwhile, about another job: this one is locked.
+            raise KeyReused("request.key-reused", key=short(key.text)) from reason
         return None

@@ -111,6 +111,19 @@ def test_every_error_has_an_example_that_follows_the_schema() -> None:
     assert not faults(examples)
 
 
+def test_every_operation_with_an_idempotency_key_documents_that_it_was_reused() -> None:
+    keyed = {
+        name
+        for name, operation in OPERATIONS.items()
+        if "Idempotency-Key" in [one["name"] for one in operation.get("parameters", ())]
+    }
+    assert {"release_job", "upload_drawing", "answer_xjmf"} <= keyed
+    missing = {
+        name for name in keyed if (422, "request.key-reused") not in documented(OPERATIONS[name])
+    }
+    assert not missing
+
+
 def test_documented_examples_of_errors_exist() -> None:
     for name, operation in OPERATIONS.items():
         for status, code in documented(operation):
@@ -128,6 +141,25 @@ def test_requests_and_answers_have_examples_that_follow_their_schemas() -> None:
                 examples.append((name, media["schema"], media["example"]))
     assert len(examples) > 100
     assert not faults(examples)
+
+
+def test_bodies_that_are_no_json_have_examples() -> None:
+    missing = set()
+    for name, operation in OPERATIONS.items():
+        contents = [operation.get("requestBody", {}).get("content", {})]
+        contents += [one.get("content", {}) for one in operation["responses"].values()]
+        for content in contents:
+            for media, body in content.items():
+                is_binary = body.get("schema", {}).get("format") == "binary"
+                if not is_binary and not {"example", "examples"} & set(body):
+                    missing.add((name, media))
+    # Definitions have an example as JSON; the streams have no end.
+    assert missing <= {
+        *((name, "application/toml") for name in OPERATIONS if name.startswith("save_")),
+        ("keep_profile", "application/toml"),
+        ("get_events", "text/event-stream"),
+        ("metrics", "text/plain"),
+    }
 
 
 def test_a_wrong_example_is_a_fault() -> None:

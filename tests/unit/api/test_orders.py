@@ -161,3 +161,31 @@ def test_a_waiting_job_has_a_place_and_no_start_without_a_gateway(client: httpx.
     assert first["estimated_start"] >= first["updated"]
     for job in jobs:
         client.post(f"/api/v1/jobs/{job}/cancel")
+
+
+def test_the_examples_of_the_description_are_accepted(client: httpx.Client) -> None:
+    paths = client.get("/api/v1/openapi.json").json()["paths"]
+
+    def example(path: str, media: str) -> Any:
+        return paths[f"/api/v1/{path}"]["post"]["requestBody"]["content"][media]["example"]
+
+    fields = example("drawings", "multipart/form-data")
+    files = {"file": ("tray.dxf", fields.pop("file"))}
+    drawing = client.post("/api/v1/drawings", files=files, data=fields).json()
+    assert (drawing["width"], drawing["height"], drawing["questions"]) == (100.0, 80.0, [])
+    assert drawing["external_id"] == "PO-4711"
+    fields = example("orders", "multipart/form-data")
+    files = {"file": ("tray.dxf", fields.pop("file"))}
+    answer = client.post("/api/v1/orders", files=files, data=fields)
+    assert (answer.status_code, answer.json()["job"]["copies"]) == (201, 2)
+    media = "application/vnd.cip4-xjdf+xml"
+    order = example("xjdf", media)
+    unknown = client.post("/api/v1/xjdf", content=order, headers={"Content-Type": media})
+    assert (unknown.status_code, unknown.json()["code"]) == (404, "drawing.unknown")
+    order = order.replace("/drawings/5p256sc8xs7q", f"/drawings/{drawing['id']}")
+    answer = client.post("/api/v1/xjdf", content=order, headers={"Content-Type": media})
+    assert (answer.status_code, answer.json()["external_id"]) == (201, "PO-4711")
+    media = "application/vnd.cip4-xjmf+xml"
+    query = example("xjmf", media)
+    answer = client.post("/api/v1/xjmf", content=query, headers={"Content-Type": media})
+    assert 'ReturnCode="0"' in answer.text

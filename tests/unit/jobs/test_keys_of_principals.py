@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import threading
+import time
+
 import pytest
+import sqlalchemy as sa
 
 from knifetip.errors import KeyReused
 from knifetip.jobs.accounts.acting import Acting, acting_as
@@ -51,3 +55,39 @@ def test_a_command_of_another_principal_is_carried_out(store: Store) -> None:
     store.operators.cancel(second.id)
     repeated = store.operators.release(second.id, key_of("user", "u2", "release the second"))
     assert repeated.state == "cancelled"
+
+
+def test_two_commands_with_one_key_at_the_same_time(store: Store) -> None:
+    """The key of the first is stored but not committed when the second looks for it."""
+    first, second = ready(store), ready(store)
+    refused: list[Exception] = []
+
+    def release_second() -> None:
+        try:
+            store.operators.release(second.id, key_of("user", "u1", "release the second"))
+        except Exception as reason:
+            refused.append(reason)
+
+    other = threading.Thread(target=release_second)
+    with store.database.writing() as session:
+        key = key_of("user", "u1", "release the first")
+        assert store.operators._keys.repeated(session, first.id, key) is None
+        other.start()
+        wait_until_blocked(store)
+    other.join()
+    assert [type(reason) for reason in refused] == [KeyReused]
+    assert store.jobs.get(second.id).state == "ready"
+
+
+def wait_until_blocked(store: Store) -> None:
+    """Wait until a transaction of PostgreSQL waits for another one; SQLite has one at a time."""
+    if not store.database.url.startswith("postgresql"):
+        return
+    waiting = sa.text("SELECT count(*) FROM pg_locks WHERE NOT granted")
+    end = time.monotonic() + 60.0
+    while True:
+        with store.database.reading() as session:
+            if session.scalar(waiting):
+                return
+        assert time.monotonic() < end
+        time.sleep(0.01)
