@@ -8,6 +8,7 @@ from __future__ import annotations
 import zipfile
 import zlib
 from email import policy
+from email.errors import MessageError
 from email.message import EmailMessage, MIMEPart
 from email.parser import BytesParser
 from io import BytesIO
@@ -28,9 +29,17 @@ ROOT_XJMF: Final = "root.xjmf"
 
 _MOST_FILES = 200  # files of a package
 _ZIP_START = b"PK\x03\x04"
+_ZIP_ENTRY = b"PK\x01\x02"  # begins each entry of the directory
+_MOST_ENTRIES = 10_000  # entries of a directory that is read: each one takes memory
+#: Methods of compression that XJDF permits.  The others may need much memory, too.
+_METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
 _ZIP_FAULTS = (
     *(zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError),
     *(RuntimeError, NotImplementedError, LookupError),
+)
+#: Python's email library raises these for malformed heads, and for parts in parts in parts.
+_MIME_FAULTS = (
+    *(MessageError, RecursionError, ValueError, LookupError, TypeError, AttributeError),
 )
 
 
@@ -87,6 +96,8 @@ class ZipPackage:
 
     def __init__(self, content: bytes, limit: int, kind: str) -> None:
         self._limit = limit
+        if content.count(_ZIP_ENTRY) > _MOST_ENTRIES:
+            raise RequestError("xjdf.many-files", limit=_MOST_FILES)
         try:
             self._zip = zipfile.ZipFile(BytesIO(content))
         except _ZIP_FAULTS as reason:
@@ -108,6 +119,10 @@ class ZipPackage:
         return self._read(name, self._limit)
 
     def _read(self, name: str, limit: int) -> bytes:
+        method = self._entries[name].compress_type
+        if method not in _METHODS:
+            reason = f"the method of compression {method} is not supported"
+            raise RequestError("xjdf.bad-package", reason=reason)
         try:
             # The size in the directory may be wrong: the decompressed bytes are counted.
             with self._zip.open(self._entries[name]) as file:
@@ -132,12 +147,18 @@ class MimePackage:
     Raises
     ------
     RequestError
-        The package has no parts, or too many.
+        The package has no parts, or too many, or cannot be parsed.
     """
 
     def __init__(self, content: bytes, media: str) -> None:
         head = f"Content-Type: {media}\r\n\r\n".encode("latin-1", "replace")
-        message = BytesParser(policy=policy.HTTP).parsebytes(head + content)
+        try:
+            self._read(head + content)
+        except _MIME_FAULTS as reason:
+            raise RequestError("xjdf.bad-package", reason=type(reason).__name__) from reason
+
+    def _read(self, text: bytes) -> None:
+        message = BytesParser(policy=policy.HTTP).parsebytes(text)
         assert isinstance(message, EmailMessage)
         parts = list(message.iter_parts()) if message.is_multipart() else []
         if not parts:

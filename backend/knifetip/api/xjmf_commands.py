@@ -18,6 +18,7 @@ from knifetip.api.service import Service
 from knifetip.api.xjdf_package import Package
 from knifetip.api.xjdf_placing import XjdfDefaults, place_xjdf
 from knifetip.api.xjdf_status import NODE_STATUS, device_info, queue_entry
+from knifetip.api.xjdf_xml import children
 from knifetip.api.xjmf_messages import ReturnCode, XjmfAnswer, XjmfMessage
 from knifetip.errors import (
     AccessDenied,
@@ -36,6 +37,8 @@ from knifetip.jobs.queue_store import WaitingChange
 from knifetip.jobs.tables import Job
 
 _MOST_ENTRIES = 200  # entries of a queue that a response contains
+#: Attributes of a QueueFilter that commands may have; the last two select nothing.
+_CONDITIONS = ("QueueEntryIDs", "JobID", "StatusList", "QueueEntryDetails", "UpdateGranularity")
 _OPEN = tuple(state for state in State if state not in ENDED)
 
 
@@ -106,7 +109,8 @@ async def _submit(answering: Answering, message: XjmfMessage) -> list[Element]:
             ReturnCode.INVALID_PARAMETERS, f"Activation {activation[:40]} is not supported."
         )
     document = answering.package.file(parameters.get("URL", ""))
-    key = f"{answering.key}/{message.id}" if answering.key else None
+    # Messages need no id.
+    key = f"{answering.key}/{message.index}/{message.id}" if answering.key else None
     job = await place_xjdf(
         answering.service,
         answering.principal,
@@ -247,8 +251,10 @@ def _selected(answering: Answering, parameters: Element | None) -> list[Job]:
     NotFound
         An entry that is named by its id does not exist.
     """
-    filters = [] if parameters is None else list(parameters)
+    filters = [] if parameters is None else children(parameters, "QueueFilter")
     attributes = filters[0].attrib if filters else {}
+    if parameters is not None and "Operation" in parameters.attrib:
+        _check_selection(attributes)
     jobs = answering.service.store.jobs
     job = attributes.get("JobID", "")
     wanted = attributes.get("StatusList", "").split()
@@ -259,14 +265,30 @@ def _selected(answering: Answering, parameters: Element | None) -> list[Job]:
         states = () if job or wanted else _OPEN
         details = JobFilter(DetailsFilter(external_id=job))
         rows = jobs.search(states, limit=_MOST_ENTRIES, wanted=details)
-        if parameters is not None and not job and "Operation" in parameters.attrib:
-            raise _Refusal(
-                ReturnCode.INSUFFICIENT_PARAMETERS,
-                "QueueFilter needs QueueEntryIDs or JobID.",
-            )
     if wanted:
         rows = [row for row in rows if NODE_STATUS[State(row.state)] in wanted]
     return rows
+
+
+def _check_selection(attributes: Mapping[str, str]) -> None:
+    """Raise ``_Refusal`` unless the filter of a command selects exactly the entries to change.
+
+    A condition that is not supported must not be disregarded: the command would change entries
+    that it excludes.
+    """
+    if not attributes.get("JobID") and "QueueEntryIDs" not in attributes:
+        raise _Refusal(
+            ReturnCode.INSUFFICIENT_PARAMETERS, "QueueFilter needs QueueEntryIDs or JobID."
+        )
+    for name in attributes:
+        if name not in _CONDITIONS and not name.startswith("{"):
+            raise _Refusal(
+                ReturnCode.INVALID_PARAMETERS, f"QueueFilter/@{name[:40]} is not supported."
+            )
+    if len(attributes.get("QueueEntryIDs", "").split()) > _MOST_ENTRIES:
+        raise _Refusal(
+            ReturnCode.INVALID_PARAMETERS, f"A command changes at most {_MOST_ENTRIES} entries."
+        )
 
 
 def _required(message: XjmfMessage, name: str) -> Element:

@@ -48,6 +48,7 @@ class XjmfMessage:
     name: str  #: such as SubmitQueueEntry
     id: str  #: Header/@ID; "" if it is missing
     element: Element
+    index: int = 0  #: number of the message in its document, from 0
 
     def parameters(self, name: str) -> Element | None:
         """Return the child element with a name, None if there is none."""
@@ -73,12 +74,12 @@ def read_messages(content: bytes) -> list[XjmfMessage]:
         The document is not readable, is no XJMF, or has no command or query, or too many.
     """
     root = parse(content, "XJMF")
-    found = []
+    found: list[XjmfMessage] = []
     for element in root:
         if match := _NAME.fullmatch(local_name(element)):
             heads = children(element, "Header")
             id = heads[0].get("ID", "") if heads else ""
-            found.append(XjmfMessage(match[1], match[2], id, element))
+            found.append(XjmfMessage(match[1], match[2], id, element, len(found)))
     if not found:
         raise RequestError("xjdf.missing", place="XJMF/(Command…|Query…)")
     if len(found) > _MOST_MESSAGES:

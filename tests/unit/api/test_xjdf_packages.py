@@ -165,3 +165,31 @@ def test_a_package_may_be_as_large_as_an_upload(client: httpx.Client) -> None:
     answer = post(client, zipped(files, method=zipfile.ZIP_STORED), ZIP)
     assert answer.status_code == 422, answer.text
     assert answer.json()["code"] == "error.in-file"
+
+
+@pytest.mark.parametrize("method", [zipfile.ZIP_LZMA, zipfile.ZIP_BZIP2])
+def test_methods_of_compression_that_xjdf_does_not_permit(method: int) -> None:
+    files = {"order.xjdf": b"<XJDF/>", "tray.dxf": b"x" * 1000}
+    whole = zipped(files, method=method)
+    assert fault(whole) == "xjdf.bad-package"
+    # Damaged data of the other methods raise errors of their own.
+    at = whole.index(b"order.xjdf") + 20
+    assert fault(whole[:at] + b"\xff" * 8 + whole[at + 8 :]) == "xjdf.bad-package"
+
+
+def test_a_directory_with_very_many_files_is_not_read(monkeypatch: pytest.MonkeyPatch) -> None:
+    many = b"PK\x01\x02" * 20_000
+    monkeypatch.setattr(zipfile, "ZipFile", None)
+    assert fault(b"PK\x03\x04" + many) == "xjdf.many-files"
+
+
+@pytest.mark.parametrize("kind", [b"multipart/mixed; boundary=A", b"message/rfc822"])
+def test_parts_in_parts_in_parts_are_refused(kind: bytes) -> None:
+    body = b"--A\r\n\r\n<XJDF/>\r\n--A\r\n" + (b"Content-Type: " + kind + b"\r\n\r\n") * 5000
+    deep = b"".join(
+        b"--%d\r\nContent-Type: multipart/mixed; boundary=%d\r\n\r\n" % (level, level + 1)
+        for level in range(3000)
+    )
+    for content, boundary in ((body, "A"), (deep, "0")):
+        code = fault(content, f"multipart/related; boundary={boundary}")
+        assert code in ("xjdf.bad-package", "xjdf.nested-parts", "xjdf.no-file")

@@ -255,3 +255,40 @@ def test_a_job_is_written_as_xjdf(shop: LocalClient) -> None:
     assert amount.get("Amount") == "4"
     (phase,) = root.iter(f"{NS}JobPhase")
     assert phase.get("QueueEntryID") == job
+
+
+@pytest.mark.parametrize(
+    "condition", ['DeviceIDs="v-groove-table"', 'NewerThan="2030-01-01T00:00:00Z"', 'Jobid="x"']
+)
+def test_a_command_with_a_condition_that_is_not_supported_changes_nothing(
+    shop: LocalClient, condition: str
+) -> None:
+    """It would end jobs that the condition excludes."""
+    job = ready_job(shop, external_id="PO-condition")
+    command = modify("Abort", job).replace("<QueueFilter", f"<QueueFilter {condition}")
+    (response,) = ask(shop, xjmf(command))
+    assert code(response) == 6
+    assert condition.partition("=")[0] in response.findtext(f"{NS}Notification/{NS}Comment", "")
+    assert shop.get(f"/api/jobs/{job}").json()["state"] == "ready"
+    (response,) = ask(shop, xjmf(modify("Abort", " ".join([job] * 201))))
+    assert code(response) == 6
+    details = 'QueueEntryDetails="Brief" StatusList="Waiting"'
+    command = modify("Abort", job).replace("<QueueFilter", f"<QueueFilter {details}")
+    (response,) = ask(shop, xjmf(command))
+    assert code(response) == 0
+
+
+def test_two_orders_without_ids_are_two_jobs_under_one_key(shop: LocalClient) -> None:
+    one = submit("one.xjdf", "Held").replace("<HEAD/>", f"<Header {HEADER}/>")
+    files = {
+        "root.xjmf": xjmf(one, one),
+        "one.xjdf": order_for("tray.dxf", "PO-twice"),
+        "tray.dxf": square(side=84.0),
+    }
+    headers = {"Content-Type": "application/vnd.cip4-xjmf+zip", "Idempotency-Key": "two-orders"}
+    for _ in range(2):
+        answer = shop.post("/api/v1/xjmf", content=zipped(files), headers=headers)
+        responses = list(ElementTree.fromstring(answer.content))[1:]
+        assert [code(response) for response in responses] == [0, 0]
+        assert len({entry(response)["QueueEntryID"] for response in responses}) == 2
+    assert len(shop.get("/api/jobs", params={"external_id": "PO-twice"}).json()) == 2
