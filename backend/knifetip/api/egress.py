@@ -10,6 +10,8 @@ from __future__ import annotations
 import asyncio
 import ipaddress
 import socket
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from typing import Final, TypeAlias
 from urllib.parse import urlsplit
 
@@ -20,11 +22,19 @@ Address: TypeAlias = ipaddress.IPv4Address | ipaddress.IPv6Address
 
 #: Addresses of metadata services of clouds that are not link-local.
 _METADATA: Final = frozenset(
-    ipaddress.ip_address(text) for text in ("100.100.100.200", "192.0.0.192", "fd00:ec2::254")
+    ipaddress.ip_address(text)
+    for text in (
+        *("100.100.100.200", "192.0.0.192", "168.63.129.16"),
+        *("fd00:ec2::254", "fd20:ce::254", "fd00:42::42"),
+    )
 )
 #: IPv6 networks whose addresses end in an IPv4 address (NAT64, and IPv4-compatible).
 _EMBEDDED: Final = tuple(map(ipaddress.IPv6Network, ("64:ff9b::/96", "::/96")))
 _PORTS: Final = {"http": 80, "https": 443}
+#: A name server that does not answer blocks a thread for up to a minute.  Such threads must not be
+#: those of the event loop, for which event streams wait, too.
+_RESOLVERS: Final = ThreadPoolExecutor(8, "resolve")
+_MOST_ADDRESSES = 4  # addresses of one name to which a connection is tried
 
 
 def check_url(url: str, *, private: bool) -> str:
@@ -111,8 +121,10 @@ def _inner(address: Address) -> Address:
     return address
 
 
-async def resolve(url: str, *, private: bool) -> str:
-    """Return an address of the host of a URL, as text, all of whose addresses are permitted.
+async def resolve(url: str, *, private: bool) -> tuple[str, ...]:
+    """Return the addresses of the host of a URL, as texts, in the order in which to try them.
+
+    All of them are permitted, including those beyond the number that is returned.
 
     Raises
     ------
@@ -122,11 +134,13 @@ async def resolve(url: str, *, private: bool) -> str:
         One of its addresses is not permitted.
     """
     parts = urlsplit(url)
-    found = await asyncio.get_running_loop().getaddrinfo(
-        parts.hostname, parts.port or _PORTS[parts.scheme], type=socket.SOCK_STREAM
-    )
-    addresses = [str(info[4][0]) for info in found]
+    port = parts.port or _PORTS[parts.scheme]
+    look_up = partial(socket.getaddrinfo, parts.hostname, port, type=socket.SOCK_STREAM)
+    found = await asyncio.get_running_loop().run_in_executor(_RESOLVERS, look_up)
+    addresses = tuple(dict.fromkeys(str(info[4][0]) for info in found))
+    if not addresses:
+        raise OSError("the name has no address")
     for text in addresses:
         if not is_permitted(ipaddress.ip_address(text.partition("%")[0]), private=private):
             raise RequestError(Message("webhook.forbidden-address", address=text))
-    return addresses[0]
+    return addresses[:_MOST_ADDRESSES]

@@ -8,9 +8,12 @@ from __future__ import annotations
 
 import asyncio
 import logging
+import ssl
 import time
 from collections.abc import Awaitable
+from contextlib import suppress
 from datetime import UTC, datetime
+from functools import cache
 from importlib.metadata import version
 from typing import Final
 from urllib.parse import urlsplit
@@ -155,9 +158,23 @@ def _visible(text: str) -> str:
 
 
 async def _post(claimed: Claimed, now: float, private: bool) -> tuple[int, bytes]:
+    """Send a delivery to the first address of its host that accepts a connection."""
+    *others, last = await resolve(claimed.url, private=private)
+    # An address that does not answer leaves time for the next one.
+    limits = httpx.Timeout(TIME_LIMIT, connect=TIME_LIMIT / (len(others) + 1))
+    async with httpx.AsyncClient(
+        verify=_trusted(), trust_env=False, timeout=limits, follow_redirects=False
+    ) as client:
+        for address in others:
+            with suppress(httpx.ConnectError, httpx.ConnectTimeout):
+                return await _post_to(address, client, claimed, now)
+        return await _post_to(last, client, claimed, now)
+
+
+async def _post_to(
+    address: str, client: httpx.AsyncClient, claimed: Claimed, now: float
+) -> tuple[int, bytes]:
     parts = urlsplit(claimed.url)
-    host = parts.hostname or ""
-    address = await resolve(claimed.url, private=private)
     shown = f"[{address}]" if ":" in address else address
     # The connection goes to the address that was checked; name and certificate are those of the
     # URL.
@@ -171,22 +188,31 @@ async def _post(claimed: Claimed, now: float, private: bool) -> tuple[int, bytes
         **signature_headers(claimed, now),
         **tracing.headers(),
     }
-    async with (
-        httpx.AsyncClient(trust_env=False, timeout=TIME_LIMIT, follow_redirects=False) as client,
-        client.stream(
-            "POST",
-            target,
-            content=claimed.payload.encode(),
-            headers=headers,
-            extensions={"sni_hostname": host},
-        ) as response,
-    ):
+    async with client.stream(
+        "POST",
+        target,
+        content=claimed.payload.encode(),
+        headers=headers,
+        extensions={"sni_hostname": parts.hostname or ""},
+    ) as response:
         answer = b""
         async for chunk in response.aiter_raw():
             answer += chunk
             if len(answer) >= ANSWER_LIMIT:
                 break
         return response.status_code, answer[:ANSWER_LIMIT]
+
+
+@cache
+def _trusted() -> ssl.SSLContext:
+    """Return the settings of TLS; certificates of the authorities of the system are accepted.
+
+    The certificate of an authority of the shop itself is found as by other programs: in the store
+    of the system, or in ``SSL_CERT_FILE`` or ``SSL_CERT_DIR``.
+    """
+    context = httpx.create_ssl_context(trust_env=False)
+    context.load_default_certs()
+    return context
 
 
 def signature_headers(claimed: Claimed, now: float) -> dict[str, str]:

@@ -111,12 +111,13 @@ class WebhookQueue:
         now = self._db.clock()
         # Without a write, which would lock SQLite, as long as nothing is due.
         with self._db.reading() as session:
-            endpoints = [
-                serial
+            # The longest due first, so that busy endpoints do not delay the others.
+            due = sorted(
+                (row.due, row.serial, serial)
                 for serial in self._ready_endpoints(session, busy, now)
-                if self._first_due(session, serial, now) is not None
-            ]
-        for serial in endpoints:
+                if (row := self._first_due(session, serial, now)) is not None
+            )
+        for _, _, serial in due:
             with self._db.writing() as session:
                 row = self._first_due(session, serial, now)
                 endpoint = session.get(Webhook, serial)
@@ -179,8 +180,10 @@ class WebhookQueue:
         An endpoint that answers ``GONE`` is switched off, and its pending deliveries are not sent.
         """
         with self._db.writing() as session:
-            row = session.get(WebhookDelivery, claimed.serial, with_for_update=True)
+            # The endpoint before its deliveries, as everywhere: otherwise two transactions could
+            # wait for each other.
             endpoint = session.get(Webhook, claimed.webhook, with_for_update=True)
+            row = session.get(WebhookDelivery, claimed.serial, with_for_update=True)
             if row is None or endpoint is None:
                 return  # the endpoint was deleted
             row.attempts = [*row.attempts, attempt.as_json()][-_KEPT:]

@@ -266,7 +266,7 @@ class WebhookStore:
             The endpoint is switched off.
         """
         with self._db.writing() as session:
-            webhook = _find(session, id)
+            webhook = _find(session, id, lock=True)
             _check_active(webhook)
             chosen = WebhookDelivery.webhook == webhook.serial
             if delivery is None:
@@ -300,8 +300,9 @@ class WebhookStore:
         return replayed
 
 
-def _find(session: Session, id: str) -> Webhook:
-    row = session.scalar(sa.select(Webhook).where(Webhook.id == id))
+def _find(session: Session, id: str, *, lock: bool = False) -> Webhook:
+    query = sa.select(Webhook).where(Webhook.id == id)
+    row = session.scalar(query.with_for_update() if lock else query)
     if row is None:
         raise NotFound("webhook.unknown", webhook=short(id))
     return row

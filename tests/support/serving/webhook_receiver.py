@@ -7,6 +7,7 @@ import hashlib
 import hmac
 import http.server
 import json
+import ssl
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -72,8 +73,8 @@ class Receiver:
 
 
 @contextmanager
-def run_receiver(port: int = 0) -> Iterator[Receiver]:
-    """Run an endpoint on loopback."""
+def run_receiver(port: int = 0, tls: ssl.SSLContext | None = None) -> Iterator[Receiver]:
+    """Run an endpoint on loopback, with TLS if there is a context for it."""
     receiver = Receiver()
 
     class Handler(http.server.BaseHTTPRequestHandler):
@@ -97,6 +98,11 @@ def run_receiver(port: int = 0) -> Iterator[Receiver]:
 
     server = http.server.ThreadingHTTPServer(("127.0.0.1", port), Handler)
     server.daemon_threads = True
+    if tls is not None:
+        # The handshake is made by the thread of the connection, with its first read.
+        server.socket = tls.wrap_socket(
+            server.socket, server_side=True, do_handshake_on_connect=False
+        )
     receiver.url = f"http://127.0.0.1:{server.server_address[1]}/hooks?shop=1"
     thread = threading.Thread(target=server.serve_forever, args=(0.05,), daemon=True)
     thread.start()

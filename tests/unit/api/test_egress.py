@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import asyncio
 import ipaddress
+import socket
+import threading
 
 import pytest
 
@@ -29,7 +31,9 @@ from knifetip.errors import RequestError
         ("2002:a9fe:a9fe::1", False, False),
         ("::ffff:192.168.1.20", True, False),
         ("fd00:ec2::254", False, False),
+        ("fd20:ce::254", False, False),
         ("100.100.100.200", False, False),
+        ("168.63.129.16", False, False),
         ("0.0.0.0", False, False),
         ("::", False, False),
         ("224.0.0.1", False, False),
@@ -84,10 +88,38 @@ def test_refused_urls(url: str) -> None:
 
 
 def test_every_address_of_a_name_is_checked() -> None:
-    assert asyncio.run(resolve("http://localhost:9/", private=True)) in ("127.0.0.1", "::1")
+    found = asyncio.run(resolve("http://localhost:9/", private=True))
+    assert found
+    assert set(found) <= {"127.0.0.1", "::1"}
     with pytest.raises(RequestError):
         asyncio.run(resolve("http://localhost:9/", private=False))
     # Forms of 169.254.169.254 that only the resolver understands.
     for host in ("2852039166", "0xa9.254.43518", "169.254.169.254"):
         with pytest.raises(RequestError):
             asyncio.run(resolve(f"http://{host}/", private=True))
+
+
+def test_a_name_server_that_does_not_answer_blocks_no_other_threads(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Event streams wait for the threads of the event loop, too."""
+    answer = threading.Event()
+
+    def wait(*_: object, **__: object) -> list[object]:
+        answer.wait(60.0)
+        return []
+
+    monkeypatch.setattr(socket, "getaddrinfo", wait)
+
+    async def resolve_many() -> str:
+        waiting = [
+            asyncio.ensure_future(resolve("http://erp.example/", private=True)) for _ in range(40)
+        ]
+        await asyncio.sleep(0)  # all have begun
+        try:
+            return await asyncio.wait_for(asyncio.to_thread(lambda: "works"), 30.0)
+        finally:
+            answer.set()
+            await asyncio.gather(*waiting, return_exceptions=True)
+
+    assert asyncio.run(resolve_many()) == "works"

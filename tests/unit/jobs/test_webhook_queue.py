@@ -337,3 +337,43 @@ def test_a_deleted_job_is_named(store: Store) -> None:
     assert json.loads(row.payload)["data"]["drawing"] == {"id": drawing.id}
     with store.database.reading() as session:
         assert session.scalar(sa.select(Job.id)) is None
+
+
+def test_the_delivery_that_is_due_first_is_sent_first(store: Store, clock: Clock) -> None:
+    """A busy endpoint does not delay those that were added after it."""
+    busy = store.webhooks.get(add_webhook(store, "job.cancelled")).serial
+    other = store.webhooks.get(add_webhook(store, "job.received")).serial
+    job = add_job(store)
+    clock.now += 1.0
+    store.operators.cancel(job.id)
+    assert [attempt(store).webhook for _ in range(2)] == [other, busy]
+
+
+def test_the_endpoint_is_locked_before_its_deliveries(store: Store) -> None:
+    """Otherwise the result of an attempt and a change of the endpoint could wait for each other."""
+    webhook = add_webhook(store, "job.received")
+    add_job(store)
+    claimed = store.webhook_queue.claim()
+    assert claimed is not None
+    touched: list[str] = []
+
+    def note(_connection: Any, _cursor: Any, statement: str, *_rest: Any) -> None:
+        words = statement.split()
+        table = words[words.index("FROM") + 1] if words[0] == "SELECT" else words[1]
+        if "FOR UPDATE" in statement or words[0] == "UPDATE":
+            touched.append(table)
+
+    engine = store.database._engine
+    sa.event.listen(engine, "before_cursor_execute", note)
+    try:
+        store.webhook_queue.store(claimed, Attempt(store.database.clock(), 410, 0.1))
+        store.webhooks.change(webhook, active=True)
+        first, touched = touched, []
+        store.webhooks.replay(webhook)
+    finally:
+        sa.event.remove(engine, "before_cursor_execute", note)
+    locked = {"webhook", "webhook_delivery"}
+    for tables in (first, touched):
+        if store.database.url.startswith("postgresql"):
+            assert tables[0] == "webhook"
+        assert locked >= set(tables)
