@@ -5,6 +5,7 @@ from __future__ import annotations
 import signal
 import threading
 import time
+from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any
@@ -82,24 +83,27 @@ def watch(
     from knifetip.cli.hot_folder.arrivals import Arrivals
     from knifetip.cli.hot_folder.client import OrderClient
     from knifetip.cli.hot_folder.orders import HotFolder
+    from knifetip.cli.hot_folder.reservation import reserved
 
-    client = OrderClient(server, key.headers)
-    try:
-        orders = HotFolder(folder, order.fields, client)
-    except OSError as reason:
-        raise SettingsError("watch.folder", folder=str(folder), reason=reason) from reason
-    stop = threading.Event()
-    for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, lambda _number, _frame: stop.set())
-    arrivals = Arrivals(folder, settle, time.monotonic, drawing_wait)
-    print_stderr(f"watching {visible(str(folder))}, server {server}")
-    pause = interval
-    while not stop.is_set():
-        busy, pause = _look(arrivals, orders, pause, interval)
-        if once and not busy:
-            break
-        stop.wait(pause)
-    client.close()
+    with ExitStack() as opened:
+        client = OrderClient(server, key.headers)
+        opened.callback(client.close)
+        try:
+            orders = HotFolder(folder, order.fields, client)
+            opened.enter_context(reserved(folder))
+        except OSError as reason:
+            raise SettingsError("watch.folder", folder=str(folder), reason=reason) from reason
+        stop = threading.Event()
+        for number in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(number, lambda _number, _frame: stop.set())
+        arrivals = Arrivals(folder, settle, time.monotonic, drawing_wait)
+        print_stderr(f"watching {visible(str(folder))}, server {server}")
+        pause = interval
+        while not stop.is_set():
+            busy, pause = _look(arrivals, orders, pause, interval)
+            if once and not busy:
+                break
+            stop.wait(pause)
 
 
 def _look(arrivals: Any, orders: Any, pause: float, interval: float) -> tuple[bool, float]:
@@ -125,9 +129,12 @@ def _look(arrivals: Any, orders: Any, pause: float, interval: float) -> tuple[bo
         try:
             news = orders.advance(name)
         except NotNow as reason:
-            print_stderr(f"the server does not answer: {visible(str(reason))}", "yellow")
             failed = True
-            break  # the requests for the other files would fail too
+            if not reason.of_one_file:
+                print_stderr(f"the server does not answer: {visible(str(reason))}", "yellow")
+                break  # the requests for the other files would fail too
+            print_stderr(f"{visible(name)}: {visible(str(reason))}", "yellow")
+            continue
         except OSError as reason:
             print_stderr(f"{visible(name)}: {visible(str(reason))}", "yellow")
             failed = True

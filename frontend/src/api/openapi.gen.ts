@@ -4712,11 +4712,11 @@ export interface components {
             estimated_start?: string | null;
             /**
              * No Estimate
-             * @description Why a waiting job has no estimated start. hold: it is on hold. interrupted: an interrupted job occupies the machine. gateway: the machine is not connected. Empty otherwise
+             * @description Why a waiting job has no estimated start. hold: it is on hold. compile: it must be compiled again. interrupted: an interrupted job occupies the machine. gateway: the machine is not connected. Empty otherwise
              * @default
              * @enum {string}
              */
-            no_estimate: "" | "hold" | "interrupted" | "gateway";
+            no_estimate: "" | "hold" | "compile" | "interrupted" | "gateway";
             /**
              * On Hold
              * @description Whether an operator put the job on hold in the queue; its machine then takes other jobs first
@@ -5879,7 +5879,7 @@ export interface components {
             seconds: number;
             /**
              * Starts In
-             * @description Estimated time until the job starts: the machine time of the jobs before it (s). Null if it cannot be estimated: the job is on hold, or the machine is occupied by an interrupted job
+             * @description Estimated time until the job starts: the machine time of the jobs before it (s). Null if it cannot be estimated: the job is on hold or must be compiled again, or the machine is occupied by an interrupted job
              */
             starts_in: number | null;
             /**
@@ -15579,6 +15579,16 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "watch.other-drawing";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "watch.taken";
+            arguments: {
+                folder: string;
+            };
+        } | {
+            /** @constant */
             code: "watch.xjdf-fields";
             arguments: {
                 names: string[];
@@ -15900,6 +15910,14 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "file": "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nCUT\n10\n0\n20\n0\n11\n100\n21\n0\n0\nLINE\n8\nCUT\n10\n100\n20\n0\n11\n100\n21\n80\n0\nLINE\n8\nCUT\n10\n100\n20\n80\n11\n0\n21\n80\n0\nLINE\n8\nCUT\n10\n0\n20\n80\n11\n0\n21\n0\n0\nENDSEC\n0\nEOF\n",
+                 *       "unit": "mm",
+                 *       "external_id": "PO-4711",
+                 *       "due": "2030-01-02T03:04:05.123Z"
+                 *     }
+                 */
                 "multipart/form-data": components["schemas"]["Body_upload_drawing"];
             };
         };
@@ -16143,7 +16161,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `error.in-file`, `reading.crashed`, `request.key-reused` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused`, `error.in-file`, `reading.crashed` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -17462,6 +17480,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /** @example <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 80"><path d="M0 0H100V80H0Z" fill="none" stroke="red"/></svg> */
                     "image/svg+xml": string;
                 };
             };
@@ -18555,7 +18574,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `override.ambiguous`, `override.no-edges-there`, `override.no-such-edge`, `override.no-such-handle`, `request.key-reused` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused`, `override.ambiguous`, `override.no-edges-there`, `override.no-such-edge`, `override.no-such-handle` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -19308,6 +19327,11 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example (knifetip)
+                     *     G21 G90 G17
+                     *     G0 Z5.000
+                     */
                     "text/plain": string;
                 };
             };
@@ -20182,7 +20206,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -20478,7 +20502,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -20774,7 +20798,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -21084,7 +21108,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -21380,7 +21404,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -21681,7 +21705,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -21977,7 +22001,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -22273,7 +22297,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -22569,7 +22593,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -22865,7 +22889,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -22924,6 +22948,12 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example {
+                 *       "file": "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nCUT\n10\n0\n20\n0\n11\n100\n21\n0\n0\nLINE\n8\nCUT\n10\n100\n20\n0\n11\n100\n21\n80\n0\nLINE\n8\nCUT\n10\n100\n20\n80\n11\n0\n21\n80\n0\nLINE\n8\nCUT\n10\n0\n20\n80\n11\n0\n21\n0\n0\nENDSEC\n0\nEOF\n",
+                 *       "order": "{\"board\": \"e-flute\", \"external_id\": \"PO-4711\", \"copies\": 2}"
+                 *     }
+                 */
                 "multipart/form-data": {
                     /**
                      * Format: binary
@@ -23206,7 +23236,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `error.in-file`, `override.ambiguous`, `override.no-edges-there`, `override.no-such-edge`, `override.no-such-handle`, `reading.crashed`, `request.key-reused`, `request.not-base64`, `request.one-drawing` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused`, `error.in-file`, `override.ambiguous`, `override.no-edges-there`, `override.no-such-edge`, `override.no-such-handle`, `reading.crashed`, `request.not-base64`, `request.one-drawing` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -23557,7 +23587,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `override.ambiguous`, `override.no-edges-there`, `override.no-such-edge`, `override.no-such-handle`, `reading.crashed`, `request.key-reused`, `request.one-drawing` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused`, `override.ambiguous`, `override.no-edges-there`, `override.no-such-edge`, `override.no-such-handle`, `reading.crashed`, `request.one-drawing` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -25029,7 +25059,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -28820,6 +28850,79 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example # The table of the demonstration and the tests, with two heads and three stations.
+                     *     # Joint position = programmed position + the station's datum.
+                     *     title = "Demo table 1600 × 1200"
+                     *     width = 1600.0
+                     *     height = 1200.0
+                     *     dialect = "grblhal"
+                     *     origin = [20.0, 20.0]
+                     *     travel_z = 20.0
+                     *     clearance = 2.0
+                     *     # Jobs with the least lift keep this distance from the board in turns: for board that lies flat.
+                     *     turn_clearance = 0.5
+                     *     into_mat = 0.3
+                     *     settle = 0.15
+                     *     # An operator loads each sheet and confirms it before the machine starts.
+                     *     feed = "manual"
+                     *
+                     *     [axes]
+                     *     x = { low = -100.0, high = 1700.0, velocity = 1500.0, acceleration = 8000.0 }
+                     *     y = { low = -10.0, high = 1250.0, velocity = 1500.0, acceleration = 8000.0 }
+                     *     z = { low = -10.0, high = 60.0, velocity = 500.0, acceleration = 5000.0 }
+                     *     c = { low = -1080.0, high = 1080.0, velocity = 3600.0, acceleration = 36000.0 }
+                     *
+                     *     [[station]]
+                     *     number = 1
+                     *     name = "Oscillating knife"
+                     *     datum = { x = 0.0, y = 0.0, z = 0.0, c = 0.0 }
+                     *     output = 0
+                     *     [station.tool]
+                     *     kind = "knife"
+                     *     oscillating = true
+                     *     blade_angle = 10.0
+                     *     blade_width = 3.0
+                     *     swivel = 15.0
+                     *     trail = 0.0
+                     *     feed = 24000.0
+                     *     plunge = 6000.0
+                     *
+                     *     [[station]]
+                     *     number = 2
+                     *     name = "Crease wheel"
+                     *     datum = { x = 60.0, y = 0.0, z = -1.5, c = 0.0 }
+                     *     output = 1
+                     *     [station.tool]
+                     *     kind = "crease-wheel"
+                     *     radius = 15.0
+                     *     width = 0.7
+                     *     feed = 30000.0
+                     *     plunge = 6000.0
+                     *
+                     *     [[station]]
+                     *     number = 3
+                     *     name = "V-cutter"
+                     *     datum = { x = -60.0, y = 0.0, z = 0.0, c = 0.0 }
+                     *     output = 2
+                     *     [station.tool]
+                     *     kind = "v-cutter"
+                     *     back = 6.0
+                     *     half_width = 1.5
+                     *     tilt = 45.0
+                     *     feed = 12000.0
+                     *     plunge = 3000.0
+                     *
+                     *     # A keep-out zone: a clamp or stop that no tool may touch.  Rapids are led over or around it, and work
+                     *     # that would touch it is refused.  `envelope` of a station is the radius of its holder.
+                     *     # [[zone]]
+                     *     # name = "Left clamp"
+                     *     # x = 0.0
+                     *     # y = 500.0
+                     *     # width = 15.0
+                     *     # height = 60.0
+                     *     # top = 16.0
+                     */
                     "application/toml": string;
                 };
             };
@@ -29199,6 +29302,20 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example title = "Corrugated, E-flute 1.6 mm"
+                     *     material = "corrugated"
+                     *     caliper = 1.6
+                     *     grain = 90.0
+                     *     crease_along = 0.8
+                     *     crease_across = 1.0
+                     *     end_clearance = 0.3
+                     *     groove_depth = 1.0
+                     *     groove_overcut = 3.0
+                     *     half_cut_depth = 0.8
+                     *     perforation = [3.0, 2.0]
+                     *     short_crease = "press"
+                     */
                     "application/toml": string;
                 };
             };
@@ -29572,6 +29689,17 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example title = "Static knife, 2 mm blade"
+                     *
+                     *     [tool]
+                     *     kind = "knife"
+                     *     blade_angle = 10.0
+                     *     blade_width = 2.0
+                     *     swivel = 15.0
+                     *     feed = 24000.0
+                     *     plunge = 6000.0
+                     */
                     "application/toml": string;
                 };
             };
@@ -30307,6 +30435,121 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example # Rules that no known convention contradicts.  Names without * must match exactly, since NoCut, Cutout
+                     *     # and SCHNITTKANTEN are not cuts and Faltmarken is not a fold.  Rules with a colour alone are in other
+                     *     # profiles: red is a cut for some companies and a crease for others.
+                     *     title = "Common layer and line names"
+                     *
+                     *     # The line type of CF2 is a number.  It has priority over names, because layers of CF2 are subroutines,
+                     *     # which are named after the design.  All programs agree on 1, 2 and 46 (dimensions); the meaning of
+                     *     # other numbers differs, see the cf2 profiles.
+                     *     [[rule]]
+                     *     type = "cut"
+                     *     linetype = ["CF2 1", "CF2 1 *"]
+                     *     [[rule]]
+                     *     type = "crease"
+                     *     linetype = ["CF2 2", "CF2 2 *"]
+                     *     [[rule]]
+                     *     type = "ignored"
+                     *     linetype = ["CF2 46", "CF2 46 *"]
+                     *     [[rule]]
+                     *     type = "unclassified"
+                     *     linetype = "CF2 *"
+                     *
+                     *     # One layer for all lines with different colours (FEFCO generators), and pen numbers as layers: only
+                     *     # the pair of layer and colour identifies the line type.
+                     *     [[rule]]
+                     *     type = "cut"
+                     *     layer = "Design"
+                     *     colour = 1
+                     *     [[rule]]
+                     *     type = "crease"
+                     *     layer = "Design"
+                     *     colour = 2
+                     *     [[rule]]
+                     *     type = "cut"
+                     *     layer = "10"
+                     *     colour = 7
+                     *     [[rule]]
+                     *     type = "crease"
+                     *     layer = "20"
+                     *     colour = 1
+                     *
+                     *     [[rule]]
+                     *     type = "v-groove"
+                     *     layer = [
+                     *         "V-GROOVE", "V-GROOVES", "V_GROOVE", "V_GROOVES", "V GROOVE", "V GROOVES", "VGROOVE", "VGROOVES",
+                     *         "V-GROOVING", "V-CUT", "V-CUTS", "V_CUT", "V_CUTS", "V CUT", "V CUTS", "VCUT", "VCUTS",
+                     *         "V-Nut", "V-Nuten", "V_Nut", "V槽",
+                     *     ]
+                     *
+                     *     [[rule]]
+                     *     type = "half-cut"
+                     *     layer = [
+                     *         "HALFCUT", "HALF-CUT", "HALF_CUT", "HALF CUT", "HALFCUTS", "HALF-CUTS", "HALF_CUTS", "HALF CUTS",
+                     *         "KISS", "KISSCUT", "KISS-CUT", "KISS_CUT", "KISS CUT", "KISSCUTS",
+                     *         "PARTIALCUT", "PARTIAL-CUT", "PARTIAL_CUT", "PARTIAL CUT",
+                     *         "LT_HALFCUT", "mi-chair", "mi_chair", "michair", "半刀",
+                     *     ]
+                     *
+                     *     # Alternating cuts and creases along one line.
+                     *     [[rule]]
+                     *     type = "combi"
+                     *     layer = [
+                     *         "combination", "combi", "kombi", "CUT-CREASE", "CUT_CREASE", "CUT CREASE", "CUTCREASE",
+                     *         "PERFCREASE", "PERF-CREASE", "PERF_CREASE", "PERFO-CREASE", "PERFO_CREASE",
+                     *         "LT_PERFOCREASING", "perfo-rainant", "perfo_rainant",
+                     *     ]
+                     *
+                     *     [[rule]]
+                     *     type = "perforation"
+                     *     layer = [
+                     *         "perforation", "perforations", "PERF", "PERFS", "PERFO", "PERFORATED", "LT_PERFO",
+                     *         "Perforationslinie", "perforazione", "perforaj", "перфорация",
+                     *     ]
+                     *
+                     *     [[rule]]
+                     *     type = "crease"
+                     *     layer = [
+                     *         "CREASE", "CREASES", "CREASING", "CREASELINE", "CREASELINES", "CREASE-LINE", "CREASE_LINE",
+                     *         "CREASE LINE", "CREASE-LINES", "CREASE_LINES", "CREASE LINES", "LT_CREASE", "LT_CREASING",
+                     *         "FOLD", "FOLDS", "FOLDLINE", "FOLDLINES", "FOLD-LINE", "FOLD_LINE", "FOLD LINE", "FOLD-LINES",
+                     *         "FOLD_LINES", "FOLD LINES", "LT_FOLD",
+                     *         "SCORE", "SCORE2", "SCORES", "SCORING", "SCORELINE", "SCORE-LINE", "SCORE_LINE", "SCORE LINE",
+                     *         "IV_BEND", "IV_BEND_DOWN",
+                     *         "joints", "hinge_mountain", "hinge_valley", "inner_up", "inner_down",
+                     *         "Rilllinie", "Rilllinien", "Rillinie", "Rillinien", "Rillung", "Rillen",
+                     *         "rainant", "rainage", "cordonatura", "cordonature", "pilyaj", "биговка", "压痕线", "压痕",
+                     *         "压线", "hendido", "rillijn",
+                     *     ]
+                     *
+                     *     [[rule]]
+                     *     type = "cut"
+                     *     layer = [
+                     *         "CUT", "CUTS", "CUTTING", "CUTLINE", "CUTLINES", "CUT-LINE", "CUT_LINE", "CUT LINE", "CUT-LINES",
+                     *         "CUT_LINES", "CUT LINES", "CutContour", "LT_CUT",
+                     *         "DIECUT", "DIE-CUT", "DIE_CUT", "DIE CUT", "TRIM",
+                     *         "THRU-CUT", "THRU_CUT", "THRU CUT", "THRUCUT", "THROUGH-CUT", "THROUGH_CUT", "THROUGH CUT",
+                     *         "THROUGHCUT",
+                     *         "IV_OUTER_PROFILE", "IV_INTERIOR_PROFILES",
+                     *         "body", "holes", "outer", "PERIMETER", "*_outsideCutPath", "cutexternal", "cutinternal",
+                     *         "Schnitt", "Stanzkontur", "coupant", "taglio", "bicak", "bıçak", "biçak",
+                     *         "刀线", "模切线", "裁切线", "snijlijn",
+                     *     ]
+                     *
+                     *     # Information about the carton that is not worked.
+                     *     [[rule]]
+                     *     type = "ignored"
+                     *     layer = [
+                     *         "DIMENSION", "DIMENSIONS", "DIM", "DIMS", "BEMASSUNG", "BEMAßUNG", "cotation", "LT_COTATION",
+                     *         "ANNOTATION", "ANNOTATIONS", "INFO", "TEXT", "NOTES", "*_labelLayer",
+                     *         "CONSTRUCTION", "LT_CONSTRUCTION", "LT_AXIS", "DEFPOINTS",
+                     *         "REGISTRATION", "REFERENCE", "BLEED", "GLUE", "MASK", "FOIL", "SPOTUV",
+                     *         "IV_TANGENT", "IV_ROLL", "IV_ROLL_TANGENT", "IV_ARC_CENTERS", "IV_TOOL_CENTER",
+                     *         "IV_TOOL_CENTER_DOWN",
+                     *     ]
+                     */
                     "application/toml": string;
                 };
             };
@@ -33124,6 +33367,28 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example <XJDF xmlns="http://www.CIP4.org/JDFSchema_2_0" JobID="PO-4711" Types="ShapeCutting Creasing"
+                 *       Version="2.2">
+                 *       <ResourceSet Name="NodeInfo" Usage="Input">
+                 *         <Resource><NodeInfo LastEnd="2030-01-02T03:04:05.123Z"/></Resource>
+                 *       </ResourceSet>
+                 *       <ResourceSet Name="Device" Usage="Input">
+                 *         <Resource><Device DeviceID="demo-table"/></Resource>
+                 *       </ResourceSet>
+                 *       <ResourceSet Name="Media" Usage="Input">
+                 *         <Resource ExternalID="e-flute"><Media MediaType="CorrugatedBoard"/></Resource>
+                 *       </ResourceSet>
+                 *       <ResourceSet Name="DieLayout" Usage="Input">
+                 *         <Resource>
+                 *           <DieLayout><FileSpec URL="/api/v1/drawings/5p256sc8xs7q"/></DieLayout>
+                 *         </Resource>
+                 *       </ResourceSet>
+                 *       <ResourceSet Name="Component" Usage="Output">
+                 *         <Resource><AmountPool><PartAmount Amount="2"/></AmountPool><Component/></Resource>
+                 *       </ResourceSet>
+                 *     </XJDF>
+                 */
                 "application/vnd.cip4-xjdf+xml": string;
                 "application/vnd.cip4-xjdf+zip": string;
                 "application/vnd.cip4-xjmf+zip": string;
@@ -33375,7 +33640,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `override.ambiguous`, `override.no-edges-there`, `override.no-such-edge`, `override.no-such-handle`, `reading.crashed`, `request.key-reused`, `xjdf.bad-name`, `xjdf.bad-package`, `xjdf.bad-value`, `xjdf.many-files`, `xjdf.missing`, `xjdf.nested-parts`, `xjdf.no-file`, `xjdf.no-parts`, `xjdf.not-xjdf`, `xjdf.same-names`, `xjdf.too-large`, `xjdf.twice`, `xjdf.unreadable`, `xjdf.wrong-count` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused`, `override.ambiguous`, `override.no-edges-there`, `override.no-such-edge`, `override.no-such-handle`, `reading.crashed`, `xjdf.bad-name`, `xjdf.bad-package`, `xjdf.bad-value`, `xjdf.many-files`, `xjdf.missing`, `xjdf.nested-parts`, `xjdf.no-file`, `xjdf.no-parts`, `xjdf.not-xjdf`, `xjdf.same-names`, `xjdf.too-large`, `xjdf.twice`, `xjdf.unreadable`, `xjdf.wrong-count` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -33441,6 +33706,15 @@ export interface operations {
         };
         requestBody: {
             content: {
+                /**
+                 * @example <XJMF xmlns="http://www.CIP4.org/JDFSchema_2_0" Version="2.2">
+                 *       <Header DeviceID="ERP" Time="2030-01-02T03:04:05.123Z"/>
+                 *       <QueryQueueStatus>
+                 *         <Header DeviceID="ERP" ID="M1" Time="2030-01-02T03:04:05.123Z"/>
+                 *         <QueueStatusParams><QueueFilter JobID="PO-4711"/></QueueStatusParams>
+                 *       </QueryQueueStatus>
+                 *     </XJMF>
+                 */
                 "application/vnd.cip4-xjmf+xml": string;
                 "application/vnd.cip4-xjdf+zip": string;
                 "application/vnd.cip4-xjmf+zip": string;
@@ -33455,6 +33729,19 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example <XJMF xmlns="http://www.CIP4.org/JDFSchema_2_0" Version="2.2">
+                     *       <Header AgentName="knifetip" AgentVersion="1.2.0" DeviceID="knifetip" Time="2030-01-02T03:04:05.123Z"/>
+                     *       <ResponseQueueStatus ReturnCode="0">
+                     *         <Header AgentName="knifetip" AgentVersion="1.2.0" DeviceID="knifetip" Time="2030-01-02T03:04:05.123Z"
+                     *           refID="M1"/>
+                     *         <Queue QueueSize="1">
+                     *           <QueueEntry Activation="Active" JobID="PO-4711" QueueEntryID="5p256sc8xs7q" Status="Waiting"
+                     *             StatusDetails="queued" SubmissionTime="2030-01-02T03:04:05.123Z"/>
+                     *         </Queue>
+                     *       </ResponseQueueStatus>
+                     *     </XJMF>
+                     */
                     "application/vnd.cip4-xjmf+xml": string;
                 };
             };
@@ -33521,7 +33808,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `xjdf.bad-name`, `xjdf.bad-package`, `xjdf.many-files`, `xjdf.missing`, `xjdf.nested-parts`, `xjdf.no-file`, `xjdf.no-parts`, `xjdf.not-xjdf`, `xjdf.same-names`, `xjdf.too-large`, `xjdf.unreadable`, `xjdf.wrong-count`, `xjmf.many-messages` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused`, `xjdf.bad-name`, `xjdf.bad-package`, `xjdf.many-files`, `xjdf.missing`, `xjdf.nested-parts`, `xjdf.no-file`, `xjdf.no-parts`, `xjdf.not-xjdf`, `xjdf.same-names`, `xjdf.too-large`, `xjdf.unreadable`, `xjdf.wrong-count`, `xjmf.many-messages` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -33586,6 +33873,18 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example <XJMF xmlns="http://www.CIP4.org/JDFSchema_2_0" Version="2.2">
+                     *       <Header AgentName="knifetip" AgentVersion="1.2.0" DeviceID="demo-table" Time="2030-01-02T03:04:05.123Z"/>
+                     *       <SignalStatus>
+                     *         <Header AgentName="knifetip" AgentVersion="1.2.0" DeviceID="demo-table" Time="2030-01-02T03:04:05.123Z"/>
+                     *         <DeviceInfo Status="Production">
+                     *           <JobPhase Amount="1" JobID="PO-4711" QueueEntryID="5p256sc8xs7q" Status="InProgress"
+                     *             StatusDetails="running" TotalAmount="2"/>
+                     *         </DeviceInfo>
+                     *       </SignalStatus>
+                     *     </XJMF>
+                     */
                     "application/vnd.cip4-xjmf+xml": string;
                 };
             };
@@ -33699,6 +33998,24 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example <XJDF xmlns="http://www.CIP4.org/JDFSchema_2_0" JobID="PO-4711" Types="ShapeCutting Creasing"
+                     *       Version="2.2">
+                     *       <ResourceSet Name="NodeInfo" Usage="Input">
+                     *         <Resource>
+                     *           <NodeInfo JobPriority="50" LastEnd="2030-01-02T03:04:05.123Z" Status="InProgress"
+                     *             StatusDetails="running"/>
+                     *         </Resource>
+                     *       </ResourceSet>
+                     *       <ResourceSet Name="Device" Usage="Input">
+                     *         <Resource><Device DeviceID="demo-table"/></Resource>
+                     *       </ResourceSet>
+                     *       <ResourceSet Name="Media" Usage="Input"><Resource ExternalID="e-flute"/></ResourceSet>
+                     *       <ResourceSet Name="Component" Usage="Output">
+                     *         <Resource><AmountPool><PartAmount Amount="2"/></AmountPool><Component/></Resource>
+                     *       </ResourceSet>
+                     *     </XJDF>
+                     */
                     "application/vnd.cip4-xjdf+xml": string;
                 };
             };
@@ -33997,6 +34314,11 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example (knifetip)
+                     *     G21 G90 G17
+                     *     G0 Z5.000
+                     */
                     "text/plain": string;
                 };
             };

@@ -5199,6 +5199,14 @@ export const TEXTS = {
     "text": "The file with the fields of the order is not a JSON object.",
     "hint": "Write a JSON object with the fields of an order, such as board and copies."
   },
+  "watch.other-drawing": {
+    "text": "The file with the fields of the order contains the field drawing, but the order is for the drawing beside it.",
+    "hint": "Remove the field drawing."
+  },
+  "watch.taken": {
+    "text": "Another process already watches the folder {folder}.",
+    "hint": "End the other process, or watch another folder."
+  },
   "watch.xjdf-fields": {
     "text": "The JSON file of the XJDF order contains {names:, }. The XJDF document defines these fields.",
     "hint": "Remove these fields. Only {permitted:or} may be in the file."

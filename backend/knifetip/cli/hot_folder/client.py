@@ -12,10 +12,24 @@ from knifetip.messages import Message, from_json
 
 #: Statuses of answers after which the same request is sent again later.
 _AGAIN = (408, 423, 425, 429)
+#: Statuses with which a proxy, or a fault in the server, may refuse one file and accept others.
+_OF_ONE_FILE = (400, 413, 414, 422, 431, 500)
 
 
 class NotNow(Exception):
-    """Raised when a request must be repeated later; the text is the reason."""
+    """Raised when a request must be repeated later.
+
+    Parameters
+    ----------
+    reason
+        The reason, as text.
+    of_one_file
+        Whether requests for other files may be accepted.
+    """
+
+    def __init__(self, reason: str, *, of_one_file: bool = False) -> None:
+        super().__init__(reason)
+        self.of_one_file = of_one_file
 
 
 class Refused(RequestError):
@@ -48,7 +62,10 @@ class OrderClient:
     def __init__(self, server: str, headers: dict[str, str]) -> None:
         self._server = server.rstrip("/")
         self._client = httpx.Client(
-            headers={**headers, "X-Knifetip": "watch"}, timeout=60.0, trust_env=False
+            headers={**headers, "X-Knifetip": "watch"},
+            timeout=60.0,
+            trust_env=False,  # no proxies; authorities in SSL_CERT_FILE are trusted nevertheless
+            verify=httpx.create_ssl_context(),
         )
 
     def upload(self, name: str, content: bytes, fields: dict[str, str], key: str) -> str:
@@ -56,11 +73,11 @@ class OrderClient:
         answer = self._send(
             "POST", "/drawings", files={"file": (name, content)}, data=fields, key=key
         )
-        return str(answer.json()["id"])
+        return str(_fields(answer)["id"])
 
     def order(self, order: dict[str, Any], key: str) -> str:
         """Create a job under an Idempotency-Key; return its id."""
-        return str(self._send("POST", "/jobs", json=order, key=key).json()["id"])
+        return str(_fields(self._send("POST", "/jobs", json=order, key=key))["id"])
 
     def order_xjdf(self, content: bytes, fields: dict[str, Any], key: str) -> tuple[str, str]:
         """Create a job from an XJDF document or package; return the ids of job and drawing."""
@@ -68,7 +85,8 @@ class OrderClient:
             name: str(value).lower() if value in (True, False) else value
             for name, value in fields.items()
         }
-        job = self._send("POST", "/xjdf", content=content, params=parameters, key=key).json()
+        answer = self._send("POST", "/xjdf", content=content, params=parameters, key=key)
+        job = _fields(answer)
         return str(job["id"]), str(job["drawing"])
 
     def job_as_xjdf(self, id: str) -> bytes:
@@ -77,7 +95,7 @@ class OrderClient:
 
     def job(self, id: str) -> dict[str, Any]:
         """Return a job as JSON data."""
-        return dict(self._send("GET", f"/jobs/{quote(id, safe='')}").json())
+        return _fields(self._send("GET", f"/jobs/{quote(id, safe='')}"))
 
     def program(self, id: str) -> tuple[bytes, str]:
         """Return the program of a job, and the name under which the server sends it."""
@@ -112,14 +130,32 @@ class OrderClient:
         if answer.is_success:
             return answer
         status = answer.status_code
+        of_one_file = status in _OF_ONE_FILE
         try:
             problem = answer.json()
             message = from_json({"text": problem["detail"], **problem})
         except (ValueError, TypeError, KeyError):
             # Not an answer of knifetip: that of a proxy, or of another server.
-            raise NotNow(f"HTTP status {status}") from None
+            raise NotNow(f"HTTP status {status}", of_one_file=of_one_file) from None
         # A missing or expired key is replaced by a person; the files wait meanwhile.
         if status >= 500 or status in (401, 403, *_AGAIN):
-            raise NotNow(f"HTTP status {status}: {problem['detail']}")
+            raise NotNow(f"HTTP status {status}: {problem['detail']}", of_one_file=of_one_file)
         questions = tuple(str(from_json(one)) for one in problem.get("questions", ()))
         raise Refused(message, questions)
+
+
+def _fields(answer: httpx.Response) -> dict[str, Any]:
+    """Return the JSON of a drawing or a job.
+
+    Raises
+    ------
+    NotNow
+        The answer is another one, such as the page of a proxy on which a person signs in.
+    """
+    try:
+        found = answer.json()
+    except ValueError:
+        found = None
+    if not isinstance(found, dict) or "id" not in found:
+        raise NotNow("the answer is not that of knifetip")
+    return found

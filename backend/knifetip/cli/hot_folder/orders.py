@@ -12,6 +12,7 @@ import hashlib
 import json
 import os
 import re
+from contextlib import suppress
 from dataclasses import asdict, dataclass, field
 from pathlib import Path, PurePosixPath
 from typing import Any, Final
@@ -49,7 +50,7 @@ class Record:
     """Stored state of a file that is being processed."""
 
     name: str
-    key: str  #: from path, time and content of the file
+    key: str  #: from path, times and content of the file
     order: dict[str, Any]  #: fields of the job and of the drawing
     drawing: str = ""  #: id of the uploaded drawing; "" before
     job: str = ""  #: id of the job; "" before
@@ -90,12 +91,14 @@ class HotFolder:
         if os.path.lexists(self._working / name):
             return False
         sidecar = name + SIDECAR
+        moved = False
         try:
             # A process that was killed may have left the record of a file that is done.
             (self._working / (name + RECORD)).unlink(missing_ok=True)
             # The sidecar first: without the drawing it orders nothing.
             if (self._folder / sidecar).exists():
                 os.replace(self._folder / sidecar, self._working / sidecar)
+                moved = True
             if drawing := self._drawing_of(self._folder / name):
                 beside = find_beside(self._folder, drawing)
                 # A process that was killed may have moved the drawing already.
@@ -103,8 +106,16 @@ class HotFolder:
                     os.replace(beside, self._working / (name + DRAWING))
             os.replace(self._folder / name, self._working / name)
         except OSError:
+            if moved:
+                self._give_back(sidecar)
             return False
         return True
+
+    def _give_back(self, sidecar: str) -> None:
+        """Move a sidecar back to the folder, so that it belongs to no later drawing."""
+        with suppress(OSError):
+            if not os.path.lexists(self._folder / sidecar):
+                os.replace(self._working / sidecar, self._folder / sidecar)
 
     @staticmethod
     def _drawing_of(path: Path) -> str:
@@ -117,7 +128,9 @@ class HotFolder:
         return sorted(
             name
             for name in os.listdir(self._working)
-            if not name.endswith((SIDECAR, DRAWING, ".new")) and (self._working / name).is_file()
+            if not name.startswith(".")
+            and not name.endswith((SIDECAR, DRAWING, ".new"))
+            and (self._working / name).is_file()
         )
 
     def advance(self, name: str) -> str:
@@ -160,7 +173,15 @@ class HotFolder:
         drawing = self._working / (name + DRAWING)
         if drawing.exists():
             digest += hashlib.sha256(drawing.read_bytes()).hexdigest()
-        stamp = f"{self._folder.resolve()}\0{name}\0{path.stat().st_mtime_ns}\0{digest}\0"
+        # The time of the move to this folder is a part of the key: a drawing that is put into the
+        # folder again, with the time of its last change, is another order.
+        times = path.stat()
+        stamp = "\0".join(
+            (
+                *(str(self._folder.resolve()), name),
+                *(str(times.st_mtime_ns), str(times.st_ctime_ns), digest, ""),
+            )
+        )
         key = hashlib.sha256(os.fsencode(stamp) + fields).hexdigest()
         record = Record(name, f"watch-{key}", self._defaults | _sidecar_fields(fields))
         self._save(record)
@@ -171,6 +192,8 @@ class HotFolder:
             self._order_xjdf(record)
             return
         order = dict(record.order)
+        if "drawing" in order:
+            raise RequestError("watch.other-drawing")
         of_drawing = {name: str(order.pop(name)) for name in _OF_DRAWING if name in order}
         if not record.drawing:
             content = (self._working / record.name).read_bytes()

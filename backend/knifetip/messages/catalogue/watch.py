@@ -40,4 +40,14 @@ MESSAGES: Final[Entries] = {
         "The file with the fields of the order is not a JSON object.",
         "Write a JSON object with the fields of an order, such as board and copies.",
     ),
+    "watch.other-drawing": entry(
+        "The file with the fields of the order contains the field drawing, but the order is for "
+        "the drawing beside it.",
+        "Remove the field drawing.",
+    ),
+    "watch.taken": entry(
+        "Another process already watches the folder {folder}.",
+        "End the other process, or watch another folder.",
+        folder="text",
+    ),
 }
