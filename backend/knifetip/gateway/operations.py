@@ -34,7 +34,7 @@ class OperationName(StrEnum):
     UNLOCK = "unlock"  #: clear an alarm without motion
     HOME = "home"  #: find the zero of all axes by their switches
     JOG = "jog"  #: move one axis by a distance
-    STOP_JOG = "stop_jog"  #: stop the jog that is running
+    STOP_JOG = "stop_jog"  #: stop the jog or the homing cycle that is running
     ZERO = "zero"  #: set the work coordinates of axes to zero at the present position
     PARK = "park"  #: lift the tool, then move it to the corner of the table
     SWITCH = "switch"  #: switch a digital output on or off
@@ -275,6 +275,8 @@ async def require_possible(
         raise ControllerError("operation.unsupported", name=controller.name, request=operation.name)
     if operation.name is OperationName.UNLOCK and controller.alarm is None:
         raise ControllerError("operation.not-locked", name=controller.name)
+    if operation.name is OperationName.STOP_JOG:
+        return  # also during homing, when some controllers send no status report
     if controller.alarm is None or operation.name not in _IN_ALARM:
         _check(operation, controller.name, await controller.status(), machine)
 
@@ -293,8 +295,6 @@ def _check(operation: Operation, name: str, status: Status, machine: Machine) ->
     machine
         The machine.
     """
-    if operation.name is OperationName.STOP_JOG:
-        return
     if status.state is not State.IDLE:
         raise ControllerError("operation.not-at-rest", name=name, state=status.state.value)
     lift = SafeState.of(machine).lift

@@ -104,6 +104,7 @@ class MachineStation:
         self._programs = DryPrograms(server, machine)
         self._results: list[OperationResult] = []
         self._tasks: set[asyncio.Task[None]] = set()
+        self._homing = False  # an operation homes the machine
         self._cancelled = 0  # number of stops; an operation that was asked before a stop is dropped
         self._answered = 0.0  # time of the last answer of the server
         self._wake = asyncio.Event()  # an operation has ended
@@ -179,13 +180,15 @@ class MachineStation:
         if not isinstance(controller, OperableController) or not controller.connected:
             return StationReport(connected=False)
         status = controller.last_status
+        state = "" if status is None else _state(status, controller.alarm)
         outputs = controller.switched_on
         if run is not None and self._link.runs_job and run.output >= 0:
             outputs = outputs | {run.output}
         return StationReport(
             connected=True,
-            state="" if status is None else _state(status, controller.alarm),
-            alarm=controller.alarm,
+            # Some controllers report nothing while they home.
+            state=State.HOME.value if self._homing else state,
+            alarm=None if self._homing else controller.alarm,
             position=None if status is None or not status.located else status.position,
             outputs=tuple(sorted(outputs)),
             operations=tuple(sorted(controller.operations)),
@@ -258,7 +261,14 @@ class MachineStation:
             raise ControllerError("operation.no-controller", machine=self._machine.name)
         if operation.name in (OperationName.JOG, OperationName.PARK):
             self._link.jogged = True
-        await perform(operation, controller, self._machine, is_late)
+        if operation.name is not OperationName.HOME:
+            await perform(operation, controller, self._machine, is_late)
+            return
+        self._homing = True
+        try:
+            await perform(operation, controller, self._machine, is_late)
+        finally:
+            self._homing = False
 
     async def _change_run(self, name: OperationName) -> bool:
         """Hold, resume or stop the dry run; return False if none runs that could be stopped.

@@ -47,6 +47,9 @@ describe("title", () => {
   test("a job on the table comes before the state of the controller", () => {
     expect(titleOf(station({ state: "run" }), job({ state: "held" })).title).toBe("Paused");
   });
+  test("an open safety door comes before the job, which does not move", () => {
+    expect(titleOf(station({ state: "door" }), job({})).title).toBe("Safety door open");
+  });
   test("a finished job leaves the state of the controller", () => {
     expect(titleOf(station({ state: "jog" }), job({ state: "done" })).title).toBe("Moving by hand");
   });
@@ -117,9 +120,16 @@ describe("stop", () => {
     expect(stopOf(station({ state: "run" }), held)?.asks).toBe(false);
     expect(stopOf(station({}), { ...held, requested_action: "resume" })?.asks).toBe(false);
   });
-  test("a jog is stopped, and a machine at rest is not", () => {
-    expect(stopOf(station({ state: "jog" }), undefined)).toEqual({ act: "stop_jog", asks: false });
+  test("a jog and a homing cycle are stopped, and a machine at rest is not", () => {
+    const stop = { act: "stop_jog", asks: false };
+    expect(stopOf(station({ state: "jog" }), undefined)).toEqual(stop);
+    expect(stopOf(station({ state: "home" }), undefined)).toEqual(stop);
     expect(stopOf(station({}), undefined)).toBeNull();
+  });
+  test.each(["jog", "home"] as const)("a machine in state %s stops, its job waits", (state) => {
+    const waiting = job({ state: "queued", actions: ["cancel"], waiting_for: "confirmation" });
+    expect(stopOf(station({ state }), waiting)).toEqual({ act: "stop_jog", asks: false });
+    expect(stopOf(station({ state }), job({ actions: ["cancel"] }))?.act).toBe("cancel");
   });
   test("a job between two sheets does not move", () => {
     expect(moves(station({}), job({ waiting_for: "sheet" }))).toBe(false);

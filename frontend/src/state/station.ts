@@ -51,6 +51,8 @@ export function titleOf(station: Station | undefined, job: Job | undefined): Sta
   if (station.gateway === "") return { title: "Machine not connected", tone: "grey" };
   if (station.alarm !== null) return { title: "Alarm", tone: "red" };
   if (!station.connected) return { title: "Controller not connected", tone: "red" };
+  // Its job does not move, although it counts as running.
+  if (station.state === "door") return STATES.door;
   const run = runAboveBoard(station);
   if (run !== null) {
     const title = RUN_TITLES[run.kind];
@@ -87,10 +89,12 @@ export interface Stop {
 export function stopOf(station: Station | undefined, job: Job | undefined): Stop | null {
   // A run above the board is stopped; the job keeps waiting.
   if (runAboveBoard(station) !== null) return { act: "stop_jog", asks: false };
+  // So is a jog or a homing cycle: to cancel the waiting job would not stop the machine.
+  const byHand = station?.state === "jog" || station?.state === "home";
+  if (byHand && !(job && isOnTable(job)) && station.operations.includes("stop_jog"))
+    return { act: "stop_jog", asks: false };
   if (job?.actions.includes("cancel") && (isOnTable(job) || needsOperator(job)))
     return { act: "cancel", asks: !moves(station, job) };
-  if (station?.state === "jog" && station.operations.includes("stop_jog"))
-    return { act: "stop_jog", asks: false };
   return null;
 }
 

@@ -17,6 +17,7 @@ from knifetip.gateway.operations import Operable, Operation, OperationName, perf
 from knifetip.gateway.table import Table
 from knifetip.library import load
 from knifetip.messages import hint
+from tests.unit.gateway.test_grbl import Wire, opened
 
 MACHINE = load.machine("demo-table")
 SAFE = SafeState.of(MACHINE)
@@ -197,6 +198,35 @@ async def test_home_clears_an_alarm_and_ends_at_the_machine_zero() -> None:
         await ask(controller, OperationName.HOME)
         assert (await controller.status()).state is State.IDLE
         assert table.position == (0.0, 0.0, 20.0, 0.0)
+
+
+class _HomingWire(Wire):
+    """A controller that answers nothing while it homes, and locks itself if it is reset then."""
+
+    async def write(self, data: bytes) -> None:
+        if data == b"$H\n":
+            self.mute = True
+            self.lines.append("$H")
+            return
+        if data == b"\x18" and self.mute:
+            self.mute, self.state = False, "Alarm"
+            self.say("ALARM:6")
+        await super().write(data)
+
+
+async def test_homing_is_stopped_although_the_controller_reports_nothing() -> None:
+    wire = _HomingWire()
+    async with opened(wire) as controller, asyncio.timeout(15.0):
+        homing = asyncio.create_task(controller.home())
+        while "$H" not in wire.lines:
+            await asyncio.sleep(0.01)
+        await ask(controller, OperationName.STOP_JOG)
+        assert wire.realtime == b"\x18\x18"
+        with pytest.raises(ControllerError):
+            await homing
+        while controller.alarm is None:
+            await asyncio.sleep(0.01)
+        assert controller.alarm.arguments["code"] == 6
 
 
 async def test_nothing_is_lifted_beyond_the_switch_that_homing_has_found() -> None:

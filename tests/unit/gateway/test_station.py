@@ -212,6 +212,28 @@ async def test_a_jog_stops_when_the_server_is_silent(monkeypatch: pytest.MonkeyP
         assert 0.0 < table.position[0] < 500.0
 
 
+async def test_homing_is_reported_and_stopped(monkeypatch: pytest.MonkeyPatch) -> None:
+    stopped = asyncio.Event()
+
+    async def home(_: driver.Grbl) -> None:
+        await stopped.wait()
+
+    async def stop_jog(_: driver.Grbl) -> None:
+        stopped.set()
+
+    monkeypatch.setattr(driver.Grbl, "home", home)
+    monkeypatch.setattr(driver.Grbl, "stop_jog", stop_jog)
+    async with shop(monkeypatch) as (office, table):
+        await office.report(state="idle")
+        table.trip_limit()
+        await office.report(state="alarm")
+        homing = office.ask(operation="home")
+        await office.report(state="home", alarm=None)
+        assert (await office.result(office.ask(operation="stop_jog")))["state"] == "done"
+        await office.result(homing)
+        await office.report(state="alarm")
+
+
 async def test_after_an_alarm_a_person_unlocks_and_the_gateway_claims_again(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -11,7 +11,9 @@
 
 from __future__ import annotations
 
-from knifetip.errors import ControllerError
+from contextlib import suppress
+
+from knifetip.errors import ControllerAlarm, ControllerError
 from knifetip.gateway.controller import State
 from knifetip.gateway.grbl import answers, recovery
 from knifetip.gateway.grbl.capabilities import Capabilities
@@ -117,7 +119,8 @@ class GrblOperations(SupervisedController[GrblConnection]):
         """
         self._stops += 1
         if self._homing:
-            await self._connection.reset()
+            with suppress(ControllerAlarm):  # the alarm of a homing cycle that was reset
+                await self._connection.reset()
         else:
             await self._connection.realtime(_CANCEL_JOG)
 
