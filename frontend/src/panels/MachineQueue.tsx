@@ -158,6 +158,7 @@ function Row({ entry }: { entry: QueueEntry }) {
             .filter((text) => text !== "")
             .join(" · ")}
         </small>
+        <small data-testid="queue-id">{job.id}</small>
         <OrderLine job={job} />
       </span>
       <span className={css.state}>
