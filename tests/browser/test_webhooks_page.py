@@ -69,7 +69,7 @@ def test_a_webhook_is_edited(page: Page, row: Locator, receiver: Receiver) -> No
         row.get_by_test_id("webhook-edit").click()
         row.get_by_test_id("webhook-url").fill("ftp://erp.example")
         row.get_by_test_id("webhook-save").click()
-        expect(page.get_by_role("alert")).to_contain_text("not usable")
+        expect(page.get_by_role("alert")).to_contain_text("not valid")
         # What was typed is not lost.
         row.get_by_test_id("webhook-url").fill(other.url)
         row.get_by_test_id("webhook-description").fill("Second ERP")

@@ -146,7 +146,7 @@ def test_an_operator_does_not_undo_a_move_that_he_has_not_seen(store: Store) -> 
     seen = order_version(store.queues.jobs("table"))
     store.queues.move(third.id, Place(first.id, second.id), MIA, seen)
     # The other operator still sees first and second next to each other.
-    with pytest.raises(StaleVersion, match="changed meanwhile"):
+    with pytest.raises(StaleVersion, match="has changed since"):
         store.queues.move(fourth.id, Place(first.id, second.id), MIA)
     # The neighbours are unchanged, but not the order.
     with pytest.raises(StaleVersion):
