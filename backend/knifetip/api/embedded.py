@@ -72,7 +72,7 @@ class Parts:
     keep_history: int = 0  #: days for which ended jobs are kept; 0 for no limit
     webhook_private: bool = True  #: webhooks may be sent to loopback and private addresses
     keep_drawings: int = 0  #: days for which drawings without jobs are kept; 0 for no limit
-    archive: Path | None = None  #: folder for a zip file of each job before its deletion
+    archive: Path | None = None  #: folder for a zip file of what is deleted; None for none
 
 
 @dataclass(frozen=True, slots=True)

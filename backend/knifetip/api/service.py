@@ -49,7 +49,7 @@ class Settings:
     body: int = 16 * MEGABYTE  #: maximum size of other requests (bytes)
     keep_history: int = 0  #: days for which ended jobs are kept; 0 for no limit
     keep_drawings: int = 0  #: days for which drawings without jobs are kept; 0 for no limit
-    archive: Path | None = None  #: folder for a zip file of each job before its deletion
+    archive: Path | None = None  #: folder for a zip file of what is deleted; None for none
     webhook_private: bool = True  #: webhooks may be sent to loopback and private addresses
     page: Path = Path(__file__).parent / "page"  #: folder of the built page
     least_free: int = 256 * MEGABYTE  #: bytes that must remain free on the disk of the database

@@ -109,7 +109,8 @@ class PartOptions:
         Path | None,
         typer.Option(
             envvar="KNIFETIP_ARCHIVE",
-            help="Folder in which a zip file of each job is written before the job is deleted.",
+            help="Folder in which a zip file of each job and each drawing is written before it is "
+            "deleted.",
         ),
     ] = None
     webhook_private: Annotated[
