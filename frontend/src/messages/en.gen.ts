@@ -5216,7 +5216,7 @@ export const TEXTS = {
     "hint": "Use an http or https URL without a user name, such as https://erp.example/hooks."
   },
   "webhook.forbidden-address": {
-    "text": "The URL of the webhook has the address {address}, to which this server sends no webhooks.",
+    "text": "The address {address}, to which the URL of the webhook leads, is not permitted.",
     "hint": "Use the URL of another system. Link-local addresses and addresses of metadata services are never permitted. Private addresses are not permitted if the server runs with --no-webhook-private."
   },
   "webhook.inactive": {

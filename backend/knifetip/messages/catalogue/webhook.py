@@ -13,7 +13,7 @@ MESSAGES: Final[Entries] = {
         reason="text",
     ),
     "webhook.forbidden-address": entry(
-        "The URL of the webhook has the address {address}, to which this server sends no webhooks.",
+        "The address {address}, to which the URL of the webhook leads, is not permitted.",
         "Use the URL of another system. Link-local addresses and addresses of metadata services "
         "are never permitted. Private addresses are not permitted if the server runs with "
         "--no-webhook-private.",
