@@ -16,7 +16,7 @@ from sqlalchemy.orm import Session
 from knifetip.jobs import schema
 from knifetip.jobs.accounts.acting import add_audit_entry
 from knifetip.jobs.changes import Changes
-from knifetip.jobs.database_url import sqlite_file
+from knifetip.jobs.database_url import add_timeouts, sqlite_file
 from knifetip.jobs.schema import Migration, Schema
 from knifetip.jobs.shared_clock import SharedClock
 from knifetip.jobs.sqlite_copy import copy_database
@@ -91,7 +91,7 @@ class Database:
         self.url = dialect_url(url)
         self.changes = Changes()
         file = _check(self.url)
-        self._engine = sa.create_engine(self.url, pool_size=10, max_overflow=40)
+        self._engine = sa.create_engine(add_timeouts(self.url), pool_size=10, max_overflow=40)
         self._turns: Turns | NoTurns = NoTurns()
         if file is not None:
             _sqlite(self._engine, file)

@@ -3,11 +3,21 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Final
 
 import sqlalchemy as sa
 
 from knifetip.errors import StoreError
 from knifetip.logs import without_secrets
+
+#: A computer that does not acknowledge anything for 30 s is gone.
+_TIMEOUTS: Final = {
+    "connect_timeout": "10",
+    "keepalives_idle": "10",
+    "keepalives_interval": "5",
+    "keepalives_count": "4",
+    "tcp_user_timeout": "30000",
+}
 
 
 def parse_url(url: str) -> sa.URL:
@@ -25,6 +35,20 @@ def parse_url(url: str) -> sa.URL:
     except (sa.exc.ArgumentError, ValueError):  # the second for a port that is no number
         pass
     raise StoreError("database.bad-url", url=hide_password(url))
+
+
+def add_timeouts(url: str) -> sa.URL:
+    """Return the URL of a PostgreSQL database with those time limits of libpq that it lacks.
+
+    Without them, a thread waits up to two hours for an answer of a computer that is gone.  The URL
+    of an SQLite database is returned as it is.
+    """
+    parts = sa.make_url(url)
+    if parts.get_backend_name() != "postgresql":
+        return parts
+    return parts.update_query_dict(
+        {name: value for name, value in _TIMEOUTS.items() if name not in parts.query}
+    )
 
 
 def sqlite_file(url: str) -> Path | None:

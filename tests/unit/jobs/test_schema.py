@@ -10,6 +10,7 @@ from contextlib import closing
 from importlib.metadata import version
 from pathlib import Path
 
+import psycopg
 import pytest
 import sqlalchemy as sa
 from alembic import command
@@ -219,6 +220,20 @@ def test_a_database_that_cannot_be_copied_is_not_migrated(
             database.prepare()
         assert database.schema().revision == "0001"
     assert not list(tmp_path.glob("*.part"))
+
+
+def test_a_connection_ends_when_the_computer_of_the_database_is_gone(postgresql_url: str) -> None:
+    url = sa.make_url(postgresql_url).update_query_dict({"keepalives_count": "9"})
+    with (
+        closing(Database(url.render_as_string(hide_password=False))) as database,
+        database.reading() as session,
+    ):
+        connection = session.connection().connection.driver_connection
+        assert isinstance(connection, psycopg.Connection)
+        found = connection.info.get_parameters()
+    limits = {"connect_timeout", "keepalives_idle", "keepalives_interval", "tcp_user_timeout"}
+    assert all(0 < int(found[name]) <= 30_000 for name in limits)
+    assert found["keepalives_count"] == "9"  # of the URL
 
 
 def test_the_password_comes_from_a_file_and_is_not_shown(tmp_path: Path) -> None:
