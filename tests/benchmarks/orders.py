@@ -94,12 +94,18 @@ def compile_rate(database: str, workers: int, count: int) -> float:
 
 
 def _compile(client: httpx.Client, drawings: list[str]) -> None:
-    """Order jobs and wait until all are compiled."""
-    for drawing in drawings:
-        client.post("/api/jobs", json={**CHOICES, "drawing": drawing}).raise_for_status()
+    """Order jobs and wait until all are compiled; none may be refused."""
+    jobs = [
+        client.post("/api/jobs", json={**CHOICES, "drawing": drawing}).raise_for_status().json()
+        for drawing in drawings
+    ]
     waiting = "/api/jobs?state=received&state=compiling&limit=1"
     while client.get(waiting).raise_for_status().json():
         time.sleep(0.05)
+    for job in jobs:
+        found = client.get(f"/api/jobs/{job['id']}").raise_for_status().json()
+        assert found["state"] == "ready", found
+        assert not found["program_of"], "it was answered with the program of another job"
 
 
 def main() -> None:
