@@ -38,6 +38,12 @@ def url_of(receiver: Receiver, scheme: str = "http") -> str:
     return f"{scheme}://{NAME}:{port}"
 
 
+@pytest.fixture(autouse=True)
+def _patience(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Give a busy computer time."""
+    monkeypatch.setattr(webhook_sender, "TIME_LIMIT", 120.0)
+
+
 @pytest.fixture
 def addresses(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """The addresses of the name of the ERP, which a test sets."""
