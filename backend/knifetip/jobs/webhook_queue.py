@@ -222,22 +222,26 @@ class WebhookQueue:
     def delete_old(self) -> int:
         """Delete deliveries that are older than 30 days and not pending; return their number."""
         end = self._db.clock() - _KEEP
-        deleted = 0
+        last = deleted = 0
         while True:
             with self._db.writing() as session:
-                oldest = session.execute(
+                page = session.execute(
                     sa.select(
                         WebhookDelivery.serial, WebhookDelivery.created, WebhookDelivery.state
                     )
+                    .where(WebhookDelivery.serial > last)
                     .order_by(WebhookDelivery.serial)
                     .limit(_BATCH)
                 ).all()
-                old = [row.serial for row in oldest if row.created < end and row.state != "pending"]
-                if old:
-                    gone = WebhookDelivery.serial.in_(old)
-                    deleted += rows(session, sa.delete(WebhookDelivery).where(gone))
+                old = [row for row in page if row.created < end]
+                gone = [row.serial for row in old if row.state != "pending"]
+                if gone:
+                    chosen = WebhookDelivery.serial.in_(gone)
+                    deleted += rows(session, sa.delete(WebhookDelivery).where(chosen))
+            # Pending ones may be older, if their endpoint does not answer.
             if len(old) < _BATCH:
                 return deleted
+            last = page[-1].serial
 
 
 def bury_pending(session: Session, webhook: int) -> None:

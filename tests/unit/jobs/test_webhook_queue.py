@@ -16,7 +16,7 @@ from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Event, Job
 from knifetip.jobs.webhook_outbox import EVENT_TYPES
 from knifetip.jobs.webhook_queue import DELAYS, IN_ORDER, LEASE, Attempt, Claimed
-from knifetip.jobs.webhook_tables import WebhookDelivery
+from knifetip.jobs.webhook_tables import Webhook, WebhookDelivery
 from knifetip.messages import Message
 from tests.support.stored import Clock, add_drawing, add_job
 
@@ -269,6 +269,23 @@ def test_old_deliveries_are_deleted_but_not_pending_ones(store: Store, clock: Cl
     add_job(store)
     assert store.webhook_queue.delete_old() == 1
     assert [row.state for row in deliveries(store)] == ["pending", "pending"]
+
+
+def test_deliveries_to_a_silent_endpoint_do_not_keep_those_of_the_others(
+    store: Store, clock: Clock, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("knifetip.jobs.webhook_queue._BATCH", 2)
+    add_webhook(store, "drawing.read")
+    for _ in range(5):
+        add_drawing(store)
+    with store.database.writing() as session:
+        session.execute(sa.update(Webhook).values(resume_at=clock.now + 1e9))
+    add_webhook(store, "job.received")
+    add_job(store)
+    assert drain(store) == ["job.received"]
+    clock.now += 31 * 86_400
+    assert store.webhook_queue.delete_old() == 1
+    assert {row.state for row in deliveries(store)} == {"pending"}
 
 
 def test_many_senders_deliver_each_event_once_and_in_order(store: Store) -> None:
