@@ -1,6 +1,6 @@
 """tracing: spans of traces, which a process exports if it is asked to (ADR 97).
 
-    with tracing.span("compile", Kind.CONSUMER, job.traceparent, job=job.id) as span:
+    with tracing.span("compile", SpanKind.CONSUMER, job.traceparent, job=job.id) as span:
         ...
         span.set(outcome="accepted")
 
@@ -38,7 +38,7 @@ _PROTOCOL: Final = "http/protobuf"
 _log = logging.getLogger("knifetip.tracing")
 
 
-class Kind(StrEnum):
+class SpanKind(StrEnum):
     """Kind of a span, as OpenTelemetry defines it: server, client, consumer or internal."""
 
     INTERNAL = "internal"
@@ -110,7 +110,7 @@ class Exporter(Protocol):
         Parameters
         ----------
         name, kind, attributes
-            Name, kind (see ``Kind``) and attributes of the span.
+            Name, kind (see ``SpanKind``) and attributes of the span.
         parent
             ``traceparent`` of the span to which it belongs; None for the current span.  Without
             either, and if it is malformed, a trace begins.
@@ -212,7 +212,7 @@ def _open_exporter(service: str, environment: Mapping[str, str]) -> Exporter | N
 @contextmanager
 def span(
     name: str,
-    kind: Kind = Kind.INTERNAL,
+    kind: SpanKind = SpanKind.INTERNAL,
     parent: str | None = None,
     **attributes: Unpack[Attributes],
 ) -> Iterator[Span]:

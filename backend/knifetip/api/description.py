@@ -16,7 +16,7 @@ from knifetip.api.principal import PrincipalKind, principal_of
 from knifetip.api.routing import ScopedOperation
 from knifetip.api.schemas.common import Problem
 from knifetip.api.schemas.messages import describe_codes
-from knifetip.api.schemas.security import describe_scopes, with_open_door
+from knifetip.api.schemas.security import describe_scopes, with_optional_keys
 from knifetip.api.text_examples import add_text_examples
 
 _JSON: Final = "application/json"
@@ -47,7 +47,7 @@ class Description:
         """
         described = self.versioned() if is_versioned(request.scope) else self.alias()
         if principal_of(request).kind is PrincipalKind.LOCAL:
-            described = with_open_door(described)
+            described = with_optional_keys(described)
         return JSONResponse(described)
 
 

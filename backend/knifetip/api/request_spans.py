@@ -13,7 +13,7 @@ from knifetip.api.api_version import ALIAS, route_path
 from knifetip.api.metrics import METHODS
 from knifetip.api.request_log import subject_of
 from knifetip.api.routing import endpoint_of
-from knifetip.tracing import Kind
+from knifetip.tracing import SpanKind
 
 #: Requests that are repeated all the time or last as long as their client.
 _UNTRACED: Final = frozenset(
@@ -55,7 +55,9 @@ class RequestSpans:
                 span.set(**subject_of(route_path(location)))
             await send(event)
 
-        with tracing.span(method, Kind.SERVER, parent, method=method, **subject_of(path)) as span:
+        with tracing.span(
+            method, SpanKind.SERVER, parent, method=method, **subject_of(path)
+        ) as span:
             try:
                 await self.app(scope, receive, send_traced)
             finally:

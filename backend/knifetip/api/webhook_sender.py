@@ -27,8 +27,8 @@ from knifetip.api.service import Service
 from knifetip.api.wake import wake_on_change
 from knifetip.errors import RequestError
 from knifetip.jobs.changes import WEBHOOK
-from knifetip.jobs.webhook_queue import Attempt, Claimed
-from knifetip.tracing import Kind
+from knifetip.jobs.webhook_queue import ClaimedDelivery, DeliveryAttempt
+from knifetip.tracing import SpanKind
 
 #: Time limit of one attempt (s), from the resolution of the name to the end of the answer.
 TIME_LIMIT: Final = 15.0
@@ -95,11 +95,11 @@ class WebhookSender:
         pending = bool(self._sending) or await asyncio.to_thread(self._queue.has_pending)
         return _POLL if pending else self._changes.poll(_IDLE_POLL)
 
-    async def _send(self, claimed: Claimed) -> None:
+    async def _send(self, claimed: ClaimedDelivery) -> None:
         try:
             with tracing.span(
                 "webhook",
-                Kind.CLIENT,
+                SpanKind.CLIENT,
                 claimed.traceparent,
                 webhook=claimed.webhook,
                 event_type=claimed.event_type,
@@ -122,7 +122,9 @@ class WebhookSender:
             self._done.set()
 
 
-async def attempt_delivery(claimed: Claimed, now: float, *, private: bool) -> Attempt:
+async def attempt_delivery(
+    claimed: ClaimedDelivery, now: float, *, private: bool
+) -> DeliveryAttempt:
     """Send a delivery once and return the result.
 
     Redirects are not followed, proxies of the environment are not used, and the answer is read up
@@ -149,7 +151,7 @@ async def attempt_delivery(claimed: Claimed, now: float, *, private: bool) -> At
         fault = f"no complete answer within {TIME_LIMIT:.0f} s"
     except (httpx.HTTPError, httpx.InvalidURL, OSError, RequestError, UnicodeError) as reason:
         fault = str(reason) or type(reason).__name__
-    return Attempt(now, status, time.monotonic() - start, _visible(fault[:_SHOWN]), answer)
+    return DeliveryAttempt(now, status, time.monotonic() - start, _visible(fault[:_SHOWN]), answer)
 
 
 def _visible(text: str) -> str:
@@ -157,7 +159,7 @@ def _visible(text: str) -> str:
     return "".join(letter if letter.isprintable() else " " for letter in text).strip()
 
 
-async def _post(claimed: Claimed, now: float, private: bool) -> tuple[int, bytes]:
+async def _post(claimed: ClaimedDelivery, now: float, private: bool) -> tuple[int, bytes]:
     """Send a delivery to the first address of its host that accepts a connection."""
     *others, last = await resolve(claimed.url, private=private)
     # An address that does not answer leaves time for the next one.
@@ -172,7 +174,7 @@ async def _post(claimed: Claimed, now: float, private: bool) -> tuple[int, bytes
 
 
 async def _post_to(
-    address: str, client: httpx.AsyncClient, claimed: Claimed, now: float
+    address: str, client: httpx.AsyncClient, claimed: ClaimedDelivery, now: float
 ) -> tuple[int, bytes]:
     parts = urlsplit(claimed.url)
     shown = f"[{address}]" if ":" in address else address
@@ -215,7 +217,7 @@ def _trusted() -> ssl.SSLContext:
     return context
 
 
-def signature_headers(claimed: Claimed, now: float) -> dict[str, str]:
+def signature_headers(claimed: ClaimedDelivery, now: float) -> dict[str, str]:
     """Return the headers with id, time and signatures of a delivery, one for each valid secret."""
     at = datetime.fromtimestamp(int(now), UTC)
     signatures = [

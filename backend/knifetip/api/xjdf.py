@@ -15,10 +15,10 @@ from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.service import Service, ServiceDep
 from knifetip.api.versions import Body
-from knifetip.api.xjdf_package import MIME, ZIP_TYPES, Package, open_package
-from knifetip.api.xjdf_placing import XjdfDefaults, place_xjdf
+from knifetip.api.xjdf_package import MIME, ZIP_TYPES, XjdfPackage, open_package
+from knifetip.api.xjdf_placing import XjdfDefaults, XjdfSubmission, place_xjdf
 from knifetip.api.xjdf_status import status_document, status_message
-from knifetip.api.xjmf_commands import Answering, answer_messages
+from knifetip.api.xjmf_commands import MessageContext, answer_messages
 from knifetip.api.xjmf_messages import ReturnCode, read_messages, write_answers
 from knifetip.jobs.accounts.acting import note_refusal
 from knifetip.jobs.accounts.scopes import AccessScope
@@ -66,17 +66,8 @@ async def order_by_xjdf(
     """
     client = Client.of(request)
     package = await _open(service, request, client, content, "XJDF")
-    return await place_xjdf(
-        service,
-        principal,
-        client,
-        response,
-        package.root,
-        package,
-        wanted,
-        release=wanted.release,
-        key=key,
-    )
+    submission = XjdfSubmission(package.root, package, wanted, wanted.release)
+    return await place_xjdf(service, principal, client, response, submission, key)
 
 
 @router.post("/xjmf", response_class=Response, responses=_answer(XJMF), openapi_extra=_body(XJMF))
@@ -99,8 +90,8 @@ async def answer_xjmf(
     client = Client.of(request)
     package = await _open(service, request, client, content, "XJMF")
     messages = await service.orders.run(partial(read_messages, package.root), client)
-    answering = Answering(service, principal, client, package, defaults, key)
-    answers = [await answer_messages(answering, message) for message in messages]
+    context = MessageContext(service, principal, client, package, defaults, key)
+    answers = [await answer_messages(context, message) for message in messages]
     if any(answer.code is not ReturnCode.SUCCESS for answer in answers):
         note_refusal()
     return Response(write_answers(answers, service.store.database.clock()), media_type=XJMF)
@@ -108,7 +99,7 @@ async def answer_xjmf(
 
 async def _open(
     service: Service, request: Request, client: Client, content: bytes, kind: str
-) -> Package:
+) -> XjdfPackage:
     media = request.headers.get("content-type", "")
     limit = service.settings.upload
     return await service.orders.run(partial(open_package, content, media, limit, kind), client)

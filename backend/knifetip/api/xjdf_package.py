@@ -43,7 +43,7 @@ _MIME_FAULTS = (
 )
 
 
-class Package(Protocol):
+class XjdfPackage(Protocol):
     """A document and the files to which it refers by URL."""
 
     root: bytes  #: the XJDF or XJMF document
@@ -183,7 +183,7 @@ class MimePackage:
         return _payload(part)
 
 
-def open_package(content: bytes, media: str, limit: int, kind: str) -> Package:
+def open_package(content: bytes, media: str, limit: int, kind: str) -> XjdfPackage:
     """Return the document in the body of a request with the files of its package.
 
     Parameters

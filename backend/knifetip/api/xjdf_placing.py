@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 from pathlib import PurePosixPath
+from typing import NamedTuple
 from urllib.parse import unquote, urlsplit
 
 from fastapi import Response
@@ -20,7 +21,7 @@ from knifetip.api.schemas.order_details import details_columns
 from knifetip.api.schemas.orders import JobIn
 from knifetip.api.service import Service
 from knifetip.api.xjdf_order import XjdfOrder, read_order
-from knifetip.api.xjdf_package import Package
+from knifetip.api.xjdf_package import XjdfPackage
 from knifetip.errors import RequestError
 from knifetip.jobs.accounts.scopes import AccessScope
 
@@ -39,16 +40,21 @@ class XjdfDefaults(Strict):
     )
 
 
+class XjdfSubmission(NamedTuple):
+    """An XJDF document that orders a job."""
+
+    document: bytes
+    package: XjdfPackage  #: files to which the document refers
+    defaults: XjdfDefaults
+    release: bool  #: whether the job is queued when its program is accepted
+
+
 async def place_xjdf(
     service: Service,
     principal: Principal,
     client: Client,
     response: Response,
-    document: bytes,
-    package: Package,
-    defaults: XjdfDefaults,
-    *,
-    release: bool,
+    submission: XjdfSubmission,
     key: str | None,
 ) -> JobOut:
     """Create the job that an XJDF document orders.
@@ -59,14 +65,8 @@ async def place_xjdf(
         The server, and the sender of the request.
     response
         Gets the header ``Location``.
-    document
-        The XJDF document.
-    package
-        Files to which the document refers.
-    defaults
-        Defaults for the document.
-    release
-        Whether the job is queued when its program is accepted.
+    submission
+        The XJDF document with its files and its defaults.
     key
         Idempotency-Key of the order, None if it has none.
 
@@ -79,12 +79,13 @@ async def place_xjdf(
     KnifetipError
         The drawing, the machine or the board is unknown, or the order is not permitted.
     """
-    order = await service.orders.run(partial(read_order, document), client)
-    job = _job_order(order, defaults, release=release)
-    if release:
+    defaults = submission.defaults
+    order = await service.orders.run(partial(read_order, submission.document), client)
+    job = _job_order(order, defaults, release=submission.release)
+    if submission.release:
         demand(principal, AccessScope.OPERATOR)
     if order.file:
-        content = await service.orders.run(partial(package.file, order.file), client)
+        content = await service.orders.run(partial(submission.package.file, order.file), client)
         name = drawing_name(PurePosixPath(unquote(urlsplit(order.file).path)).name)
         profile = defaults.profile or "default"
         upload = Upload(name, content, profile=profile, details=details_columns(job))

@@ -15,8 +15,8 @@ from knifetip.api.job_commands import check_withdrawal
 from knifetip.api.principal import Principal, demand
 from knifetip.api.queue import Client
 from knifetip.api.service import Service
-from knifetip.api.xjdf_package import Package
-from knifetip.api.xjdf_placing import XjdfDefaults, place_xjdf
+from knifetip.api.xjdf_package import XjdfPackage
+from knifetip.api.xjdf_placing import XjdfDefaults, XjdfSubmission, place_xjdf
 from knifetip.api.xjdf_status import NODE_STATUS, device_info, queue_entry
 from knifetip.api.xjdf_xml import children
 from knifetip.api.xjmf_messages import ReturnCode, XjmfAnswer, XjmfMessage
@@ -43,13 +43,13 @@ _OPEN = tuple(state for state in State if state not in ENDED)
 
 
 @dataclass(frozen=True, slots=True)
-class Answering:
-    """Context of the messages of one request: the server, the sender and the package."""
+class MessageContext:
+    """What the messages of one request have in common: server, sender, package and key."""
 
     service: Service
     principal: Principal
     client: Client
-    package: Package  #: files to which the messages refer
+    package: XjdfPackage  #: files to which the messages refer
     defaults: XjdfDefaults
     key: str | None  #: Idempotency-Key of the request, None if it has none
 
@@ -63,12 +63,12 @@ class _Refusal(Exception):
         self.comments = comments
 
 
-async def answer_messages(answering: Answering, message: XjmfMessage) -> XjmfAnswer:
+async def answer_messages(context: MessageContext, message: XjmfMessage) -> XjmfAnswer:
     """Execute a message and return the response; errors become return codes.
 
     Parameters
     ----------
-    answering
+    context
         The server and the sender.
     message
         The message.
@@ -81,7 +81,7 @@ async def answer_messages(answering: Answering, message: XjmfMessage) -> XjmfAns
         text = "Subscriptions are not supported. Use webhooks, or repeat the query."
         return XjmfAnswer(message, ReturnCode.SUBSCRIPTION_DENIED, [text])
     try:
-        return XjmfAnswer(message, content=await handler(answering, message))
+        return XjmfAnswer(message, content=await handler(context, message))
     except _Refusal as reason:
         return XjmfAnswer(message, reason.code, reason.comments)
     except RequestValidationError as reason:
@@ -100,7 +100,7 @@ def _code_of(reason: KnifetipError) -> ReturnCode:
     )
 
 
-async def _submit(answering: Answering, message: XjmfMessage) -> list[Element]:
+async def _submit(context: MessageContext, message: XjmfMessage) -> list[Element]:
     """Create the job of an order; without ``Activation`` it is released, as XJMF prescribes."""
     parameters = _required(message, "QueueSubmissionParams")
     activation = parameters.get("Activation", "Active")
@@ -108,24 +108,21 @@ async def _submit(answering: Answering, message: XjmfMessage) -> list[Element]:
         raise _Refusal(
             ReturnCode.INVALID_PARAMETERS, f"Activation {activation[:40]} is not supported."
         )
-    document = answering.package.file(parameters.get("URL", ""))
+    document = context.package.file(parameters.get("URL", ""))
     # Messages need no id.
-    key = f"{answering.key}/{message.index}/{message.id}" if answering.key else None
+    key = f"{context.key}/{message.index}/{message.id}" if context.key else None
     job = await place_xjdf(
-        answering.service,
-        answering.principal,
-        answering.client,
+        context.service,
+        context.principal,
+        context.client,
         Response(),
-        document,
-        answering.package,
-        answering.defaults,
-        release=activation == "Active",
-        key=key,
+        XjdfSubmission(document, context.package, context.defaults, activation == "Active"),
+        key,
     )
-    return [queue_entry(answering.service.store.jobs.get(job.id))]
+    return [queue_entry(context.service.store.jobs.get(job.id))]
 
 
-async def _modify(answering: Answering, message: XjmfMessage) -> list[Element]:
+async def _modify(context: MessageContext, message: XjmfMessage) -> list[Element]:
     """Change the entries that the filter selects, all or up to the first that cannot be changed."""
     parameters = _required(message, "ModifyQueueEntryParams")
     operation = parameters.get("Operation", "")
@@ -134,25 +131,25 @@ async def _modify(answering: Answering, message: XjmfMessage) -> list[Element]:
         raise _Refusal(
             ReturnCode.NOT_IMPLEMENTED, f"The operation {operation[:40]} is not supported."
         )
-    run = answering.service.orders.run
-    rows = await run(partial(_selected, answering, parameters), answering.client)
+    run = context.service.orders.run
+    rows = await run(partial(_selected, context, parameters), context.client)
     if not rows:
         raise _Refusal(ReturnCode.UNKNOWN_ENTRY, "The filter selects no entry of the queue.")
     changed = [
-        await run(partial(_changed, answering, change, operation, row.id), answering.client)
+        await run(partial(_changed, context, change, operation, row.id), context.client)
         for row in rows
     ]
     return [queue_entry(row) for row in changed]
 
 
 def _changed(
-    answering: Answering, change: Callable[[Answering, Job], None], operation: str, id: str
+    context: MessageContext, change: Callable[[MessageContext, Job], None], operation: str, id: str
 ) -> Job:
     """Change one entry and return it as it is then."""
-    jobs = answering.service.store.jobs
+    jobs = context.service.store.jobs
     row = jobs.get(id)
     try:
-        change(answering, row)
+        change(context, row)
     except WrongState as reason:
         raise _Refusal(
             _state_code(row, operation), reason.text, *filter(None, [reason.hint])
@@ -169,24 +166,24 @@ def _state_code(row: Job, operation: str) -> ReturnCode:
     return ReturnCode.EXECUTING if row.state in LEASED else ReturnCode.ALREADY_SO
 
 
-def _hold(answering: Answering, row: Job) -> None:
+def _hold(context: MessageContext, row: Job) -> None:
     """Keep a waiting job in the queue, so that no machine claims it."""
-    demand(answering.principal, AccessScope.OPERATOR)
+    demand(context.principal, AccessScope.OPERATOR)
     if row.on_hold:
         raise _Refusal(ReturnCode.ALREADY_SO, "The job is already held.")
-    answering.service.store.queues.change(row.id, WaitingChange(on_hold=True), OPERATOR)
+    context.service.store.queues.change(row.id, WaitingChange(on_hold=True), OPERATOR)
 
 
-def _suspend(answering: Answering, row: Job) -> None:
+def _suspend(context: MessageContext, row: Job) -> None:
     """Hold the machine that works on a job."""
-    demand(answering.principal, AccessScope.OPERATOR)
-    answering.service.store.operators.hold(row.id)
+    demand(context.principal, AccessScope.OPERATOR)
+    context.service.store.operators.hold(row.id)
 
 
-def _resume(answering: Answering, row: Job) -> None:
+def _resume(context: MessageContext, row: Job) -> None:
     """Resume a job on its machine, end its hold in the queue, or release it."""
-    demand(answering.principal, AccessScope.OPERATOR)
-    store = answering.service.store
+    demand(context.principal, AccessScope.OPERATOR)
+    store = context.service.store
     if row.state == State.HELD:
         store.operators.resume(row.id)
         return
@@ -199,51 +196,51 @@ def _resume(answering: Answering, row: Job) -> None:
         store.operators.release(row.id)
 
 
-def _abort(answering: Answering, row: Job) -> None:
+def _abort(context: MessageContext, row: Job) -> None:
     """Cancel a job; a machine that works on it stops."""
-    check_withdrawal(answering.service, answering.principal, row.id)
+    check_withdrawal(context.service, context.principal, row.id)
     if row.state == State.CANCELLED:
         raise _Refusal(ReturnCode.ALREADY_SO, "The job is already cancelled.")
-    answering.service.store.operators.cancel(row.id)
+    context.service.store.operators.cancel(row.id)
 
 
-def _remove(answering: Answering, row: Job) -> None:
+def _remove(context: MessageContext, row: Job) -> None:
     """Cancel a job on which no machine works."""
     if row.state in LEASED:
         raise _Refusal(ReturnCode.EXECUTING, "The job is on its machine. Abort it instead.")
-    _abort(answering, row)
+    _abort(context, row)
 
 
-async def _queue_status(answering: Answering, message: XjmfMessage) -> list[Element]:
+async def _queue_status(context: MessageContext, message: XjmfMessage) -> list[Element]:
     """Return the selected entries; without filter those that have not ended."""
     parameters = message.parameters("QueueStatusParams")
-    run = answering.service.orders.run
-    rows = await run(partial(_selected, answering, parameters), answering.client)
+    run = context.service.orders.run
+    rows = await run(partial(_selected, context, parameters), context.client)
     queue = Element("Queue", {"QueueSize": str(len(rows))})
     queue.extend(queue_entry(row) for row in rows)
     return [queue]
 
 
-async def _status(answering: Answering, message: XjmfMessage) -> list[Element]:
+async def _status(context: MessageContext, message: XjmfMessage) -> list[Element]:
     parameters = message.parameters("StatusQuParams")
     id = "" if parameters is None else parameters.get("QueueEntryID", "")
     if not id:
         raise _Refusal(
             ReturnCode.INSUFFICIENT_PARAMETERS, "StatusQuParams/@QueueEntryID is missing."
         )
-    get = partial(answering.service.store.jobs.get, id)
-    return [device_info(await answering.service.orders.run(get, answering.client))]
+    get = partial(context.service.store.jobs.get, id)
+    return [device_info(await context.service.orders.run(get, context.client))]
 
 
-async def _known_messages(answering: Answering, message: XjmfMessage) -> list[Element]:
-    del answering, message
+async def _known_messages(context: MessageContext, message: XjmfMessage) -> list[Element]:
+    del context, message
     return [
         Element("MessageService", {"ResponseModes": "Response", "Type": name})
         for name in sorted(_HANDLERS)
     ]
 
 
-def _selected(answering: Answering, parameters: Element | None) -> list[Job]:
+def _selected(context: MessageContext, parameters: Element | None) -> list[Job]:
     """Return the jobs that a ``QueueFilter`` selects, newest first.
 
     Raises
@@ -255,7 +252,7 @@ def _selected(answering: Answering, parameters: Element | None) -> list[Job]:
     attributes = filters[0].attrib if filters else {}
     if parameters is not None and "Operation" in parameters.attrib:
         _check_selection(attributes)
-    jobs = answering.service.store.jobs
+    jobs = context.service.store.jobs
     job = attributes.get("JobID", "")
     wanted = attributes.get("StatusList", "").split()
     if "QueueEntryIDs" in attributes:
@@ -298,14 +295,16 @@ def _required(message: XjmfMessage, name: str) -> Element:
     return found
 
 
-_HANDLERS: Final[Mapping[str, Callable[[Answering, XjmfMessage], Awaitable[list[Element]]]]] = {
+_HANDLERS: Final[
+    Mapping[str, Callable[[MessageContext, XjmfMessage], Awaitable[list[Element]]]]
+] = {
     "CommandSubmitQueueEntry": _submit,
     "CommandModifyQueueEntry": _modify,
     "QueryQueueStatus": _queue_status,
     "QueryStatus": _status,
     "QueryKnownMessages": _known_messages,
 }
-_OPERATIONS: Final[Mapping[str, Callable[[Answering, Job], None]]] = {
+_OPERATIONS: Final[Mapping[str, Callable[[MessageContext, Job], None]]] = {
     "Abort": _abort,
     "Hold": _hold,
     "Remove": _remove,

@@ -82,14 +82,14 @@ def watch(
     # Imported here: httpx is slow, and other commands do not need it.
     from knifetip.cli.hot_folder.arrivals import Arrivals
     from knifetip.cli.hot_folder.client import OrderClient
-    from knifetip.cli.hot_folder.orders import HotFolder
+    from knifetip.cli.hot_folder.orders import OrderFolder
     from knifetip.cli.hot_folder.reservation import reserved
 
     with ExitStack() as opened:
         client = OrderClient(server, key.headers)
         opened.callback(client.close)
         try:
-            orders = HotFolder(folder, order.fields, client)
+            orders = OrderFolder(folder, order.fields, client)
             opened.enter_context(reserved(folder))
         except OSError as reason:
             raise SettingsError("watch.folder", folder=str(folder), reason=reason) from reason
@@ -114,21 +114,21 @@ def _look(arrivals: Any, orders: Any, pause: float, interval: float) -> tuple[bo
     tuple
         Whether a drawing is in the folder or being processed, and the time until the next poll (s).
     """
-    from knifetip.cli.hot_folder.client import NotNow
+    from knifetip.cli.hot_folder.client import RetryLater
 
     failed = False
     names: list[str] = []
     try:
         for name in arrivals.complete():
             orders.take(name)
-        names = orders.on_the_way()
+        names = orders.in_progress()
     except OSError as reason:
         print_stderr(f"the folder cannot be read: {visible(str(reason))}", "yellow")
         failed = True
     for name in names:
         try:
             news = orders.advance(name)
-        except NotNow as reason:
+        except RetryLater as reason:
             failed = True
             if not reason.of_one_file:
                 print_stderr(f"the server does not answer: {visible(str(reason))}", "yellow")

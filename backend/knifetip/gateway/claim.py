@@ -62,7 +62,7 @@ from knifetip.gateway.station import MachineStation
 from knifetip.gateway.stream import Progress, stream
 from knifetip.messages import Message
 from knifetip.model.machine import Station
-from knifetip.tracing import Kind
+from knifetip.tracing import SpanKind
 
 _log = logging.getLogger(__name__)
 
@@ -124,7 +124,7 @@ class _GatewayLoop:
                 )
                 with (
                     logs.about(job=claim.job),
-                    tracing.span("run", Kind.CONSUMER, claim.traceparent, **about),
+                    tracing.span("run", SpanKind.CONSUMER, claim.traceparent, **about),
                 ):
                     await self._run_job(claim)
                 if jobs is not None:
@@ -296,7 +296,7 @@ class _GatewayLoop:
 
     async def _run_copies(self, run: JobRun) -> None:
         claim = run.claim
-        with tracing.span("fetch program", Kind.CLIENT):
+        with tracing.span("fetch program", SpanKind.CLIENT):
             text = await self._server.program(claim)
         lines = text.count(b"\n")
         self._journal.begin(claim.job, claim.epoch, claim.sha256, lines, claim.copies)

@@ -30,11 +30,12 @@ from knifetip.errors import (
 )
 from knifetip.jobs import tasks
 from knifetip.jobs.compile_key import compile_key
-from knifetip.jobs.compile_queue import CompileQueue, queue_of
+from knifetip.jobs.compile_queue import CompileQueue
 from knifetip.jobs.grace import Grace
 from knifetip.jobs.interpretations import interpretation_of
 from knifetip.jobs.process_link import ProcessLink, join
 from knifetip.jobs.process_pool import ProcessPool, TaskCancelled, TaskFailed, Watch
+from knifetip.jobs.queue_selection import select_queue
 from knifetip.jobs.readings import StoredDrawing
 from knifetip.jobs.reported_stages import ReportedStages, reported_stages
 from knifetip.jobs.rest_record import RestRecord, StoredRest
@@ -46,7 +47,7 @@ from knifetip.model.acceptance import Exceptions
 from knifetip.model.machine import Machine
 from knifetip.model.stage import Stage
 from knifetip.model.tool import Engine, kind_of
-from knifetip.tracing import Kind
+from knifetip.tracing import SpanKind
 
 LIMIT = 120.0  #: seconds that a reading or a compile may take
 _RENEW = 0.2  # seconds between two renewals of a compile's lease
@@ -176,7 +177,7 @@ class CompileService:
             return
         # Jobs that this process receives notify the queue; a server has no others on SQLite.
         poll = _SERVER_POLL if self.gateways else _WORKER_POLL
-        self._queue = queue_of(
+        self._queue = select_queue(
             self.store,
             self.name,
             self.at_once,
@@ -247,7 +248,7 @@ class CompileService:
         # The order waits in the database: its span was that of another process, perhaps.
         with (
             logs.about(job=job.id),
-            tracing.span("compile", Kind.CONSUMER, job.traceparent, **about),
+            tracing.span("compile", SpanKind.CONSUMER, job.traceparent, **about),
             self._kept_lease(job.id, job.epoch),
         ):
             begun = time.monotonic()

@@ -46,7 +46,7 @@ _BATCH = 500  # deliveries that one transaction deletes
 
 
 @dataclass(frozen=True, slots=True)
-class Claimed:
+class ClaimedDelivery:
     """A delivery that a sender has claimed, with the endpoint as it was then."""
 
     serial: int
@@ -61,7 +61,7 @@ class Claimed:
 
 
 @dataclass(frozen=True, slots=True)
-class Attempt:
+class DeliveryAttempt:
     """The result of one attempt to send a delivery."""
 
     at: float  #: seconds since 1970
@@ -98,7 +98,7 @@ class WebhookQueue:
         with self._db.reading() as session:
             return session.scalar(query.limit(1)) is not None
 
-    def claim(self, busy: Collection[int] = (), lease: float = LEASE) -> Claimed | None:
+    def claim(self, busy: Collection[int] = (), lease: float = LEASE) -> ClaimedDelivery | None:
         """Claim the delivery that is due first; return None if none is due.
 
         Parameters
@@ -126,7 +126,7 @@ class WebhookQueue:
                 row.lease = now + lease
                 previous = endpoint.previous_secret
                 valid = bool(previous) and endpoint.previous_until > now
-                return Claimed(
+                return ClaimedDelivery(
                     row.serial,
                     serial,
                     row.id,
@@ -174,7 +174,7 @@ class WebhookQueue:
         )
         return session.scalar(query)
 
-    def store(self, claimed: Claimed, attempt: Attempt) -> None:
+    def store(self, claimed: ClaimedDelivery, attempt: DeliveryAttempt) -> None:
         """Store the result of an attempt, and when the next one is due.
 
         An endpoint that answers ``GONE`` is switched off, and its pending deliveries are not sent.

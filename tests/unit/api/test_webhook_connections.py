@@ -19,16 +19,16 @@ from cryptography.x509.oid import NameOID
 
 from knifetip.api import webhook_sender
 from knifetip.api.webhook_sender import attempt_delivery
-from knifetip.jobs.webhook_queue import Attempt, Claimed
+from knifetip.jobs.webhook_queue import ClaimedDelivery, DeliveryAttempt
 from knifetip.jobs.webhook_store import new_secret
 from tests.support.serving.webhook_receiver import Receiver, run_receiver
 
 NAME = "erp.shop.example"
 
 
-def send(url: str, *, private: bool = True) -> Attempt:
+def send(url: str, *, private: bool = True) -> DeliveryAttempt:
     secrets = (new_secret(),)
-    claimed = Claimed(1, 1, "msg_1", url, "{}", secrets, "webhook.test", 1, "")
+    claimed = ClaimedDelivery(1, 1, "msg_1", url, "{}", secrets, "webhook.test", 1, "")
     return asyncio.run(attempt_delivery(claimed, 1000.0, private=private))
 
 

@@ -12,8 +12,8 @@ import pytest
 
 from knifetip.api.service import Settings
 from knifetip.cli.hot_folder.arrivals import Arrivals
-from knifetip.cli.hot_folder.client import NotNow, OrderClient
-from knifetip.cli.hot_folder.orders import HotFolder
+from knifetip.cli.hot_folder.client import OrderClient, RetryLater
+from knifetip.cli.hot_folder.orders import OrderFolder
 from knifetip.cli.watch import visible
 from tests.support.command import Command
 from tests.support.serving.server import LocalClient, run_server, square
@@ -45,8 +45,8 @@ def _closed_clients(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
         client.close()
 
 
-def hot_folder(shop: LocalClient, folder: Path) -> HotFolder:
-    return HotFolder(folder, DEFAULTS, OrderClient(str(shop.base_url), {}))
+def hot_folder(shop: LocalClient, folder: Path) -> OrderFolder:
+    return OrderFolder(folder, DEFAULTS, OrderClient(str(shop.base_url), {}))
 
 
 def drop(folder: Path, name: str, content: bytes, **sidecar: object) -> None:
@@ -55,12 +55,12 @@ def drop(folder: Path, name: str, content: bytes, **sidecar: object) -> None:
     (folder / name).write_bytes(content)
 
 
-def run(folder: HotFolder, *names: str) -> None:
+def run(folder: OrderFolder, *names: str) -> None:
     """Process files until none is left."""
     for name in names:
         folder.take(name)
     for _ in range(100_000):
-        waiting = folder.on_the_way()
+        waiting = folder.in_progress()
         if not waiting:
             return
         for name in waiting:
@@ -220,9 +220,9 @@ def test_a_kill_at_any_step_orders_once_and_loses_nothing(
 
 def test_a_server_that_is_down_keeps_the_files(shop: LocalClient, tmp_path: Path) -> None:
     drop(tmp_path, "tray.dxf", square(), external_id="PO-down")
-    down = HotFolder(tmp_path, DEFAULTS, OrderClient("http://127.0.0.1:9", {}))
+    down = OrderFolder(tmp_path, DEFAULTS, OrderClient("http://127.0.0.1:9", {}))
     down.take("tray.dxf")
-    with pytest.raises(NotNow):
+    with pytest.raises(RetryLater):
         down.advance("tray.dxf")
     run(hot_folder(shop, tmp_path))
     assert len(jobs_of(shop, "PO-down")) == 1
@@ -231,9 +231,9 @@ def test_a_server_that_is_down_keeps_the_files(shop: LocalClient, tmp_path: Path
 def test_a_wrong_key_keeps_the_files(shop: LocalClient, tmp_path: Path) -> None:
     drop(tmp_path, "tray.dxf", square())
     client = OrderClient(str(shop.base_url), {"Authorization": "Bearer nonsense"})
-    locked_out = HotFolder(tmp_path, DEFAULTS, client)
+    locked_out = OrderFolder(tmp_path, DEFAULTS, client)
     locked_out.take("tray.dxf")
-    with pytest.raises(NotNow):
+    with pytest.raises(RetryLater):
         locked_out.advance("tray.dxf")
     assert (tmp_path / "working" / "tray.dxf").exists()
 

@@ -16,8 +16,8 @@ import pytest
 
 from knifetip.api.service import Settings
 from knifetip.cli.hot_folder.arrivals import Arrivals
-from knifetip.cli.hot_folder.client import NotNow, OrderClient
-from knifetip.cli.hot_folder.orders import HotFolder
+from knifetip.cli.hot_folder.client import OrderClient, RetryLater
+from knifetip.cli.hot_folder.orders import OrderFolder
 from knifetip.cli.hot_folder.reservation import reserved
 from knifetip.cli.watch import _look
 from knifetip.errors import SettingsError
@@ -148,7 +148,7 @@ def test_a_file_that_a_proxy_refuses_does_not_block_the_others(
     drop(tmp_path, "b-small.dxf", square(side=43.0), external_id="PO-small")
     with proxy_with_limit(str(shop.base_url).rstrip("/"), 20_000) as proxy:
         client = OrderClient(proxy, {})
-        orders = HotFolder(tmp_path, DEFAULTS, client)
+        orders = OrderFolder(tmp_path, DEFAULTS, client)
         arrivals = Arrivals(tmp_path, 0.0, lambda: 0.0)
         for _ in range(100_000):
             is_busy, pause = _look(arrivals, orders, 1.0, 1.0)
@@ -180,13 +180,13 @@ def test_a_page_of_a_proxy_keeps_the_files(shop: LocalClient, tmp_path: Path) ->
     drop(tmp_path, "tray.dxf", square(side=45.0), external_id="PO-page")
     with page_server() as url:
         client = OrderClient(url, {})
-        orders = HotFolder(tmp_path, DEFAULTS, client)
+        orders = OrderFolder(tmp_path, DEFAULTS, client)
         orders.take("tray.dxf")
-        with pytest.raises(NotNow):
+        with pytest.raises(RetryLater):
             orders.advance("tray.dxf")
         client.close()
     client = OrderClient(str(shop.base_url), {})
-    run(HotFolder(tmp_path, DEFAULTS, client))
+    run(OrderFolder(tmp_path, DEFAULTS, client))
     client.close()
     assert len(jobs_of(shop, "PO-page")) == 1
 
@@ -196,7 +196,7 @@ def test_a_drawing_that_cannot_be_moved_keeps_its_fields(
 ) -> None:
     """It is renamed or locked at this moment: its fields must not become those of a later one."""
     client = OrderClient(str(shop.base_url), {})
-    orders = HotFolder(tmp_path, DEFAULTS, client)
+    orders = OrderFolder(tmp_path, DEFAULTS, client)
     drop(tmp_path, "tray.dxf", square(side=46.0), external_id="PO-moved", copies=50)
     replace = os.replace
 

@@ -11,8 +11,9 @@ from pathlib import Path
 import pytest
 from dbos import DBOS
 
-from knifetip.jobs.compile_queue import TableQueue, queue_of
+from knifetip.jobs.compile_queue import TableQueue
 from knifetip.jobs.durable_queue import DurableQueue
+from knifetip.jobs.queue_selection import select_queue
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.messages import Message
@@ -117,7 +118,7 @@ def test_records_are_deleted_until_few_are_left(
 
 def test_the_database_decides_on_the_queue(tmp_path: Path) -> None:
     store = Store(f"sqlite:///{tmp_path}/shop.sqlite")
-    assert isinstance(queue_of(store, "a", 1), TableQueue)
+    assert isinstance(select_queue(store, "a", 1), TableQueue)
     store.database.url = "postgresql+psycopg://somewhere/shop"
-    assert isinstance(queue_of(store, "a", 1), DurableQueue)
+    assert isinstance(select_queue(store, "a", 1), DurableQueue)
     store.close()

@@ -22,7 +22,7 @@ pytestmark = pytest.mark.xdist_group("crew")
 _STUCK_WORKER = """
 import sys, time
 from knifetip.jobs import compile_store
-from knifetip.jobs.compile_queue import queue_of
+from knifetip.jobs.queue_selection import select_queue
 from knifetip.jobs.process_link import join
 from knifetip.jobs.store import Store
 compile_store.LEASE = float(sys.argv[3])
@@ -31,7 +31,7 @@ link = join(store.database.url, store.changes, sys.argv[2], "worker")
 def compile(job):
     print(job.id, flush=True)
     time.sleep(600)
-queue_of(store, link.name, 1, 0.1).start(compile)
+select_queue(store, link.name, 1, 0.1).start(compile)
 time.sleep(600)
 """
 

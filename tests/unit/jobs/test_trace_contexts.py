@@ -8,7 +8,7 @@ import pytest
 
 from knifetip import tracing
 from knifetip.jobs.store import Store
-from knifetip.jobs.webhook_queue import Attempt
+from knifetip.jobs.webhook_queue import DeliveryAttempt
 from tests.support.job_states import ordered, running
 from tests.support.serving.trace_receiver import TraceReceiver, export_traces
 from tests.support.stored import Clock
@@ -25,7 +25,7 @@ def contexts(store: Store) -> dict[str, str]:
     found = {}
     while (claimed := store.webhook_queue.claim()) is not None:
         found[claimed.event_type] = claimed.traceparent
-        store.webhook_queue.store(claimed, Attempt(store.database.clock(), 204, 0.1))
+        store.webhook_queue.store(claimed, DeliveryAttempt(store.database.clock(), 204, 0.1))
     return found
 
 

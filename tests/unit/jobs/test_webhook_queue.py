@@ -15,7 +15,7 @@ from knifetip.jobs.job import OPERATOR
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Event, Job
 from knifetip.jobs.webhook_outbox import EVENT_TYPES
-from knifetip.jobs.webhook_queue import DELAYS, IN_ORDER, LEASE, Attempt, Claimed
+from knifetip.jobs.webhook_queue import DELAYS, IN_ORDER, LEASE, ClaimedDelivery, DeliveryAttempt
 from knifetip.jobs.webhook_tables import Webhook, WebhookDelivery
 from knifetip.messages import Message
 from tests.support.stored import Clock, add_drawing, add_job
@@ -27,11 +27,11 @@ def add_webhook(store: Store, *types: str) -> str:
     return store.webhooks.add(URL, "", types, "test").id
 
 
-def attempt(store: Store, status: int = 204) -> Claimed:
+def attempt(store: Store, status: int = 204) -> ClaimedDelivery:
     """Claim what is due, store an answer, and return what was claimed."""
     claimed = store.webhook_queue.claim()
     assert claimed is not None
-    store.webhook_queue.store(claimed, Attempt(store.database.clock(), status, 0.1))
+    store.webhook_queue.store(claimed, DeliveryAttempt(store.database.clock(), status, 0.1))
     return claimed
 
 
@@ -39,7 +39,7 @@ def drain(store: Store) -> list[str]:
     """Deliver all that is due; return the types of the events in the order of delivery."""
     found = []
     while (claimed := store.webhook_queue.claim()) is not None:
-        store.webhook_queue.store(claimed, Attempt(store.database.clock(), 200, 0.1))
+        store.webhook_queue.store(claimed, DeliveryAttempt(store.database.clock(), 200, 0.1))
         found.append(json.loads(claimed.payload)["type"])
     return found
 
@@ -188,8 +188,8 @@ def test_events_of_a_job_stay_in_order(store: Store, clock: Clock) -> None:
         second.id,
     ]
     assert store.webhook_queue.claim() is None
-    store.webhook_queue.store(taken, Attempt(clock.now, 500, 0.1))
-    store.webhook_queue.store(other, Attempt(clock.now, 200, 0.1))
+    store.webhook_queue.store(taken, DeliveryAttempt(clock.now, 500, 0.1))
+    store.webhook_queue.store(other, DeliveryAttempt(clock.now, 200, 0.1))
     assert drain(store) == ["job.cancelled"]
     clock.now += 10.0
     assert drain(store) == ["job.received", "job.cancelled"]
@@ -255,7 +255,7 @@ def test_deleting_an_endpoint_during_an_attempt_is_harmless(store: Store, clock:
     claimed = store.webhook_queue.claim()
     assert claimed is not None
     store.webhooks.delete(webhook)
-    store.webhook_queue.store(claimed, Attempt(clock.now, 200, 0.1))
+    store.webhook_queue.store(claimed, DeliveryAttempt(clock.now, 200, 0.1))
     assert deliveries(store) == []
     with pytest.raises(NotFound):
         store.webhooks.get(webhook)
@@ -303,7 +303,7 @@ def test_many_senders_deliver_each_event_once_and_in_order(store: Store) -> None
             payload = json.loads(claimed.payload)
             sent.append(claimed.id)
             order.setdefault(payload["data"]["job"]["id"], []).append(payload["type"])
-            store.webhook_queue.store(claimed, Attempt(store.database.clock(), 200, 0.1))
+            store.webhook_queue.store(claimed, DeliveryAttempt(store.database.clock(), 200, 0.1))
 
     threads = [threading.Thread(target=send) for _ in range(4)]
     for thread in threads:
@@ -383,7 +383,7 @@ def test_the_endpoint_is_locked_before_its_deliveries(store: Store) -> None:
     engine = store.database._engine
     sa.event.listen(engine, "before_cursor_execute", note)
     try:
-        store.webhook_queue.store(claimed, Attempt(store.database.clock(), 410, 0.1))
+        store.webhook_queue.store(claimed, DeliveryAttempt(store.database.clock(), 410, 0.1))
         store.webhooks.change(webhook, active=True)
         first, touched = touched, []
         store.webhooks.replay(webhook)

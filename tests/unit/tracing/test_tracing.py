@@ -17,7 +17,7 @@ import pytest
 from knifetip import logs, tracing
 from knifetip.errors import StoreError
 from knifetip.logs import LogFormat, LogLevel
-from knifetip.tracing import Kind
+from knifetip.tracing import SpanKind
 from tests.support.serving.trace_receiver import (
     TraceReceiver,
     run_silent_receiver,
@@ -41,11 +41,11 @@ def receiver(monkeypatch: pytest.MonkeyPatch) -> Iterator[TraceReceiver]:
 def test_spans_are_exported_as_a_tree(receiver: TraceReceiver) -> None:
     with tracing.exporting("knifetip-test"):
         assert tracing.is_on()
-        with tracing.span("request", Kind.SERVER, method="POST", route="/api/jobs", status=201):
+        with tracing.span("request", SpanKind.SERVER, method="POST", route="/api/jobs", status=201):
             with tracing.span("inner", job="j1") as inner:
                 inner.event("lines executed", line=7)
                 inner.set(outcome="done", lines=70)
-            with tracing.span("other", Kind.CONSUMER, PARENT):
+            with tracing.span("other", SpanKind.CONSUMER, PARENT):
                 pass
     assert not tracing.is_on()
     request, inside, other = map(receiver.wait_for, ("request", "inner", "other"))

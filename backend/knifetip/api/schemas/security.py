@@ -48,7 +48,7 @@ def describe_scopes(described: dict[str, Any], operations: Iterable[ScopedOperat
         operation["description"] = f"{text}\n\n{sentence}".strip()
 
 
-def with_open_door(described: dict[str, Any]) -> dict[str, Any]:
+def with_optional_keys(described: dict[str, Any]) -> dict[str, Any]:
     """Return an OpenAPI description for a caller whose requests need no key.
 
     That is a program on the computer of the server, while no administrator exists.

@@ -16,7 +16,7 @@ _AGAIN = (408, 423, 425, 429)
 _OF_ONE_FILE = (400, 413, 414, 422, 431, 500)
 
 
-class NotNow(Exception):
+class RetryLater(Exception):
     """Raised when a request must be repeated later.
 
     Parameters
@@ -32,7 +32,7 @@ class NotNow(Exception):
         self.of_one_file = of_one_file
 
 
-class Refused(RequestError):
+class OrderRefused(RequestError):
     """Raised when the server refuses a request; ``questions`` are those of the drawing.
 
     Parameters
@@ -115,9 +115,9 @@ class OrderClient:
 
         Raises
         ------
-        NotNow
+        RetryLater
             The server cannot be reached, or cannot process requests now.
-        Refused
+        OrderRefused
             The server refuses the request.
         """
         headers = {"Idempotency-Key": key} if key else {}
@@ -126,7 +126,7 @@ class OrderClient:
                 method, f"{self._server}/api/v1{path}", headers=headers, **body
             )
         except httpx.HTTPError as reason:
-            raise NotNow(str(reason) or type(reason).__name__) from reason
+            raise RetryLater(str(reason) or type(reason).__name__) from reason
         if answer.is_success:
             return answer
         status = answer.status_code
@@ -136,12 +136,12 @@ class OrderClient:
             message = from_json({"text": problem["detail"], **problem})
         except (ValueError, TypeError, KeyError):
             # Not an answer of knifetip: that of a proxy, or of another server.
-            raise NotNow(f"HTTP status {status}", of_one_file=of_one_file) from None
+            raise RetryLater(f"HTTP status {status}", of_one_file=of_one_file) from None
         # A missing or expired key is replaced by a person; the files wait meanwhile.
         if status >= 500 or status in (401, 403, *_AGAIN):
-            raise NotNow(f"HTTP status {status}: {problem['detail']}", of_one_file=of_one_file)
+            raise RetryLater(f"HTTP status {status}: {problem['detail']}", of_one_file=of_one_file)
         questions = tuple(str(from_json(one)) for one in problem.get("questions", ()))
-        raise Refused(message, questions)
+        raise OrderRefused(message, questions)
 
 
 def _fields(answer: httpx.Response) -> dict[str, Any]:
@@ -149,7 +149,7 @@ def _fields(answer: httpx.Response) -> dict[str, Any]:
 
     Raises
     ------
-    NotNow
+    RetryLater
         The answer is another one, such as the page of a proxy on which a person signs in.
     """
     try:
@@ -157,5 +157,5 @@ def _fields(answer: httpx.Response) -> dict[str, Any]:
     except ValueError:
         found = None
     if not isinstance(found, dict) or "id" not in found:
-        raise NotNow("the answer is not that of knifetip")
+        raise RetryLater("the answer is not that of knifetip")
     return found

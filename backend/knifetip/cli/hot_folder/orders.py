@@ -19,7 +19,7 @@ from typing import Any, Final
 
 from knifetip.cli.hot_folder.arrivals import SIDECAR, XJDF, XJDF_DOCUMENT
 from knifetip.cli.hot_folder.beside import drawing_beside, find_beside, packed
-from knifetip.cli.hot_folder.client import OrderClient, Refused
+from knifetip.cli.hot_folder.client import OrderClient, OrderRefused
 from knifetip.errors import KnifetipError, RequestError
 from knifetip.messages import printable
 
@@ -46,7 +46,7 @@ _SHOWN: Final = (
 
 
 @dataclass(slots=True)
-class Record:
+class OrderRecord:
     """Stored state of a file that is being processed."""
 
     name: str
@@ -58,7 +58,7 @@ class Record:
     fault: dict[str, Any] = field(default_factory=dict)  #: why it failed, as in the results
 
 
-class HotFolder:
+class OrderFolder:
     """The orders of a hot folder, in its subfolders ``working``, ``done`` and ``failed``.
 
     Parameters
@@ -123,7 +123,7 @@ class HotFolder:
         is_document = path.name.lower().endswith(XJDF_DOCUMENT)
         return drawing_beside(path.read_bytes()) if is_document else ""
 
-    def on_the_way(self) -> list[str]:
+    def in_progress(self) -> list[str]:
         """Return the names of the files in ``working``, also those of an earlier process."""
         return sorted(
             name
@@ -138,7 +138,7 @@ class HotFolder:
 
         Raises
         ------
-        NotNow
+        RetryLater
             The server does not answer; the step is repeated later.
         OSError
             A file cannot be read or written now.
@@ -158,13 +158,13 @@ class HotFolder:
                 return ""
             self._finish(record, job)
         except KnifetipError as reason:
-            record = record or Record(name, "", {})
+            record = record or OrderRecord(name, "", {})
             self._fail(record, reason)
             return f"failed: {reason.text}"
         accepted = job["state"] in _ACCEPTED
         return f"{job['state']}: {DONE}" if accepted else f"{job['state']}: {job['reason']}"
 
-    def _begin(self, name: str) -> Record:
+    def _begin(self, name: str) -> OrderRecord:
         path = self._working / name
         content = path.read_bytes()
         digest = hashlib.sha256(content).hexdigest()
@@ -183,11 +183,11 @@ class HotFolder:
             )
         )
         key = hashlib.sha256(os.fsencode(stamp) + fields).hexdigest()
-        record = Record(name, f"watch-{key}", self._defaults | _sidecar_fields(fields))
+        record = OrderRecord(name, f"watch-{key}", self._defaults | _sidecar_fields(fields))
         self._save(record)
         return record
 
-    def _order(self, record: Record) -> None:
+    def _order(self, record: OrderRecord) -> None:
         if _is_xjdf(record.name):
             self._order_xjdf(record)
             return
@@ -204,7 +204,7 @@ class HotFolder:
         record.job = self._client.order({"drawing": record.drawing, **order}, f"{record.key}-job")
         self._save(record)
 
-    def _order_xjdf(self, record: Record) -> None:
+    def _order_xjdf(self, record: OrderRecord) -> None:
         unknown = [name for name in record.order if name not in _OF_XJDF]
         if unknown:
             raise RequestError("watch.xjdf-fields", names=unknown, permitted=_OF_XJDF)
@@ -220,7 +220,7 @@ class HotFolder:
         )
         self._save(record)
 
-    def _finish(self, record: Record, job: dict[str, Any]) -> None:
+    def _finish(self, record: OrderRecord, job: dict[str, Any]) -> None:
         result = {name: job.get(name) for name in _SHOWN}
         results = {RESULT: _json(result)}
         accepted = job["state"] in _ACCEPTED
@@ -233,18 +233,18 @@ class HotFolder:
         results[".picture.svg"] = self._client.picture(record.drawing)
         self._put(record, DONE if accepted else FAILED, results)
 
-    def _fail(self, record: Record, reason: KnifetipError) -> None:
+    def _fail(self, record: OrderRecord, reason: KnifetipError) -> None:
         record.fault = {
             "id": record.job or None,
             "state": "refused",
             "drawing": record.drawing or None,
             "reason": reason.text,
             "hint": reason.hint,
-            "questions": list(reason.questions) if isinstance(reason, Refused) else [],
+            "questions": list(reason.questions) if isinstance(reason, OrderRefused) else [],
         }
         self._put(record, FAILED, {RESULT: _json(record.fault)})
 
-    def _put(self, record: Record, place: str, results: dict[str, bytes]) -> None:
+    def _put(self, record: OrderRecord, place: str, results: dict[str, bytes]) -> None:
         """Write the results, then move the drawing beside them, then delete the record."""
         folder = self._folder / place
         if not record.target:
@@ -264,11 +264,11 @@ class HotFolder:
         os.replace(working, folder / record.target)
         (self._working / (record.name + RECORD)).unlink(missing_ok=True)
 
-    def _load(self, name: str) -> Record | None:
+    def _load(self, name: str) -> OrderRecord | None:
         path = self._working / (name + RECORD)
-        return Record(**json.loads(path.read_bytes())) if path.exists() else None
+        return OrderRecord(**json.loads(path.read_bytes())) if path.exists() else None
 
-    def _save(self, record: Record) -> None:
+    def _save(self, record: OrderRecord) -> None:
         _write(self._working / (record.name + RECORD), _json(asdict(record)))
 
 

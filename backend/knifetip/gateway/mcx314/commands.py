@@ -37,7 +37,7 @@ class Commands:
 
         Raises
         ------
-        Refused
+        RequestRefused
             The board refuses the request.
         ChipRefused
             The chip refuses a write of the board.

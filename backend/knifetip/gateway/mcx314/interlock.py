@@ -28,7 +28,7 @@ class Interlock:
 
         Raises
         ------
-        Refused
+        RequestRefused
             The button is pressed.
         """
         self._require_released()
@@ -40,7 +40,7 @@ class Interlock:
 
         Raises
         ------
-        Refused
+        RequestRefused
             The button is pressed.
         """
         self._require_released()

@@ -79,7 +79,7 @@ class ProgramQueue:
 
         Raises
         ------
-        Refused
+        RequestRefused
             The program is not the present one, the lines are not the next ones or too many, or the
             board cannot execute one of them.
         """

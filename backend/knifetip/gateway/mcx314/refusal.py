@@ -14,7 +14,7 @@ def parse_or_refuse(text: str, number: int = 0) -> Instruction:
 
     Raises
     ------
-    Refused
+    RequestRefused
         The text is not an instruction.
     """
     try:
