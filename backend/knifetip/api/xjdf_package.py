@@ -102,7 +102,8 @@ class ZipPackage:
             self._zip = zipfile.ZipFile(BytesIO(content))
         except _ZIP_FAULTS as reason:
             raise RequestError("xjdf.bad-package", reason=str(reason)[:200]) from reason
-        entries = [entry for entry in self._zip.infolist() if not entry.is_dir()]
+        # Not ``is_dir``, which fails for an empty name.
+        entries = [one for one in self._zip.infolist() if not one.filename.endswith("/")]
         if len(entries) > _MOST_FILES:
             raise RequestError("xjdf.many-files", limit=_MOST_FILES)
         self._entries = {_safe_name(entry.orig_filename): entry for entry in entries}

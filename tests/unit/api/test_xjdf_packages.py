@@ -177,6 +177,14 @@ def test_methods_of_compression_that_xjdf_does_not_permit(method: int) -> None:
     assert fault(whole[:at] + b"\xff" * 8 + whole[at + 8 :]) == "xjdf.bad-package"
 
 
+def test_a_file_without_a_name_is_no_fault_of_the_server() -> None:
+    nameless = zipped({"order.xjdf": b"<XJDF/>", "x": b""}).replace(b"x", b"\0")
+    at = nameless.rindex(b"PK\x01\x02")
+    # The length of the name in the directory is at 28.
+    content = nameless[: at + 28] + b"\0\0" + nameless[at + 30 :]
+    assert fault(content).startswith("xjdf.")
+
+
 def test_a_directory_with_very_many_files_is_not_read(monkeypatch: pytest.MonkeyPatch) -> None:
     many = b"PK\x01\x02" * 20_000
     monkeypatch.setattr(zipfile, "ZipFile", None)
