@@ -8,7 +8,9 @@ every address, and connects to the checked address.
 from __future__ import annotations
 
 import asyncio
+import errno
 import ipaddress
+import os
 import socket
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
@@ -139,7 +141,7 @@ async def resolve(url: str, *, private: bool) -> tuple[str, ...]:
     found = await asyncio.get_running_loop().run_in_executor(_RESOLVERS, look_up)
     addresses = tuple(dict.fromkeys(str(info[4][0]) for info in found))
     if not addresses:
-        raise OSError("the name has no address")
+        raise OSError(errno.EADDRNOTAVAIL, os.strerror(errno.EADDRNOTAVAIL))
     for text in addresses:
         if not is_permitted(ipaddress.ip_address(text.partition("%")[0]), private=private):
             raise RequestError(Message("webhook.forbidden-address", address=text))
