@@ -119,27 +119,27 @@ def test_a_content_that_is_used_again_is_no_longer_marked(anywhere: Store, clock
 
 
 def test_a_content_that_is_announced_during_a_sweep_keeps_its_day(
-    anywhere: Store, clock: Clock, tmp_path: Path
+    migrated_url: str, clock: Clock, tmp_path: Path
 ) -> None:
-    if not (tmp_path / "contents").exists():
-        pytest.skip("contents in the database need no announcement")
-    anywhere.drawings.delete(upload(anywhere).id)
-    mark = anywhere.contents._mark
+    store = Store(migrated_url, clock, (tmp_path / "contents").as_uri())
+    store.drawings.delete(upload(store).id)
+    mark = store.contents._mark
 
     def announce(addresses: Sequence[str], since: float | None) -> None:
         clock.now += 5.0  # the sweep is slow
-        anywhere.contents.stage(content=FILE)
+        store.contents.stage(content=FILE)
         mark(addresses, since)
 
-    anywhere.contents._mark = announce  # type: ignore[method-assign]
-    anywhere.contents.sweep()
-    anywhere.contents._mark = mark  # type: ignore[method-assign]
+    store.contents._mark = announce  # type: ignore[method-assign]
+    store.contents.sweep()
+    store.contents._mark = mark  # type: ignore[method-assign]
     clock.now += DAY - 1.0
-    anywhere.contents.sweep()
+    store.contents.sweep()
     assert stored_files(tmp_path / "contents") == [address_of(FILE)]
     clock.now += 2.0
-    anywhere.contents.sweep()
+    store.contents.sweep()
     assert stored_files(tmp_path / "contents") == []
+    store.close()
 
 
 def test_what_a_transaction_under_way_refers_to_is_not_deleted(

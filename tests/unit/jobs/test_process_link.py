@@ -53,7 +53,7 @@ def impatient(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.usefixtures("impatient")
 def test_two_processes_with_one_name_refuse_each_other(database_url: str) -> None:
     with joined(database_url, "press hall"):
-        with pytest.raises(StoreError, match="has the name press hall"):
+        with pytest.raises(StoreError, match="with the name press hall"):
             join(dialect_url(database_url), Changes(), "press hall", "worker")
         with joined(database_url, "press hall 2") as other:
             assert other.name == "press hall 2"
