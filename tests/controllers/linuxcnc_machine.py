@@ -132,9 +132,20 @@ class Machine:
         os.kill(shell, signal_number)
 
     def _request(self, pin: str, done: Callable[[], bool]) -> None:
-        self._halcmd("setp", pin, "1")
-        wait_until(done)
-        self._halcmd("setp", pin, "0")
+        """Press a button of ``halui`` until it has an effect: LinuxCNC drops some commands."""
+        for _ in range(3):
+            self._halcmd("setp", pin, "1")
+            try:
+                wait_until(done, 7.0)
+            except AssertionError:
+                continue
+            else:
+                return
+            finally:
+                # Only a change to 1 counts as pressed.
+                self._halcmd("setp", pin, "0")
+                time.sleep(0.1)
+        wait_until(done, 0.0, f"{pin} has no effect")
 
     def _is(self, pin: str) -> bool:
         return self.pins(pin)[pin] == "TRUE"
@@ -250,27 +261,44 @@ class Supply:
 
     def __init__(self, table: TableMachine) -> None:
         self._table = table
+        self._reservation = ExitStack()
         self._stack = ExitStack()
         self._machine: Machine | None = None
 
     def __enter__(self) -> Supply:
-        self._stack.enter_context(reserved())
+        self._reservation.enter_context(reserved())
         return self
 
     def __exit__(self, *_: object) -> None:
         self._stack.close()
+        self._reservation.close()
 
     @contextmanager
     def machine(self) -> Iterator[Machine]:
         """Yield a LinuxCNC that is on, homed and idle; fail if it ends by itself meanwhile."""
-        if self._machine is None or not self._machine.runs:
-            self._machine = self._stack.enter_context(started(self._table))
-        self._machine.make_ready()
+        machine = self._ready_machine()
         try:
-            yield self._machine
+            yield machine
         finally:
-            print(self._machine.log)  # pytest shows it if the test fails
-        assert self._machine.runs or self._machine.killed, "LinuxCNC has ended"
+            print(machine.log)  # pytest shows it if the test fails
+        assert machine.runs or machine.killed, "LinuxCNC has ended"
+
+    def _ready_machine(self) -> Machine:
+        """Return the last LinuxCNC, or a new one if that has ended or does not become ready.
+
+        A test may leave LinuxCNC in a state that no command ends; the next test is not about that.
+        """
+        if self._machine is not None and self._machine.runs:
+            try:
+                self._machine.make_ready()
+            except (AssertionError, subprocess.SubprocessError) as reason:
+                print(f"another LinuxCNC is started: {reason}", self._machine.log)
+            else:
+                return self._machine
+        self._stack.close()
+        self._machine = self._stack.enter_context(started(self._table))
+        self._machine.make_ready()
+        return self._machine
 
 
 @contextmanager
