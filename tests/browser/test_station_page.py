@@ -205,14 +205,27 @@ def assert_done(page: Page, label: str) -> None:
     expect(outcome).to_contain_text(f"{label}: done")
 
 
-def tap_operation(page: Page, test_id: str) -> None:
-    """Tap a button of an operation, again if the operation expired on a busy computer."""
+def tap_operation(page: Page, *test_ids: str) -> None:
+    """Tap the buttons of an operation, again if the operation expired on a busy computer."""
     outcome = page.get_by_test_id("outcome")
     for _ in range(5):
-        page.get_by_test_id(test_id).tap()
+        for test_id in test_ids:
+            page.get_by_test_id(test_id).tap()
         expect(outcome).to_have_attribute("data-state", re.compile("^(done|refused|expired)$"))
         if outcome.get_attribute("data-state") != "expired":
             break
+
+
+def carry_out(page: Page, test_id: str, label: str) -> None:
+    """Tap a button of an operation, and wait until the machine has executed it."""
+    tap_operation(page, test_id)
+    assert_done(page, label)
+
+
+def set_zero(page: Page) -> None:
+    """Set the zero of X and Y here, and answer the question."""
+    tap_operation(page, "operation-zero", "question-yes")
+    assert_done(page, "Set X Y zero here")
 
 
 def box_of(target: Locator) -> FloatRect:
@@ -295,25 +308,21 @@ def test_a_job_is_confirmed_held_resumed_stopped_and_the_machine_moved_by_touch(
     expect(state).to_have_text("Alarm")
     assert_reachable(page)
     record_view(page, screenshots / f"{name}-5-alarm.png")
-    page.get_by_test_id("alarm-unlock").tap()
-    assert_done(page, "Unlock")
+    carry_out(page, "alarm-unlock", "Unlock")
     expect(alarm).to_be_hidden()
     page.get_by_test_id("tab-machine").tap()
-    page.get_by_test_id("operation-home").tap()
-    assert_done(page, "Home")
+    carry_out(page, "operation-home", "Home")
 
     # One step, then as long as the finger is down.
     expect(page.get_by_test_id("jog-x1")).to_have_attribute("aria-disabled", "false")
     assert_reachable(page)
     record_view(page, screenshots / f"{name}-6-machine.png")
-    page.get_by_test_id("spindle-1").tap()
-    assert_done(page, "Oscillating knife: oscillation on")
+    carry_out(page, "spindle-1", "Oscillating knife: oscillation on")
     assert workshop.table.table.oscillating
     expect(page.get_by_test_id("spindle-1")).to_have_attribute("aria-checked", "true")
-    page.get_by_test_id("spindle-1").tap()
-    assert_done(page, "Oscillating knife: oscillation off")
+    carry_out(page, "spindle-1", "Oscillating knife: oscillation off")
     before = workshop.table.table.position[0]
-    page.get_by_test_id("jog-x1").tap()
+    tap_operation(page, "jog-x1")
     wait_until(lambda: abs(workshop.table.table.position[0] - before - 10.0) < 0.01, "no step")
     expect(state).to_have_text("At rest")
     hold_arrow(page, "jog-y1", 2.5)
@@ -323,8 +332,7 @@ def test_a_job_is_confirmed_held_resumed_stopped_and_the_machine_moved_by_touch(
     assert workshop.table.table.position[1] == stopped > 30.0
 
     expect(state).to_have_text("At rest")
-    page.get_by_test_id("operation-park").tap()
-    assert_done(page, "Park")
+    carry_out(page, "operation-park", "Park")
     wait_until(lambda: abs(workshop.table.table.position[0]) < 0.01, "the machine is not parked")
 
 
@@ -445,7 +453,7 @@ def test_a_tool_is_checked_above_a_point_and_its_offset_corrected_by_touch(
     facts = page.get_by_test_id("tool-facts")
     for text in ("V-cutter:", "tilt 45°", "has worked 0 m", "X \u221260.00"):
         expect(facts).to_contain_text(text)
-    page.get_by_test_id("tool-check-move").tap()
+    tap_operation(page, "tool-check-move")
     table = workshop.table.table
     # Corner of the drawing at 20, 20; 2 mm above 2 mm of board.
     wait_until(
@@ -465,7 +473,7 @@ def test_a_tool_is_checked_above_a_point_and_its_offset_corrected_by_touch(
     expect(page.get_by_test_id("tool-check-right")).to_be_disabled()
     page.wait_for_timeout(500)
     record_view(page, screenshots / f"{name}-11-tool-check.png")
-    page.get_by_test_id("tool-check-move").tap()
+    tap_operation(page, "tool-check-move")
     wait_until(
         lambda: table.position == pytest.approx((-39.6, 20.0, 4.0, -0.2), abs=1e-3),
         "the correction is not tried",
@@ -478,7 +486,7 @@ def test_a_tool_is_checked_above_a_point_and_its_offset_corrected_by_touch(
     expect(outcome).to_contain_text("belongs to the library")
     expect(outcome).to_contain_text("Copy it under a name of its own")
     record_view(page, screenshots / f"{name}-12-not-saved.png")
-    page.get_by_test_id("tool-check-lift").tap()
+    tap_operation(page, "tool-check-lift")
     assert_done(page, "Lift")
     assert table.position[2] == pytest.approx(20.0)
     assert not any(table.outputs.values())
@@ -501,45 +509,38 @@ def test_outputs_are_switched_and_the_zero_is_set_by_hand(
     page.get_by_test_id("tab-machine").tap()
     output = page.get_by_test_id("output-1")
     expect(output).to_have_attribute("aria-checked", "false")
-    output.tap()
-    assert_done(page, "Crease wheel on")
+    carry_out(page, "output-1", "Crease wheel on")
     wait_until(lambda: bool(table.outputs[1]), "the output is off")
     expect(output).to_have_attribute("aria-checked", "true")
     assert_reachable(page)
     output.scroll_into_view_if_needed()
     record_view(page, screenshots / f"{name}-13-output-on.png")
-    output.tap()
-    assert_done(page, "Crease wheel off")
+    carry_out(page, "output-1", "Crease wheel off")
     expect(output).to_have_attribute("aria-checked", "false")
     assert not table.outputs[1]
 
     # Below the travel height nothing moves across the board, and no station is lowered.
-    page.get_by_test_id("jog-z0").tap()
+    tap_operation(page, "jog-z0")
     expect(page.get_by_test_id("outcome")).to_contain_text("done")
     expect(output).to_be_disabled()
     expect(page.get_by_test_id("jog-x1")).to_have_attribute("aria-disabled", "true")
-    page.get_by_test_id("jog-z1").tap()
+    tap_operation(page, "jog-z1")
     expect(output).to_be_enabled()
 
     # The zero is set after a question, and every later position is counted from it.
-    page.get_by_test_id("jog-x1").tap()
+    tap_operation(page, "jog-x1")
     position = page.get_by_test_id("station-position")
     expect(position).not_to_contain_text(re.compile(r"X\s*0\.0"))
     zero = page.get_by_test_id("operation-zero")
     zero.tap()
     page.get_by_test_id("question-no").tap()
     expect(position).not_to_contain_text(re.compile(r"X\s*0\.0"))
-    zero.tap()
-    page.get_by_test_id("question-yes").tap()
-    assert_done(page, "Set X Y zero here")
+    set_zero(page)
     expect(position).to_contain_text(re.compile(r"X\s*0\.0\s*Y\s*0\.0"))
     record_view(page, screenshots / f"{name}-14-zero.png")
-    page.get_by_test_id("operation-home").tap()
-    assert_done(page, "Home")
+    carry_out(page, "operation-home", "Home")
     # The zero of the other tests is where the machine is homed.
-    zero.tap()
-    page.get_by_test_id("question-yes").tap()
-    assert_done(page, "Set X Y zero here")
+    set_zero(page)
 
 
 def tap_twice(page: Page, target: Locator) -> None:
@@ -588,7 +589,7 @@ def test_a_corrected_offset_becomes_a_new_version_for_which_the_job_is_compiled_
     expect(state).to_have_text("Waiting for operator")
     page.get_by_test_id("check-tool-3").tap()
     page.get_by_test_id("shift-Y-more").tap()
-    page.get_by_test_id("tool-check-move").tap()
+    tap_operation(page, "tool-check-move")
     table = own_machine.table
     wait_until(
         lambda: table.position == pytest.approx((-40.0, 20.2, 4.0, 0.0), abs=1e-3),
