@@ -71,7 +71,7 @@ def who(queue: Queue, name: str) -> str:
 
 def test_jobs_are_moved_by_buttons_and_by_dragging(queue: Queue) -> None:
     expect_order(queue, "first.dxf", "second.dxf", "third.dxf")
-    # The id by which office and ERP know the job.
+    # The id that the ERP uses for the job.
     expect(queue.list.get_by_test_id("queue-id")).to_have_text(queue.jobs)
     expect(row(queue, "first.dxf").get_by_test_id("move-up")).to_be_disabled()
     expect(row(queue, "third.dxf").get_by_test_id("move-down")).to_be_disabled()

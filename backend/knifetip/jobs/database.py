@@ -50,7 +50,7 @@ def _sqlite(engine: sa.Engine, file: Path) -> None:
 
 
 def _check(url: str) -> Path | None:
-    """Return the file of an SQLite database, whose folder is made; None for PostgreSQL."""
+    """Create the folder of an SQLite database; return its file, or None for PostgreSQL."""
     file = sqlite_file(url)
     if file is not None:
         file.parent.mkdir(parents=True, exist_ok=True)

@@ -20,20 +20,7 @@ def select_queue(
 ) -> CompileQueue:
     """Return the compile queue for the database of a store.
 
-    Parameters
-    ----------
-    store
-        Store that contains the jobs.
-    worker
-        Name of the worker that becomes the owner of each job taken.
-    at_once
-        Number of jobs that are compiled at the same time.
-    poll
-        Time between two queries for jobs that another process received (s), if that process
-        does not notify this one.
-    fraction_compiled
-        Function that takes the name of a machine and returns a fraction (0 … 1): the part of the
-        numba functions for compiling jobs for this machine that has machine code.
+    The parameters are those of ``TableQueue``.
     """
     table = TableQueue(store, worker, at_once, poll, fraction_compiled)
     if store.database.url.startswith("postgresql"):
