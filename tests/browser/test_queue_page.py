@@ -20,6 +20,7 @@ pytestmark = [
 ]
 
 NAMES = ("first.dxf", "second.dxf", "third.dxf")
+LIST_OF_JOBS = re.compile(r"/api/v1/jobs(\?|$)")
 
 
 class Queue(NamedTuple):
@@ -46,11 +47,16 @@ def queue(
     machine, other, drawings = machines
     jobs = [machine.order(drawing) for drawing in drawings]
     page.evaluate("localStorage.setItem('knifetip.operator', 'Mia')")
-    listed = page.get_by_test_id(f"queue-of-{machine.name}")
-    expect(listed.get_by_test_id("queue-row")).to_have_count(3)
-    yield Queue(machine, other, jobs, listed)
-    machine.clear()
-    other.clear()
+    try:
+        expect(rows_of(page, machine)).to_have_count(3)
+        yield Queue(machine, other, jobs, page.get_by_test_id(f"queue-of-{machine.name}"))
+    finally:
+        machine.clear()
+        other.clear()
+
+
+def rows_of(page: Page, machine: OwnMachine) -> Locator:
+    return page.get_by_test_id(f"queue-of-{machine.name}").get_by_test_id("queue-row")
 
 
 def row(queue: Queue, name: str) -> Locator:
@@ -139,3 +145,46 @@ def test_a_job_is_moved_to_another_machine(queue: Queue) -> None:
     moved = queue.machine.job(queue.jobs[1])
     assert (moved["machine"], moved["state"]) == (queue.other.name, "queued")
     assert queue.other.queue() == [queue.jobs[1]]
+
+
+# The queue of the first machine is always shown; that of another one while the page lists its jobs.
+def test_a_job_added_while_the_page_loads_its_list_is_shown(
+    page: Page, machines: tuple[OwnMachine, OwnMachine, list[str]]
+) -> None:
+    _, machine, _ = machines
+    added: list[str] = []
+
+    def answer_late(route: Route) -> None:
+        # The event about the job arrives before the answer, which does not contain the job.
+        answer = route.fetch()
+        if not added:
+            added.append(machine.order())
+            page.wait_for_timeout(1000)
+        route.fulfill(response=answer)
+
+    page.route(LIST_OF_JOBS, answer_late)
+    page.reload()
+    expect(rows_of(page, machine)).to_have_count(1)
+    page.unroute_all(behavior="wait")
+    machine.clear()
+
+
+def test_a_list_that_could_not_be_loaded_is_loaded_later(
+    page: Page, machines: tuple[OwnMachine, OwnMachine, list[str]]
+) -> None:
+    _, machine, _ = machines
+    machine.order()
+    refusals: list[int] = []
+
+    def refuse(route: Route) -> None:
+        if len(refusals) < 5:
+            refusals.append(503)
+            route.fulfill(status=503, body="")
+        else:
+            route.continue_()
+
+    page.route(LIST_OF_JOBS, refuse)
+    page.reload()
+    expect(rows_of(page, machine)).to_have_count(1)
+    page.unroute_all(behavior="wait")
+    machine.clear()

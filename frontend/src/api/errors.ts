@@ -18,6 +18,12 @@ export class ServiceError extends Error {
   get stale(): boolean {
     return this.problem.type === STALE_REVISION;
   }
+
+  /** The same request may succeed later: the server did not answer, or is busy or broken. */
+  get temporary(): boolean {
+    const { status } = this.problem;
+    return status === 0 || status === 429 || status >= 500;
+  }
 }
 
 const problem = (status: number, title: string, detail: string, hint: string): Problem => ({

@@ -1,3 +1,4 @@
+import { QueryObserver } from "@tanstack/react-query";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { queryClient, subscribeToEvents } from "./queries";
 
@@ -72,4 +73,22 @@ test("a change of the library fetches again what can be chosen, and no definitio
   for (const key of ["definition", "jobs"]) expect(isStale(key)).toBe(false);
   expect(onDrawing).not.toHaveBeenCalled();
   end();
+});
+
+test("an answer that was requested before the stream began is requested again", async () => {
+  const answers: ((rows: string[]) => void)[] = [];
+  const observer = new QueryObserver(queryClient, {
+    queryKey: ["statistics"],
+    queryFn: () => new Promise<string[]>((answer) => answers.push(answer)),
+  });
+  const stop = observer.subscribe(() => {});
+  const end = subscribeToEvents(onDrawing);
+  FakeSource.last.emit("connected", "{}");
+  expect(answers).toHaveLength(1);
+  answers[0]?.(["old"]);
+  await vi.waitFor(() => expect(answers).toHaveLength(2));
+  answers[1]?.(["new"]);
+  await vi.waitFor(() => expect(observer.getCurrentResult().data).toEqual(["new"]));
+  end();
+  stop();
 });

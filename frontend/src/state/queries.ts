@@ -4,6 +4,7 @@ import {
   infiniteQueryOptions,
   keepPreviousData,
   QueryClient,
+  type QueryFilters,
   queryOptions,
   useInfiniteQuery,
   useQuery,
@@ -17,6 +18,7 @@ import {
   type Station,
   service,
 } from "../api/client";
+import { ServiceError } from "../api/errors";
 import { openEventStream } from "../api/events";
 import type { Page } from "../api/restApi";
 import { type DeliveryState, webhookService } from "../api/webhooks";
@@ -26,8 +28,34 @@ import { hasChanged } from "./queue";
 import { useUiStore } from "./store";
 
 export const queryClient = new QueryClient({
-  defaultOptions: { queries: { retry: 1, staleTime: 30_000, refetchOnWindowFocus: false } },
+  defaultOptions: {
+    queries: {
+      retry: 1,
+      staleTime: 30_000,
+      refetchOnWindowFocus: false,
+      refetchInterval: ({ state: { error } }) =>
+        error instanceof ServiceError && error.temporary ? 5000 : false,
+    },
+  },
 });
+
+/**
+ * Fetch what has changed again.
+ *
+ * The answer to a first request that is under way may be older than the change, so that is repeated
+ * when it has arrived; later requests are replaced.
+ */
+async function refresh(filters: QueryFilters): Promise<void> {
+  const first = queryClient
+    .getQueryCache()
+    .findAll({ ...filters, fetchStatus: "fetching" })
+    .filter(({ state }) => state.data === undefined);
+  await queryClient.invalidateQueries(filters);
+  const again = first.map(({ queryKey }) =>
+    queryClient.invalidateQueries({ queryKey, exact: true }),
+  );
+  await Promise.all(again);
+}
 
 const getNextPageParam = ({ next }: Page<unknown>) => next;
 
@@ -327,17 +355,20 @@ export function upsertJob(job: Job): void {
   if (known !== undefined && known.updated > job.updated) return;
   queryClient.setQueryData(queries.job(job.id).queryKey, job);
   if (hasChanged(known, job)) {
-    void queryClient.invalidateQueries({ queryKey: ["queue"] });
+    void refresh({ queryKey: ["queue"] });
     if (known?.state !== job.state && (isFinal(job) || job.state === "interrupted")) {
-      for (const key of ["history", "statistics", "tools"])
-        void queryClient.invalidateQueries({ queryKey: [key] });
+      for (const key of ["history", "statistics", "tools"]) void refresh({ queryKey: [key] });
     }
   }
   // A job that starts or ends makes its machine busy or free.
   if (known?.state !== job.state) {
-    void queryClient.invalidateQueries({ queryKey: queries.machines().queryKey });
+    void refresh({ queryKey: queries.machines().queryKey });
   }
-  queryClient.setQueryData(queries.jobs().queryKey, (list) => {
+  const { queryKey } = queries.jobs();
+  // The answer that is under way may not contain this change.
+  if (known?.state !== job.state && queryClient.isFetching({ queryKey }) > 0)
+    void refresh({ queryKey });
+  queryClient.setQueryData(queryKey, (list) => {
     if (list === undefined) return list;
     const known = list.pages.some(({ rows }) => rows.some(({ id }) => id === job.id));
     const pages = list.pages.map((page, at) => {
@@ -376,7 +407,7 @@ function dropInactive(id: string): void {
 /** Fetch again what the library contains: what can be chosen, not the definition in an editor. */
 export async function refreshChoices(): Promise<void> {
   const keys = ["library", "machines", "boards", "profiles"];
-  await Promise.all(keys.map((key) => queryClient.invalidateQueries({ queryKey: [key] })));
+  await Promise.all(keys.map((key) => refresh({ queryKey: [key] })));
 }
 
 const EVENTS = ["connected", "job", "drawing", "deleted", "station", "library"];
@@ -394,7 +425,7 @@ export function subscribeToEvents(
     onEvent: (name, data) => {
       if (name === "connected") {
         // What changed between the first requests, or the last event, and now was not sent.
-        void queryClient.invalidateQueries({
+        void refresh({
           predicate: ({ queryKey }) => queryKey[0] !== "drawing" && queryKey[0] !== "edges",
         });
         // The open drawing is compared before it is replaced.
@@ -407,7 +438,7 @@ export function subscribeToEvents(
         void refreshChoices();
       } else {
         // A drawing was added, changed or deleted.
-        void queryClient.invalidateQueries({ queryKey: queries.drawings().queryKey });
+        void refresh({ queryKey: queries.drawings().queryKey });
         if (name === "drawing" && isDrawing(data)) {
           dropInactive(data.id);
           onDrawing(data);
@@ -419,7 +450,7 @@ export function subscribeToEvents(
       if (connection !== "broken") return;
       broken = true;
       // The stream of a session that has ended ends too; then this request loads the sign-in page.
-      void queryClient.invalidateQueries({ queryKey: ["me"] });
+      void refresh({ queryKey: ["me"] });
     },
   });
 }
