@@ -23,7 +23,7 @@ from knifetip.api.schemas.gateway import Claim, ClaimIn, FinishIn, HeartbeatIn, 
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.schemas.messages import MessageIn
 from knifetip.api.schemas.stations import ActivityIn, StationAnswer, StationIn
-from knifetip.api.service import ServiceDep, bytes_response
+from knifetip.api.service import Service, ServiceDep, bytes_response
 from knifetip.api.tools import worn_stations
 from knifetip.api.wake import wake_on_change
 from knifetip.errors import MachineBusy, StaleVersion, WrongState
@@ -193,33 +193,9 @@ async def report_station(
     """
     began = time.monotonic()
     stations, threads = service.store.stations, service.threads
-    await threads.reports(service.store.library.definition, Shelf.MACHINES, station.machine)
     changes = service.store.changes
     with wake_on_change(changes, machine_topic(station.machine)) as changed:
-        await threads.reports(
-            stations.report,
-            station.machine,
-            StationReport(
-                station.gateway,
-                station.connected,
-                station.state,
-                None if station.alarm is None else station.alarm.message,
-                station.position,
-                station.outputs,
-                station.operations,
-                None if station.activity is None else _activity(station.activity),
-                station.spindle,
-            ),
-            [
-                OperationResult(
-                    result.id,
-                    result.state,
-                    None if result.message is None else result.message.message,
-                )
-                for result in station.results
-            ],
-        )
-        watched = await threads.reports(stations.is_watched, station.machine)
+        watched = await threads.reports(_store_report, service, station)
         poll = changes.poll(_OPERATION_POLL if watched else _IDLE_POLL)
         while True:
             # A disconnected gateway would never execute the operation.
@@ -237,6 +213,38 @@ async def report_station(
             "watched": watched,
         }
     )
+
+
+def _store_report(service: Service, station: StationIn) -> bool:
+    """Store the state of a machine; return whether a person looks at the machine.
+
+    Raises
+    ------
+    NotFound
+        There is no such machine.
+    """
+    service.store.library.definition(Shelf.MACHINES, station.machine)
+    report = StationReport(
+        station.gateway,
+        station.connected,
+        station.state,
+        None if station.alarm is None else station.alarm.message,
+        station.position,
+        station.outputs,
+        station.operations,
+        None if station.activity is None else _activity(station.activity),
+        station.spindle,
+    )
+    results = [
+        OperationResult(
+            result.id,
+            result.state,
+            None if result.message is None else result.message.message,
+        )
+        for result in station.results
+    ]
+    service.store.stations.report(station.machine, report, results)
+    return service.store.stations.is_watched(station.machine)
 
 
 def _activity(reported: ActivityIn) -> dict[str, Any]:

@@ -368,7 +368,7 @@ class _GatewayLoop:
             run.begin_phase()
         run.awaits_end = progress.awaits_end
         run.line = progress.executed
-        run.held = progress.state is State.HOLD
+        run.held = progress.held
         run.seconds_left = progress.seconds_left
         if progress.located:
             run.position = self._head(progress.position, progress.output)
@@ -400,12 +400,13 @@ class _GatewayLoop:
         elif run.requested == "hold":
             if progress.state is State.RUN:
                 await controller.hold()
-            elif progress.state is State.HOLD:
+            elif progress.held:
                 run.requested = ""
         elif run.requested == "resume":
-            if progress.state is State.HOLD:
+            if progress.resumable:
                 await controller.resume()
             else:
+                # Also with an open door: whoever closes it must not start the machine.
                 run.begin_phase()
 
     def _refusal_of(self, run: JobRun) -> GatewayRefused | None:

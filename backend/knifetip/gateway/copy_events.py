@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Final
 
-from knifetip.gateway.controller import State
 from knifetip.gateway.stream import Progress
 from knifetip.tracing import Span
 
@@ -28,7 +27,7 @@ class CopyEvents:
     def update(self, progress: Progress) -> None:
         """Record an event if a progress report begins a new tenth, a hold or the end of a hold."""
         line = progress.executed
-        held = progress.state is State.HOLD
+        held = progress.held
         if held != self._held:
             self._held = held
             self._span.event("held" if held else "resumed", line=line)

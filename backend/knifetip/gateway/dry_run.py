@@ -210,7 +210,7 @@ class DryRun:
                 position = x - station.x, y - station.y, z - station.z, c - station.c
         self._activity = replace(
             self._activity,
-            state=ActivityState.HELD if progress.state is State.HOLD else ActivityState.RUNNING,
+            state=ActivityState.HELD if progress.held else ActivityState.RUNNING,
             line=progress.executed,
             progress=progress.executed / max(progress.lines, 1),
             seconds_left=progress.seconds_left,

@@ -2,6 +2,10 @@
 
 Each program is written under a temporary name and then renamed, so that the software of the machine
 never reads a part of a program.  A person confirms that the program was executed (``open_loop``).
+
+Until then a hidden file in the folder contains the name of the program file.  A gateway that is
+started after it was killed deletes that program file, so that a job which is queued again is not in
+the folder twice.
 """
 
 from __future__ import annotations
@@ -17,7 +21,7 @@ from urllib.parse import SplitResult, urlsplit
 from urllib.request import url2pathname
 
 from knifetip.errors import ControllerError, NoSuchController
-from knifetip.gateway.controller import SafeState
+from knifetip.gateway.controller import SafeState, Status
 from knifetip.gateway.open_loop import OpenLoop
 from knifetip.languages.registry import find_language
 from knifetip.model.machine import Machine
@@ -44,6 +48,33 @@ class HotFolder(OpenLoop):
         self._stem = stem
         self._suffix = suffix
         self._file: Path | None = None
+        self._note = folder / f".{stem}-unconfirmed"
+
+    async def open(self) -> None:
+        """Delete the program file that a killed gateway left behind, if it is still there.
+
+        Raises
+        ------
+        ControllerError
+            The file cannot be deleted.
+        """
+        try:
+            await asyncio.to_thread(self._delete_unconfirmed)
+        except OSError as error:
+            raise _unusable(self.name, error) from error
+
+    async def run(self, text: bytes) -> Status:
+        """Hand a program over, and return when a person has confirmed that it is executed.
+
+        Raises
+        ------
+        ControllerError
+            The program could not be written.
+        """
+        status = await super().run(text)
+        self._file = None
+        self._note.unlink(missing_ok=True)
+        return status
 
     async def hand_over(self, text: bytes) -> None:
         """Write a program into the folder under a name that is not in use.
@@ -62,6 +93,7 @@ class HotFolder(OpenLoop):
     async def withdraw(self) -> ControllerError:
         """Delete the program file; return the error that states whether the machine took it."""
         file, self._file = self._file, None
+        self._note.unlink(missing_ok=True)
         if file is None:
             return ControllerError("folder.not-written", folder=self.name)
         try:
@@ -83,11 +115,23 @@ class HotFolder(OpenLoop):
             number = 1
             while (path := self._folder / f"{self._stem}-{number:04}{self._suffix}").exists():
                 number += 1
+            # Before the program appears: a gateway that is killed here leaves no unknown file.
+            self._note.write_text(path.name, encoding="utf-8")
             temporary.rename(path)
         except OSError:
             temporary.unlink(missing_ok=True)
             raise
         return path
+
+    def _delete_unconfirmed(self) -> None:
+        try:
+            name = self._note.read_text(encoding="utf-8")
+        except FileNotFoundError:
+            return
+        # Other programs may write into the folder too, so the name may be anything.
+        if name == Path(name).name and name.startswith(f"{self._stem}-"):
+            (self._folder / name).unlink(missing_ok=True)
+        self._note.unlink(missing_ok=True)
 
 
 def find_driver(machine: Machine, address: str) -> Callable[..., Any]:
@@ -120,7 +164,7 @@ async def dial(
     Raises
     ------
     ControllerError
-        The URL names no folder in which files can be created.
+        The URL names no folder in which files can be created and deleted.
     """
     del safe, stop_motion
     folder = _folder_of(urlsplit(address))
@@ -131,7 +175,9 @@ async def dial(
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
     except OSError as error:
         raise _unusable(str(folder), error) from error
-    return HotFolder(folder, stem, suffix)
+    controller = HotFolder(folder, stem, suffix)
+    await controller.open()
+    return controller
 
 
 def _folder_of(url: SplitResult) -> Path:

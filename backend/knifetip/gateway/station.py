@@ -361,7 +361,11 @@ class MachineStation:
 
 def _state(status: Status, alarm: Message | None) -> str:
     """Return the state of a controller; after a critical alarm it sends no report of its state."""
-    return (State.ALARM if alarm is not None else status.state).value
+    if alarm is not None:
+        return State.ALARM.value
+    # With its door closed again the machine is only held.
+    closed = status.state is State.DOOR and status.still
+    return (State.HOLD if closed else status.state).value
 
 
 def _now() -> float:

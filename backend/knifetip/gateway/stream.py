@@ -62,6 +62,17 @@ class Progress:
     seconds_left: float | None
     located: bool = True  #: the position is known
     awaits_end: bool = False  #: a person must confirm the end of the program: see ``Status``
+    still: bool = False  #: no axis moves
+
+    @property
+    def held(self) -> bool:
+        """Whether the machine is held, by a feed hold or by its safety door."""
+        return self.state in (State.HOLD, State.DOOR)
+
+    @property
+    def resumable(self) -> bool:
+        """Whether the machine is held and would continue at once; not with an open door."""
+        return self.state is State.HOLD or (self.state is State.DOOR and self.still)
 
 
 async def stream(
@@ -281,6 +292,7 @@ def _progress(
         seconds_left,
         status.located,
         status.awaits_end,
+        status.still,
     )
 
 

@@ -5,6 +5,7 @@ It simulates all behaviour that a sender of programs must handle:
 - a receive buffer of 128 bytes that can overflow, and a planner of 15 blocks;
 - an ``ok`` that is sent only when the line moves from the buffer to the planner;
 - soft limits, check mode, and holds that decelerate within an arc;
+- a safety door, which holds the machine until it is closed and the machine is resumed;
 - M64 and M65, which switch an output as soon as the line is read;
 - alarms that lock the controller until a reset.
 
@@ -90,6 +91,8 @@ class Table(TableMachine):
         self._critical = False
         self._error = 0  # of the last program line that was refused, until it is cleared
         self._check = False
+        self._door_open = False
+        self._held_by_door = False
         self._waiting: tuple[Block, int] | None = None  # read, not yet answered
         self._count = 0
         self._reports = 0
@@ -104,7 +107,10 @@ class Table(TableMachine):
         if self._check:
             return "Check"
         if self._planner.holding:
-            return "Hold:0" if self._planner.halted or not len(self._planner) else "Hold:1"
+            at_rest = self._planner.halted or not len(self._planner)
+            if self._held_by_door:
+                return f"Door:{1 if self._door_open else 0}" if at_rest else "Door:2"
+            return "Hold:0" if at_rest else "Hold:1"
         return "Run" if len(self._planner) or self._dwell > 0.0 else "Idle"
 
     # -- received bytes -------------------------------------------------------------------------
@@ -119,7 +125,7 @@ class Table(TableMachine):
             elif byte == 0x21:
                 self._hold()
             elif byte == 0x7E:
-                self._planner.holding = False
+                self._resume()
             elif byte >= 0x80:
                 if byte == 0x85 and self._state == "Jog":
                     self._discard_motion()
@@ -135,6 +141,21 @@ class Table(TableMachine):
         if self._state == "Idle" and not self._check and (self.busy or len(self._planner)):
             self._planner.holding = True
 
+    def _resume(self) -> None:
+        if not self._door_open:
+            self._planner.holding = self._held_by_door = False
+
+    def open_door(self) -> None:
+        """Open the safety door, which holds a machine that moves."""
+        self._door_open = True
+        self._hold()
+        self._held_by_door = self._planner.holding
+        self.awake.set()
+
+    def close_door(self) -> None:
+        """Close the safety door; the machine remains held."""
+        self._door_open = False
+
     def _discard_motion(self) -> None:
         """Discard all moves and the dwell, and stop at the present position."""
         self._planner.clear()
@@ -148,6 +169,7 @@ class Table(TableMachine):
         moving = self._planner.moving
         locked = self._critical or self._state == "Alarm"
         self._critical = self._check = False
+        self._held_by_door = False
         self._error = 0
         self._discard_motion()
         self._buffer.clear()

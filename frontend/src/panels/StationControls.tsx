@@ -112,8 +112,11 @@ export function StationControls({ machine, station, job, reached, checked }: Pro
       tone: "blue",
       icon: <IconPlayerTrackNextFilled aria-hidden />,
       // A job that waits for a sheet goes on with Start, after the checks.
-      reason:
-        holds("held") || (has(job, "resume") && !has(job, "confirm")) ? null : "No job is held.",
+      reason: !(holds("held") || (has(job, "resume") && !has(job, "confirm")))
+        ? "No job is held."
+        : station?.state === "door"
+          ? "Close the safety door first."
+          : null,
       act: () =>
         run === null
           ? send("Resume", "resume")

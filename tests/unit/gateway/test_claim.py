@@ -283,6 +283,32 @@ async def test_hold_stops_the_machine_in_mid_line_and_resume_goes_on() -> None:
     assert office.finished[0]["outcome"] == "done"
 
 
+async def test_an_open_door_holds_the_job_and_closing_it_does_not_resume() -> None:
+    office = Office()
+    held: list[Beat] = []
+
+    async with table(speed=2.0) as server:
+
+        def command(beat: Beat) -> str:
+            if beat["line"] == 6 and not held:
+                server.table.open_door()
+            if not beat["held"]:
+                return "continue"
+            held.append(beat)
+            if len(held) == 60:
+                server.table.close_door()
+            # The first request to resume comes while the door is open.
+            return "resume" if len(held) == 30 or len(held) > 90 else "continue"
+
+        office.command = command
+        await gateway(office, server)
+        assert server.table.position[0] == 560.0
+    assert office.finished[0]["outcome"] == "done"
+    # The machine braked and then stood still until it was resumed with its door closed.
+    assert 100.0 < held[20]["position"][0] < 500.0
+    assert [beat["position"] for beat in held[20:90]] == [held[20]["position"]] * 70
+
+
 async def test_cancel_stops_the_machine_raises_the_tool_and_is_reported() -> None:
     office = Office()
     office.command = lambda beat: "cancel" if beat["line"] == 6 else "continue"

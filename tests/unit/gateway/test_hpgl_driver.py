@@ -313,7 +313,7 @@ async def test_a_folder_takes_programs_of_every_language(
 
     def command(beat: Beat) -> str:
         if beat["held"]:
-            seen.append(sorted(file.name for file in tmp_path.iterdir()))
+            seen.append(sorted(file.name for file in tmp_path.glob(f"*{suffix}")))
         return "resume" if beat["held"] else "continue"
 
     office.command = command
@@ -323,6 +323,36 @@ async def test_a_folder_takes_programs_of_every_language(
     assert seen[-1] == [first, second]
     assert (tmp_path / first).read_bytes() == (tmp_path / second).read_bytes() == PROGRAM
     assert office.finished[0]["outcome"] == "done"
+    assert sorted(file.name for file in tmp_path.iterdir()) == [first, second]
+
+
+async def test_the_program_of_a_killed_gateway_is_deleted_at_the_next_start(
+    tmp_path: Path,
+) -> None:
+    dial = find_driver(MACHINE, tmp_path.as_uri())
+    done = tmp_path / f"{MACHINE.name}-0001.plt"
+    done.write_bytes(PROGRAM)
+    killed = asyncio.create_task((await dial(tmp_path.as_uri())).run(PROGRAM))
+    async with asyncio.timeout(5.0):
+        while len(list(tmp_path.glob("*.plt"))) < 2:
+            await asyncio.sleep(0.01)
+    killed.cancel()
+    await dial(tmp_path.as_uri())
+    # The executed program is the user's, and is kept.
+    assert list(tmp_path.iterdir()) == [done]
+
+
+@pytest.mark.parametrize("name", ["../precious.plt", "precious.plt", ""])
+async def test_a_wrong_note_about_a_program_deletes_nothing(tmp_path: Path, name: str) -> None:
+    folder = tmp_path / "programs"
+    folder.mkdir()
+    files = [tmp_path / "precious.plt", folder / "precious.plt"]
+    for file in files:
+        file.write_bytes(PROGRAM)
+    note = folder / f".{MACHINE.name}-unconfirmed"
+    note.write_text(name, encoding="utf-8")
+    await find_driver(MACHINE, folder.as_uri())(folder.as_uri())
+    assert [file.exists() for file in (*files, note)] == [True, True, False]
 
 
 @pytest.mark.parametrize(
