@@ -32,7 +32,7 @@ from knifetip.jobs.changes import machine_topic
 from knifetip.jobs.heartbeats import GatewayReport
 from knifetip.jobs.job import ON_TABLE, State
 from knifetip.jobs.job_ends import StopPlace
-from knifetip.jobs.station_store import OperationResult, StationReport
+from knifetip.jobs.station_store import Asked, OperationResult, StationReport
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE
 from knifetip.library.definition import Shelf, machine_of
@@ -188,11 +188,12 @@ async def report_station(
 ) -> StationAnswer:
     """Report the state of a machine, and get the operations that a person has asked for.
 
-    The response is sent as soon as there is an operation, at the latest after ``wait`` seconds, a
-    field of the request.  Each operation is sent only once, and only if it is younger than 3 s.
+    The response is sent as soon as there is an operation or a person begins to look at the machine,
+    at the latest after ``wait`` seconds, a field of the request.  Each operation is sent only once,
+    and only if it is younger than 3 s.
     """
     began = time.monotonic()
-    stations, threads = service.store.stations, service.threads
+    threads = service.threads
     changes = service.store.changes
     with wake_on_change(changes, machine_topic(station.machine)) as changed:
         watched = await threads.reports(_store_report, service, station)
@@ -200,17 +201,20 @@ async def report_station(
         while True:
             # A disconnected gateway would never execute the operation.
             gone = service.stopping.is_set() or await request.is_disconnected()
-            asked = [] if gone else await threads.reports(stations.hand_out, station.machine)
+            asked: list[Asked] = []
+            looked = watched
+            if not gone:
+                asked, looked = await threads.reports(_poll_station, service, station.machine)
             remaining = began + station.wait - time.monotonic()
-            if gone or asked or remaining <= 0.0:
+            # A person who begins to look at the machine should not see an old report.
+            if gone or asked or (looked and not watched) or remaining <= 0.0:
                 break
             await changed.wait(min(poll, remaining))
-    watched = await threads.reports(stations.is_watched, station.machine)
     return StationAnswer.model_validate(
         {
             "operations": [{**one.request, "id": one.id, "age": one.age} for one in asked],
             "waited": time.monotonic() - began,
-            "watched": watched,
+            "watched": looked,
         }
     )
 
@@ -245,6 +249,12 @@ def _store_report(service: Service, station: StationIn) -> bool:
     ]
     service.store.stations.report(station.machine, report, results)
     return service.store.stations.is_watched(station.machine)
+
+
+def _poll_station(service: Service, machine: str) -> tuple[list[Asked], bool]:
+    """Return operations that wait for a machine, and whether a person looks at the machine."""
+    stations = service.store.stations
+    return stations.hand_out(machine), stations.is_watched(machine)
 
 
 def _activity(reported: ActivityIn) -> dict[str, Any]:

@@ -64,7 +64,7 @@ from knifetip.model.machine import Machine
 #: Time between two reports while a page shows the machine (s).
 WATCHED_INTERVAL = 0.3
 #: Time between two reports while no page shows the machine (s).
-IDLE_INTERVAL = 2.0
+IDLE_INTERVAL = 3.0
 #: Pause after a report that the server did not answer (s).
 _PAUSE = 1.0
 

@@ -2082,8 +2082,9 @@ export interface paths {
          * Report Station
          * @description Report the state of a machine, and get the operations that a person has asked for.
          *
-         *     The response is sent as soon as there is an operation, at the latest after ``wait`` seconds, a
-         *     field of the request.  Each operation is sent only once, and only if it is younger than 3 s.
+         *     The response is sent as soon as there is an operation or a person begins to look at the machine,
+         *     at the latest after ``wait`` seconds, a field of the request.  Each operation is sent only once,
+         *     and only if it is younger than 3 s.
          *
          *     Needs the scope `gateway`.
          */

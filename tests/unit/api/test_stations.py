@@ -92,6 +92,24 @@ def test_an_operation_reaches_the_gateway_at_once_and_its_result_the_person(
     assert state_of(client, id)["state"] == "done"
 
 
+def test_a_waiting_report_is_answered_when_a_person_looks_at_the_machine(
+    client: httpx.Client,
+) -> None:
+    machine = "two-carriage-table"  # no other test looks at it
+    assert not report(client, machine=machine)["watched"]
+    replies: list[dict[str, Any]] = []
+    waiting = threading.Thread(
+        target=lambda: replies.append(report(client, machine=machine, wait=8.0))
+    )
+    waiting.start()
+    time.sleep(0.3)
+    client.get(f"/api/machines/{machine}/station").raise_for_status()
+    waiting.join(10.0)
+    assert replies[0]["watched"]
+    assert replies[0]["waited"] < 4.0
+    assert replies[0]["operations"] == []
+
+
 def test_a_late_operation_expires(client: httpx.Client) -> None:
     report(client)
     id = ask(client, operation="unlock").json()["id"]
