@@ -59,6 +59,7 @@ from knifetip.api.request_spans import RequestSpans
 from knifetip.api.retention import run_content_sweep, run_retention
 from knifetip.api.routing import (
     ScopedRouter,
+    methods_at,
     public,
     requires,
     scoped_operations,
@@ -337,17 +338,20 @@ async def _request_problem(request: Request, error: Exception) -> Response:
 async def _http_problem(request: Request, error: Exception) -> Response:
     assert isinstance(error, HTTPException)
     path = request.url.path[:200]
+    headers = error.headers
     match error.status_code:
         case 404:
             message = Message("request.nothing-there", path=path)
         case 405:
             message = Message("request.wrong-method", method=request.method, path=path)
+            if methods := methods_at(request.app.routes, request.scope["path"]):
+                headers = {"Allow": ", ".join(methods)}
         case 400:
             # FastAPI and Starlette raise this for a body that they cannot parse.
             message = Message("request.body-unreadable")
         case status:
             message = Message("request.refused", status=status)
-    return problem(error.status_code, message, headers=error.headers)
+    return problem(error.status_code, message, headers=headers)
 
 
 async def _to_description(_request: Request) -> Response:

@@ -16,7 +16,7 @@ from typing import Any, Final, NamedTuple, TypeVar
 
 from fastapi import APIRouter, Request
 from fastapi.routing import APIRoute, iter_route_contexts
-from starlette.routing import BaseRoute
+from starlette.routing import BaseRoute, compile_path
 from starlette.types import Message, Receive, Scope, Send
 
 from knifetip.api.principal import Principal, PrincipalKind, demand, missing_scope, principal_of
@@ -185,3 +185,12 @@ def scoped_operations(routes: Iterable[BaseRoute]) -> Iterator[ScopedOperation]:
             raise TypeError(f"the route {context.path} is not in a ScopedRouter")
         for method in sorted(context.methods or ()):
             yield ScopedOperation(method, context.path or "", route.name.strip("_"), needed)
+
+
+def methods_at(routes: Iterable[BaseRoute], path: str) -> list[str]:
+    """Return the methods of all routes that match a path; Starlette names those of one route."""
+    found: set[str] = set()
+    for context in iter_route_contexts(list(routes)):
+        if context.path is not None and compile_path(context.path)[0].match(path):
+            found |= set(context.methods or ())
+    return sorted(found)

@@ -474,3 +474,20 @@ def test_a_server_without_a_free_connection_to_its_database_answers_503(
     answer = client.get("/api/jobs/abc")
     assert answer.status_code == 503
     assert answer.json()["code"] == "server.database-silent"
+
+
+@pytest.mark.parametrize(
+    ("path", "allowed"),
+    [
+        ("/api/webhooks", "GET, POST"),
+        ("/api/v1/jobs", "GET, POST"),
+        ("/api/drawings/some", "DELETE, GET, PATCH"),
+        ("/index.html", "GET, HEAD"),
+    ],
+)
+def test_a_refused_method_names_every_method_of_the_path(
+    client: httpx.Client, path: str, allowed: str
+) -> None:
+    answer = client.request("OPTIONS", path)
+    assert answer.status_code == 405
+    assert answer.headers["Allow"] == allowed
