@@ -42,7 +42,7 @@ class Command:
 
     def said(self, pattern: str) -> str:
         """Wait for a line that contains a pattern, and return the match."""
-        deadline = time.monotonic() + 60.0
+        deadline = time.monotonic() + 120.0
         while time.monotonic() < deadline:
             for line in list(self.lines):
                 if found := re.search(pattern, line):
@@ -55,7 +55,7 @@ class Command:
     def stop(self) -> None:
         if self.process.poll() is None:
             self.process.send_signal(signal.SIGINT)
-        self.process.wait(30.0)
+        self.process.wait(60.0)
         self._reader.join()
         assert self.process.stderr is not None
         self.process.stderr.close()
@@ -131,7 +131,7 @@ def test_a_gateway_works_with_its_key_file_only(store: Store, tmp_path: Path) ->
             refused.said(r"scope \W*gateway\b")
         assert not store.machines.connected_machines(60.0)
         with running(*words, "--key-file", right):
-            deadline = time.monotonic() + 30.0
+            deadline = time.monotonic() + 120.0
             while not store.machines.connected_machines(60.0):
                 assert time.monotonic() < deadline
                 time.sleep(0.05)
