@@ -188,7 +188,10 @@ def scoped_operations(routes: Iterable[BaseRoute]) -> Iterator[ScopedOperation]:
 
 
 def methods_at(routes: Iterable[BaseRoute], path: str) -> list[str]:
-    """Return the methods of all routes that match a path; Starlette names those of one route."""
+    """Return the methods of all routes that match a path, for the header ``Allow``.
+
+    Starlette writes only the methods of the first matching route into this header.
+    """
     found: set[str] = set()
     for context in iter_route_contexts(list(routes)):
         if context.path is not None and compile_path(context.path)[0].match(path):

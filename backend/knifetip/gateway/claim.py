@@ -406,7 +406,8 @@ class _GatewayLoop:
             if progress.resumable:
                 await controller.resume()
             else:
-                # Also with an open door: whoever closes it must not start the machine.
+                # While the door is open, a request to resume is dropped: otherwise closing the door
+                # would start the machine.
                 run.begin_phase()
 
     def _refusal_of(self, run: JobRun) -> GatewayRefused | None:

@@ -14,6 +14,7 @@ import asyncio
 import errno
 import os
 from collections.abc import Callable
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -73,7 +74,7 @@ class HotFolder(OpenLoop):
         """
         status = await super().run(text)
         self._file = None
-        self._note.unlink(missing_ok=True)
+        self._forget()
         return status
 
     async def hand_over(self, text: bytes) -> None:
@@ -93,7 +94,7 @@ class HotFolder(OpenLoop):
     async def withdraw(self) -> ControllerError:
         """Delete the program file; return the error that states whether the machine took it."""
         file, self._file = self._file, None
-        self._note.unlink(missing_ok=True)
+        self._forget()
         if file is None:
             return ControllerError("folder.not-written", folder=self.name)
         try:
@@ -122,6 +123,11 @@ class HotFolder(OpenLoop):
             temporary.unlink(missing_ok=True)
             raise
         return path
+
+    def _forget(self) -> None:
+        """Delete the name of the program file; a name that remains does not fail a finished job."""
+        with suppress(OSError):
+            self._note.unlink()
 
     def _delete_unconfirmed(self) -> None:
         try:
