@@ -75,6 +75,11 @@ export const theme = createTheme({
       styles: { label: { color: "var(--ink-2)", fontSize: 12, fontWeight: 500, marginBottom: 4 } },
     },
     Button: { defaultProps: { fw: 600 } },
+    // A menu that is longer than the space beside its button scrolls inside the window.
+    Menu: {
+      defaultProps: { middlewares: { flip: true, shift: true, size: { padding: 8 } } },
+      styles: { dropdown: { overflowY: "auto" } },
+    },
     Modal: {
       defaultProps: {
         closeButtonProps: { "aria-label": "Close" },
