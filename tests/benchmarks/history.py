@@ -68,10 +68,11 @@ def run_round(store: Store, times: Times) -> None:
     with step("list of the queue"):
         describe(store, store.jobs.search((State.QUEUED.value,), limit=100))
     with step("claim"):
-        claimed = store.gateways.claim("demo-table", "gateway", manual=False, feeds=True)
+        claimed = store.gateways.claim("demo-table", "gateway", manual=True)
     assert claimed is not None
     if claimed.state == State.QUEUED:
-        store.operators.confirm(claimed.id)
+        with step("confirm"):
+            store.operators.confirm(claimed.id)
     with step("heartbeat"):
         store.gateways.heartbeat(claimed.id, claimed.epoch, GatewayReport(line=5))
     with step("sweep of leases"):
@@ -101,8 +102,8 @@ def run_round(store: Store, times: Times) -> None:
         store.events.after(max(store.events.last_id() - 50, 0))
     with step("events of a job"):
         store.events.of_job(job.id)
-    with step("worn tools"):
-        store.tools.worn_stations(load.machine("demo-table"))
+    with step("use of tools"):
+        store.tools.uses(load.machine("demo-table"))
     with step("earlier shortfalls"):
         store.jobs.last_with_exceptions(store.jobs.get(job.id))
     with step("state of queues"):

@@ -84,9 +84,10 @@ def choose(queue: Queue, name: str, item: str) -> None:
         target.click()
         try:
             expect(target).to_be_hidden(timeout=5_000)
-            return
         except AssertionError:
             continue
+        else:
+            return
     raise AssertionError(f"The menu of {name} stays open.")
 
 
@@ -126,7 +127,7 @@ def test_a_move_in_an_order_that_has_changed_is_refused_and_shown(queue: Queue) 
 
 
 def test_a_job_is_held_and_gets_a_priority_and_copies(queue: Queue) -> None:
-    page, (first, _, third) = queue.list.page, queue.jobs
+    first, _, third = queue.jobs
     row(queue, "first.dxf").get_by_test_id("queue-hold").click()
     expect(row(queue, "first.dxf")).to_have_attribute("data-hold", "true")
     assert queue.machine.job(first)["waiting_for"] == "hold"

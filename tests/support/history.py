@@ -8,7 +8,7 @@ import sqlalchemy as sa
 
 from knifetip.jobs.heartbeats import GatewayReport
 from knifetip.jobs.store import Store
-from knifetip.jobs.tables import Base, Drawing, Event, Job, MachineRun, RunLength
+from knifetip.jobs.tables import Base, Drawing, Event, Job, MachineRun, RunLength, ToolWork
 from tests.support.job_states import queued
 
 #: Every tenth job is for one of the machines "demo-table", "table-1", …, "table-9".
@@ -112,6 +112,15 @@ def fill(store: Store, count: int) -> None:
         session.flush()
         parameters["run"] = first[MachineRun] - 1
         copy(RunLength, "m.run = :run", run=f"{first[MachineRun]} + k")
+        worked = sa.select(MachineRun.machine, RunLength.station, sa.func.sum(RunLength.length))
+        worked = worked.join_from(RunLength, MachineRun, MachineRun.id == RunLength.run)
+        session.execute(sa.delete(ToolWork))
+        session.execute(
+            sa.insert(ToolWork).from_select(
+                ["machine", "station", "length"],
+                worked.group_by(MachineRun.machine, RunLength.station),
+            )
+        )
         if postgresql:
             # PostgreSQL does so by itself after a while, SQLite never.
             session.execute(sa.text("ANALYZE"))

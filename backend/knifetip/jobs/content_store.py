@@ -22,12 +22,11 @@ from dataclasses import dataclass
 from typing import Final, TypeVar
 
 import sqlalchemy as sa
-from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session, aliased
 
 from knifetip.errors import ContentLost, NotFound, StoreError, WrongState
-from knifetip.jobs.database import Database, rows, short
+from knifetip.jobs.database import Database, insert_into, rows, short
 from knifetip.jobs.objects import Objects
 from knifetip.jobs.tables import Base, Content, Drawing, Job
 
@@ -106,7 +105,9 @@ class ContentStore:
         """Keep sweeps from deleting objects that are about to be written."""
         with self._db.writing() as session:
             for address in addresses:
-                insert = _insert(session).values(address=address, unused_since=self._db.clock())
+                insert = insert_into(session, Content).values(
+                    address=address, unused_since=self._db.clock()
+                )
                 session.execute(
                     insert.on_conflict_do_update(
                         index_elements=[Content.address],
@@ -142,7 +143,7 @@ class ContentStore:
                     .execution_options(synchronize_session=False)
                 )
             else:
-                insert = _insert(session).values(address=address, data=data)
+                insert = insert_into(session, Content).values(address=address, data=data)
                 session.execute(
                     insert.on_conflict_do_update(
                         index_elements=[Content.address], set_={"data": insert.excluded.data}
@@ -365,9 +366,3 @@ def _is_used() -> sa.ColumnElement[bool]:
             for column in _REFERENCES
         )
     )
-
-
-def _insert(session: Session) -> sqlite.Insert | postgresql.Insert:
-    if session.get_bind().dialect.name == "sqlite":
-        return sqlite.insert(Content)
-    return postgresql.insert(Content)

@@ -11,6 +11,7 @@ from typing import Any, cast
 
 import sqlalchemy as sa
 from sqlalchemy import event as on
+from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.orm import Session
 
 from knifetip.jobs import schema
@@ -20,6 +21,7 @@ from knifetip.jobs.database_url import add_timeouts, sqlite_file
 from knifetip.jobs.schema import Migration, Schema
 from knifetip.jobs.shared_clock import SharedClock
 from knifetip.jobs.sqlite_copy import copy_database
+from knifetip.jobs.tables import Base
 from knifetip.jobs.turns import NoTurns, Turns
 
 _TOPICS = "topics"  # key of a session's topics in ``Session.info``
@@ -229,6 +231,13 @@ def note_change(session: Session, *topics: str) -> None:
 def topics_of(session: Session) -> frozenset[str]:
     """Return the topics of the changes that a transaction has made."""
     return frozenset(session.info.get(_TOPICS, ()))
+
+
+def insert_into(session: Session, table: type[Base]) -> postgresql.Insert | sqlite.Insert:
+    """Return an insert that can state what happens to a row that exists already."""
+    if session.get_bind().dialect.name == "sqlite":
+        return sqlite.insert(table)
+    return postgresql.insert(table)
 
 
 def rows(session: Session, statement: sa.Update | sa.Delete) -> int:

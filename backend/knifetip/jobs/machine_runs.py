@@ -1,7 +1,7 @@
 """Records of the runs of jobs on machines, in the transactions of their transitions.
 
-A run begins when a claimed job starts and ends when the job leaves the machine.  Statistics and
-tool life are computed from runs, which remain when jobs are deleted.
+A run begins when a claimed job starts and ends when the job leaves the machine.  Statistics
+are computed from runs, which remain when jobs are deleted; the use of tools from their sums.
 """
 
 from __future__ import annotations
@@ -11,7 +11,8 @@ from sqlalchemy.orm import Session
 
 from knifetip.jobs.job import Action, State
 from knifetip.jobs.tables import Job, MachineRun, RunLength
-from knifetip.jobs.worked_lengths import lengths_of_copies
+from knifetip.jobs.tool_work import add_work
+from knifetip.jobs.worked_lengths import Lengths, lengths_of_copies
 
 
 def record_run(session: Session, id: str, action: Action, now: float) -> None:
@@ -86,9 +87,29 @@ def end_run(session: Session, id: str, now: float) -> None:
     run.outcome = job.state
     run.ended = run.ended or now
     run.copies, run.sheets = copies, copies + (line > 0)
+    lengths = lengths_of_copies(job.lengths, copies, line)
+    added = _lengths_of_stations(lengths)
+    for station, length in _stored_lengths(session, run).items():
+        added[station] = added.get(station, 0.0) - length
     session.execute(sa.delete(RunLength).where(RunLength.run == run.id))
     session.add_all(
         RunLength(run=run.id, station=station, line_type=line_type, length=length)
-        for (station, line_type), length in lengths_of_copies(job.lengths, copies, line).items()
+        for (station, line_type), length in lengths.items()
         if length > 0.0
     )
+    add_work(session, run.machine, run.ended, added)
+
+
+def _lengths_of_stations(lengths: Lengths) -> dict[int, float]:
+    """Return the length of each station (mm), of all line types."""
+    found: dict[int, float] = {}
+    for (station, _), length in lengths.items():
+        found[station] = found.get(station, 0.0) + length
+    return found
+
+
+def _stored_lengths(session: Session, run: MachineRun) -> dict[int, float]:
+    """Return the length of each station (mm) that an earlier report of a run has stored."""
+    columns = sa.select(RunLength.station, RunLength.line_type, RunLength.length)
+    stored = session.execute(columns.where(RunLength.run == run.id))
+    return _lengths_of_stations({(station, kind): length for station, kind, length in stored})

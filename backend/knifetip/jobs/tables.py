@@ -395,6 +395,19 @@ class RunLength(Base):
     length: Mapped[float] = mapped_column(sa.Double)  #: mm
 
 
+class ToolWork(Base):
+    """The length that a station has worked in all ended runs of a machine.
+
+    It is a sum of the lengths of runs, so that no reader has to go through the history.
+    """
+
+    __tablename__ = "tool_work"
+
+    machine: Mapped[str] = mapped_column(sa.String(200), primary_key=True)
+    station: Mapped[int] = mapped_column(primary_key=True)  #: number of the station
+    length: Mapped[float] = mapped_column(sa.Double)  #: mm
+
+
 class ToolEvent(Base):
     """A change of a tool or of its life by a person; rows are only appended."""
 
@@ -411,6 +424,8 @@ class ToolEvent(Base):
     length: Mapped[float] = mapped_column(sa.Double)
     #: mm; of a changed tool the part of ``length`` in the run that was not finished then
     unfinished: Mapped[float] = mapped_column(sa.Double, default=0.0)
+    #: mm; of a changed tool the length that its station had worked in the runs that had ended
+    worked_before: Mapped[float] = mapped_column(sa.Double, default=0.0)
 
 
 class Station(Base):

@@ -16,7 +16,8 @@ from sqlalchemy.orm import Session
 from knifetip.jobs.accounts.acting import signature
 from knifetip.jobs.database import Database
 from knifetip.jobs.job import LEASED, Actor
-from knifetip.jobs.tables import Job, MachineRun, RunLength, ToolEvent
+from knifetip.jobs.tables import Job, ToolEvent
+from knifetip.jobs.tool_work import worked_lengths
 from knifetip.jobs.worked_lengths import lengths_of_copies
 from knifetip.messages import Message
 from knifetip.model.machine import Machine, Station
@@ -66,26 +67,21 @@ class ToolStore:
 
     def uses_in(self, session: Session, machine: Machine) -> list[ToolUse]:
         """Return the use of the tool of each station, within the transaction of ``session``."""
+        worked = worked_lengths(session, machine.name)
         present = _present_lengths(session, machine.name)
         return [
-            _use(session, machine.name, station, present.get(station.number, 0.0))
+            _use(
+                session,
+                machine.name,
+                station,
+                worked.get(station.number, 0.0) + present.get(station.number, 0.0),
+            )
             for station in sorted(machine.stations, key=lambda station: station.number)
         ]
 
     def worn_stations(self, machine: Machine) -> set[int]:
-        """Return the numbers of the stations whose tools are at the end of their lives.
-
-        Only tools with a life are read: the use of the others grows with the history.
-        """
-        with self._db.reading() as session:
-            present = _present_lengths(session, machine.name)
-            return {
-                station.number
-                for station in machine.stations
-                if _life(session, machine.name, station) > 0.0
-                and _use(session, machine.name, station, present.get(station.number, 0.0)).warning
-                == "over"
-            }
+        """Return the numbers of the stations whose tools are at the end of their lives."""
+        return {use.station for use in self.uses(machine) if use.warning == "over"}
 
     def record_change(self, machine: Machine, station: int, actor: Actor) -> list[ToolUse]:
         """Store that a person has put a new tool into a station; return the uses of all tools.
@@ -111,8 +107,19 @@ class ToolStore:
         The parameters are those of ``record_change``.
         """
         (use,) = (use for use in self.uses_in(session, machine) if use.station == station)
-        present = _present_lengths(session, machine.name).get(station, 0.0)
-        self._append(session, machine.name, station, "changed", actor, use.used, present)
+        session.add(
+            ToolEvent(
+                machine=machine.name,
+                station=station,
+                kind="changed",
+                at=self._db.clock(),
+                who=signature(actor)[:200],
+                length=use.used,
+                unfinished=_present_lengths(session, machine.name).get(station, 0.0),
+                worked_before=worked_lengths(session, machine.name).get(station, 0.0),
+            )
+        )
+        session.flush()
         return use
 
     def set_life(self, machine: Machine, station: int, life: float, actor: Actor) -> list[ToolUse]:
@@ -130,31 +137,17 @@ class ToolStore:
             The person.
         """
         with self._db.writing() as session:
-            self._append(session, machine.name, station, "life", actor, life)
-        return self.uses(machine)
-
-    def _append(
-        self,
-        session: Session,
-        machine: str,
-        station: int,
-        kind: str,
-        actor: Actor,
-        length: float,
-        unfinished: float = 0.0,
-    ) -> None:
-        session.add(
-            ToolEvent(
-                machine=machine,
-                station=station,
-                kind=kind,
-                at=self._db.clock(),
-                who=signature(actor)[:200],
-                length=length,
-                unfinished=unfinished,
+            session.add(
+                ToolEvent(
+                    machine=machine.name,
+                    station=station,
+                    kind="life",
+                    at=self._db.clock(),
+                    who=signature(actor)[:200],
+                    length=life,
+                )
             )
-        )
-        session.flush()
+        return self.uses(machine)
 
     def events(self, machine: str, limit: int = 200) -> list[ToolEvent]:
         """Return the last changes of the tools of a machine and of their lives, newest first."""
@@ -177,7 +170,7 @@ def warning_message(use: ToolUse) -> Message | None:
     )
 
 
-def _use(session: Session, machine: str, station: Station, present: float) -> ToolUse:
+def _use(session: Session, machine: str, station: Station, worked: float) -> ToolUse:
     """Return the use of the tool of a station.
 
     Parameters
@@ -188,25 +181,16 @@ def _use(session: Session, machine: str, station: Station, present: float) -> To
         Name of the machine.
     station
         The station.
-    present
-        Length that the tool has worked in the run that is not finished (mm).
+    worked
+        Length that the station has worked in all its runs, with the one that is not finished (mm).
     """
     changed = _last_event(session, machine, station.number, "changed")
-    length = (
-        sa.select(sa.func.coalesce(sa.func.sum(RunLength.length), 0.0))
-        .join(MachineRun, MachineRun.id == RunLength.run)
-        .where(
-            MachineRun.machine == machine,
-            MachineRun.ended > (0.0 if changed is None else changed.at),
-            RunLength.station == station.number,
-        )
-    )
-    before = 0.0 if changed is None else changed.unfinished
+    before = 0.0 if changed is None else changed.worked_before + changed.unfinished
     return ToolUse(
         station=station.number,
         name=station.name,
         kind=kind_of(station.tool).name,
-        used=max(float(session.scalar(length) or 0.0) + present - before, 0.0),
+        used=max(worked - before, 0.0),
         life=_life(session, machine, station),
         changed=0.0 if changed is None else changed.at,
         changed_by="" if changed is None else changed.who,

@@ -150,6 +150,26 @@ def test_a_late_report_corrects_the_length(store: Store, machine: Machine, clock
     assert (sums.runs, sums.jobs, sums.interruptions, sums.seconds) == (1, 1, 0, 60.0)
 
 
+def test_a_late_report_of_an_ended_run_is_not_counted_for_a_new_tool(
+    store: Store, machine: Machine, clock: Clock
+) -> None:
+    job = run(store)
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=20))
+    clock.now += 60.0
+    store.leases.run()
+    clock.now += 1.0
+    store.tools.record_change(machine, 1, MIA)
+    store.gateways.finish(job.id, job.epoch, "interrupted", line=30)
+    assert used(store, machine)[1] == 0.0
+    clock.now += 1.0
+    store.interrupted.declare_finished(job.id)
+    assert used(store, machine) == pytest.approx({1: 0.0, 2: ARC, 3: 0.0})
+    again = run(store)
+    clock.now += 1.0
+    store.gateways.finish(again.id, again.epoch, "done")
+    assert used(store, machine) == pytest.approx({1: 400.0, 2: 2.0 * ARC, 3: 0.0})
+
+
 def test_warnings_come_at_nine_tenths_and_at_the_end_of_the_life(
     store: Store, machine: Machine, clock: Clock
 ) -> None:
