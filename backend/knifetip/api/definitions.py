@@ -11,6 +11,7 @@ from typing import Annotated, Any
 
 from fastapi import Path, Query, Request, Response
 
+from knifetip.api.parameters import NAME_SCHEMA
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.definitions import DefinitionOut, EntryOut, VersionOut
 from knifetip.api.service import ServiceDep, bytes_response
@@ -37,6 +38,10 @@ from knifetip.library.schema import json_schema
 router = ScopedRouter(tags=["library"])
 
 EntryName = Annotated[str, Path(description="Name of the machine, board or tool")]
+NewEntryName = Annotated[
+    str,
+    Path(description="Name of the machine, board or tool", json_schema_extra=NAME_SCHEMA),
+]
 Version = Annotated[
     int | None,
     Query(ge=0, le=2**31 - 1, description="Number of the version; the newest if it is missing"),
@@ -167,7 +172,7 @@ def _add_routes(shelf: Shelf) -> None:
         service: ServiceDep,
         request: Request,
         response: Response,
-        name: EntryName,
+        name: NewEntryName,
         body: Body,
         match: VersionMatch = None,
         by: By = "",

@@ -11,7 +11,7 @@ from fastapi.responses import JSONResponse
 
 from knifetip.api.api_version import is_versioned, versioned_paths
 from knifetip.api.documented_errors import document_errors
-from knifetip.api.examples import Examples, library_name
+from knifetip.api.examples import Examples, name_in
 from knifetip.api.principal import PrincipalKind, principal_of
 from knifetip.api.routing import ScopedOperation
 from knifetip.api.schemas.common import Problem
@@ -96,7 +96,7 @@ def _add_examples(described: dict[str, Any]) -> None:
     """Add an example to each request and each answer, except of bytes."""
     examples = Examples(described["components"]["schemas"])
     for path, item in described["paths"].items():
-        name = library_name(path)
+        name = name_in(path)
         for operation in item.values():
             add_text_examples(operation)
             for parameter in operation.get("parameters", ()):

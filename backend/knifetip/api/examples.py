@@ -29,7 +29,10 @@ _TEXTS: Final[Mapping[str, str]] = {
     "new": "five words are even longer", "why": "The job was released.", "peer": "192.0.2.7",
     "description": "Orders of the ERP",
 }  # fmt: skip
-_LIBRARY: Final[Mapping[str, str]] = {"machines": "demo-table", "boards": "e-flute"}
+_NAMES: Final[Mapping[str, str]] = {
+    "machines": "demo-table", "boards": "e-flute", "tools": "v-cutter-45", "profiles": "default",
+    "users": "ada",
+}  # fmt: skip
 _BODIES: Final[Mapping[str, Any]] = {
     "JobIn": {
         "drawing": _ID, "machine": "demo-table", "board": "e-flute", "copies": 2,
@@ -157,6 +160,6 @@ def sample_arguments(kinds: Mapping[str, str]) -> dict[str, Any]:
     }
 
 
-def library_name(path: str) -> str | None:
-    """Return the name of an entry of the library for an example of a path, None if it has none."""
-    return next((name for shelf, name in _LIBRARY.items() if f"/{shelf}/{{name}}" in path), None)
+def name_in(path: str) -> str | None:
+    """Return a name for an example of a path with ``{name}``, None if it has none."""
+    return next((name for kind, name in _NAMES.items() if f"/{kind}/{{name}}" in path), None)

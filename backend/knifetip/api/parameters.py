@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Final, Literal
 
 from fastapi import Depends, Header, Path, Query, Request
+from pydantic import JsonValue
 
 from knifetip.api.service import fingerprint
 from knifetip.fields import LISTED
 from knifetip.jobs.request_key import RequestKey
+from knifetip.library.definition import NAME_PATTERN
 
 IdempotencyKey = Annotated[
     str | None,
@@ -39,6 +41,12 @@ StationNumber = Annotated[int, Path(description="Number of the station in the ma
 OperationId = Annotated[str, Path(description="Id of the operation")]
 BoardName = Annotated[str, Path(description="Name of the board in the library")]
 ProfileName = Annotated[str, Path(description="Name of the classification profile")]
+#: Schema of the name of a new entry of the library: stated, while the route refuses other names
+#: with a message of its own.
+NAME_SCHEMA: Final[dict[str, JsonValue]] = {"pattern": f"^{NAME_PATTERN}$"}
+NewProfileName = Annotated[
+    str, Path(description="Name of the classification profile", json_schema_extra=NAME_SCHEMA)
+]
 DataFormat = Annotated[
     Literal["json", "columns"],
     LISTED,

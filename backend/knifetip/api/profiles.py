@@ -11,7 +11,7 @@ from typing import Any
 from fastapi import Request, Response
 from pydantic import ValidationError
 
-from knifetip.api.parameters import DrawingId, ProfileName
+from knifetip.api.parameters import DrawingId, NewProfileName, ProfileName
 from knifetip.api.queue import queued
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.profiles import PreviewOut, ProfileIn, ProfileOut, ProposalOut
@@ -91,7 +91,7 @@ def keep_profile(
     service: ServiceDep,
     request: Request,
     response: Response,
-    name: ProfileName,
+    name: NewProfileName,
     body: Body,
     match: VersionMatch = None,
 ) -> ProfileOut:

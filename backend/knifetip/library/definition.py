@@ -27,7 +27,7 @@ MAX_BYTES: Final = 256 << 10  #: largest size of the text of a definition
 MAX_TEXT: Final = 200  #: most characters of a title or another text in a definition
 
 #: Names contain no dot, since names that end in .toml refer to files on the command line.
-_NAME: Final = re.compile(r"[a-z0-9][a-z0-9_-]{0,63}")
+NAME_PATTERN: Final = "[a-z0-9][a-z0-9_-]{0,63}"
 
 
 class Shelf(StrEnum):
@@ -66,7 +66,7 @@ def is_name(name: str) -> bool:
 
     Such a name has at most 64 characters: lower-case letters, digits, hyphens and underscores.
     """
-    return _NAME.fullmatch(name) is not None
+    return re.fullmatch(NAME_PATTERN, name) is not None
 
 
 def machine_of(definition: Definition) -> Machine:
