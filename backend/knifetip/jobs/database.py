@@ -17,7 +17,7 @@ from sqlalchemy.orm import Session
 from knifetip.jobs import schema
 from knifetip.jobs.accounts.acting import add_audit_entry
 from knifetip.jobs.changes import Changes
-from knifetip.jobs.database_url import add_timeouts, sqlite_file
+from knifetip.jobs.database_url import add_options, sqlite_file
 from knifetip.jobs.schema import Migration, Schema
 from knifetip.jobs.shared_clock import SharedClock
 from knifetip.jobs.sqlite_copy import copy_database
@@ -93,7 +93,7 @@ class Database:
         self.url = dialect_url(url)
         self.changes = Changes()
         file = _check(self.url)
-        self._engine = sa.create_engine(add_timeouts(self.url), pool_size=10, max_overflow=40)
+        self._engine = sa.create_engine(add_options(self.url), pool_size=10, max_overflow=40)
         self._turns: Turns | NoTurns = NoTurns()
         if file is not None:
             _sqlite(self._engine, file)
@@ -145,12 +145,14 @@ class Database:
         Raises
         ------
         StoreError
-            A newer version of knifetip has made the tables, or the copy cannot be made.
+            A newer version of knifetip has made the tables, the database cannot store all
+            characters, or the copy cannot be made.
         """
         with self._writer.begin() as connection:
             schema.lock_migrations(connection)
             found = schema.read_schema(connection)
             schema.require_not_newer(found, self.url)
+            schema.require_utf8(connection, self.url)
             if found.is_current:
                 return None
             copy = None if found.is_empty else self._copy_before(found.revision)

@@ -10,8 +10,10 @@ import sqlalchemy as sa
 from knifetip.errors import StoreError
 from knifetip.logs import without_secrets
 
-#: A computer that does not acknowledge anything for 30 s is gone.
-_TIMEOUTS: Final = {
+#: Options of libpq.  A computer that does not acknowledge anything for 30 s is gone.  A database
+#: without an encoding would send bytes instead of texts.
+_OPTIONS: Final = {
+    "client_encoding": "utf8",
     "connect_timeout": "10",
     "keepalives_idle": "10",
     "keepalives_interval": "5",
@@ -37,17 +39,17 @@ def parse_url(url: str) -> sa.URL:
     raise StoreError("database.bad-url", url=hide_password(url))
 
 
-def add_timeouts(url: str) -> sa.URL:
-    """Return the URL of a PostgreSQL database with those time limits of libpq that it lacks.
+def add_options(url: str) -> sa.URL:
+    """Return the URL of a PostgreSQL database with its encoding and those time limits it lacks.
 
-    Without them, a thread waits up to two hours for an answer of a computer that is gone.  The URL
-    of an SQLite database is returned as it is.
+    Without these limits, a thread waits up to two hours for an answer of a computer that is gone.
+    The URL of an SQLite database is returned as it is.
     """
     parts = sa.make_url(url)
     if parts.get_backend_name() != "postgresql":
         return parts
     return parts.update_query_dict(
-        {name: value for name, value in _TIMEOUTS.items() if name not in parts.query}
+        {name: value for name, value in _OPTIONS.items() if name not in parts.query}
     )
 
 

@@ -18,7 +18,7 @@ from typing import Final
 from dbos import DBOS, DBOSConfig, SetWorkflowID, WorkflowStatus
 
 from knifetip.jobs.compile_queue import Compile, TableQueue
-from knifetip.jobs.database_url import add_timeouts
+from knifetip.jobs.database_url import add_options
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 
@@ -70,7 +70,7 @@ class DurableQueue:
         if _running is not None:
             raise RuntimeError("A process can run one DurableQueue. Stop the other one first.")
         _running, self._compile = self, compile
-        url = add_timeouts(self._store.database.url).render_as_string(hide_password=False)
+        url = add_options(self._store.database.url).render_as_string(hide_password=False)
         url = url.replace("postgresql+psycopg://", "postgresql://")
         DBOS(
             config=DBOSConfig(

@@ -121,6 +121,21 @@ def require_not_newer(schema: Schema, url: str) -> None:
     raise StoreError("database.newer-unrecorded", **facts)
 
 
+def require_utf8(connection: sa.Connection, url: str) -> None:
+    """Raise an error if a database cannot store all characters of names.
+
+    Raises
+    ------
+    StoreError
+        A PostgreSQL database has another encoding than UTF-8.
+    """
+    if connection.dialect.name != "postgresql":
+        return
+    encoding = str(connection.scalar(sa.text("SHOW server_encoding")))
+    if encoding != "UTF8":
+        raise StoreError("database.not-utf8", url=hide_password(url), encoding=encoding)
+
+
 def require_migrated(schema: Schema, url: str) -> None:
     """Raise an error if the tables of a database must be migrated first.
 

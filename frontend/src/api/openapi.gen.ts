@@ -8995,6 +8995,13 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "database.not-utf8";
+            arguments: {
+                url: string;
+                encoding: string;
+            };
+        } | {
+            /** @constant */
             code: "database.older";
             arguments: {
                 url: string;
@@ -29547,7 +29554,10 @@ export interface operations {
             };
             header?: never;
             path: {
-                /** @description Name of the machine, board or tool */
+                /**
+                 * @description Name of the machine, board or tool
+                 * @example v-cutter-45
+                 */
                 name: string;
             };
             cookie?: never;
@@ -29677,7 +29687,10 @@ export interface operations {
             };
             header?: never;
             path: {
-                /** @description Name of the machine, board or tool */
+                /**
+                 * @description Name of the machine, board or tool
+                 * @example v-cutter-45
+                 */
                 name: string;
             };
             cookie?: never;
@@ -29801,7 +29814,10 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of the machine, board or tool */
+                /**
+                 * @description Name of the machine, board or tool
+                 * @example v-cutter-45
+                 */
                 name: string;
             };
             cookie?: never;
@@ -29933,7 +29949,10 @@ export interface operations {
                 "If-Match"?: string | null;
             };
             path: {
-                /** @description Name of the machine, board or tool */
+                /**
+                 * @description Name of the machine, board or tool
+                 * @example v-cutter-45
+                 */
                 name: string;
             };
             cookie?: never;
@@ -30114,7 +30133,10 @@ export interface operations {
                 "If-Match"?: string | null;
             };
             path: {
-                /** @description Name of the machine, board or tool */
+                /**
+                 * @description Name of the machine, board or tool
+                 * @example v-cutter-45
+                 */
                 name: string;
             };
             cookie?: never;
@@ -30423,7 +30445,10 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of the classification profile */
+                /**
+                 * @description Name of the classification profile
+                 * @example default
+                 */
                 name: string;
             };
             cookie?: never;
@@ -30651,7 +30676,10 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of the classification profile */
+                /**
+                 * @description Name of the classification profile
+                 * @example default
+                 */
                 name: string;
             };
             cookie?: never;
@@ -30808,7 +30836,10 @@ export interface operations {
                 "If-Match"?: string | null;
             };
             path: {
-                /** @description Name of the classification profile */
+                /**
+                 * @description Name of the classification profile
+                 * @example default
+                 */
                 name: string;
             };
             cookie?: never;
@@ -31075,7 +31106,10 @@ export interface operations {
                 "If-Match"?: string | null;
             };
             path: {
-                /** @description Name of the classification profile */
+                /**
+                 * @description Name of the classification profile
+                 * @example default
+                 */
                 name: string;
             };
             cookie?: never;
@@ -35893,7 +35927,10 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Name of the user */
+                /**
+                 * @description Name of the user
+                 * @example ada
+                 */
                 name: string;
             };
             cookie?: never;

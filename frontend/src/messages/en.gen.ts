@@ -835,6 +835,10 @@ export const TEXTS = {
     "text": "The file {file} contains no password for the database.",
     "hint": "Write only the password to the file, in UTF-8."
   },
+  "database.not-utf8": {
+    "text": "The database {url} has the encoding {encoding}, which cannot store all names.",
+    "hint": "Create it with UTF-8: CREATE DATABASE knifetip ENCODING 'UTF8' TEMPLATE template0 LC_COLLATE 'C.UTF-8' LC_CTYPE 'C.UTF-8'."
+  },
   "database.older": {
     "text": "The database {url} has revision {revision}; knifetip {version} needs revision {newest}.",
     "hint": "Stop all servers and workers, make a backup, and run: knifetip db upgrade. Alternatively, start one server with --migrate."

@@ -247,3 +247,21 @@ def test_the_password_comes_from_a_file_and_is_not_shown(tmp_path: Path) -> None
         add_password("postgresql://shop@db.local/knifetip", file)
     with pytest.raises(StoreError, match="No such file"):
         add_password("postgresql://shop@db.local/knifetip", tmp_path / "none")
+
+
+@pytest.mark.parametrize("encoding", ["SQL_ASCII", "LATIN1"])
+def test_a_database_that_cannot_store_all_names_is_refused(
+    postgresql_server: str, encoding: str
+) -> None:
+    name = f"names_{encoding.lower()}"
+    options = f"TEMPLATE template0 ENCODING '{encoding}' LC_COLLATE 'C' LC_CTYPE 'C'"
+    engine = sa.create_engine(postgresql_server, isolation_level="AUTOCOMMIT")
+    with engine.connect() as connection:
+        connection.execute(sa.text(f"CREATE DATABASE {name} {options}"))
+    engine.dispose()
+    url = sa.make_url(postgresql_server).set(database=name).render_as_string(hide_password=False)
+    with closing(Database(url)) as database:
+        with pytest.raises(StoreError, match=encoding) as no:
+            database.prepare()
+        assert "ENCODING 'UTF8'" in no.value.hint
+        assert database.schema().is_empty

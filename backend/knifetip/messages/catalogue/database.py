@@ -91,6 +91,13 @@ MESSAGES: Final[Entries] = {
         version="text",
         newest="text",
     ),
+    "database.not-utf8": entry(
+        "The database {url} has the encoding {encoding}, which cannot store all names.",
+        "Create it with UTF-8: CREATE DATABASE knifetip ENCODING 'UTF8' TEMPLATE template0 "
+        "LC_COLLATE 'C.UTF-8' LC_CTYPE 'C.UTF-8'.",
+        url="text",
+        encoding="text",
+    ),
     "database.older": entry(
         "The database {url} has revision {revision}; knifetip {version} needs revision {newest}.",
         "Stop all servers and workers, make a backup, and run: knifetip db upgrade. "
