@@ -28,7 +28,7 @@ from knifetip.api.drawing_requests import (
 from knifetip.api.overrides import merge_overrides
 from knifetip.api.parameters import DataFormat, DrawingId, IdempotencyKey
 from knifetip.api.queue import queued
-from knifetip.api.revisions import IfMatch
+from knifetip.api.revisions import NOT_MODIFIED, IfMatch
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.drawings import (
     CleaningOut,
@@ -75,7 +75,6 @@ _BYTES: dict[str, Any] = {"schema": {"type": "string", "format": "binary"}}
 _FILE: dict[str, Any] = {
     "content": dict.fromkeys(sorted({one.media_type for one in FORMATS}), _BYTES)
 }
-_NOT_MODIFIED: dict[int | str, dict[str, Any]] = {304: {"description": "Not modified"}}
 
 
 @router.post("", status_code=201)
@@ -145,7 +144,7 @@ def list_drawings(
     return [summary_out(row) for row in rows]
 
 
-@router.get("/{id}", response_model=DrawingOut, responses=_NOT_MODIFIED)
+@router.get("/{id}", response_model=DrawingOut, responses=NOT_MODIFIED)
 @requires(AccessScope.VIEWER)
 async def get_drawing(
     service: ServiceDep,
@@ -203,7 +202,7 @@ def delete_drawing(service: ServiceDep, id: DrawingId) -> None:
     service.store.drawings.delete(id)
 
 
-@router.get("/{id}/edges", response_model=EdgesOut, responses={200: BINARY, **_NOT_MODIFIED})
+@router.get("/{id}/edges", response_model=EdgesOut, responses={200: BINARY, **NOT_MODIFIED})
 @requires(AccessScope.VIEWER)
 async def get_edges(
     service: ServiceDep,
@@ -219,7 +218,7 @@ async def get_edges(
     return await answer.send(id, edges_document(service))
 
 
-@router.get("/{id}/picture", response_class=Response, responses={200: _SVG, **_NOT_MODIFIED})
+@router.get("/{id}/picture", response_class=Response, responses={200: _SVG, **NOT_MODIFIED})
 @requires(AccessScope.VIEWER)
 async def get_picture(
     service: ServiceDep,
@@ -249,7 +248,7 @@ def override_edges(
     return apply_change(service, response, id, match, decide)
 
 
-@router.get("/{id}/import-report", response_model=ImportReportOut, responses=_NOT_MODIFIED)
+@router.get("/{id}/import-report", response_model=ImportReportOut, responses=NOT_MODIFIED)
 @requires(AccessScope.VIEWER)
 async def get_import_report(
     service: ServiceDep,
@@ -264,7 +263,7 @@ async def get_import_report(
     return await answer.send(id, import_report_document(service, outcome))
 
 
-@router.get("/{id}/cleaning", response_model=CleaningOut, responses=_NOT_MODIFIED)
+@router.get("/{id}/cleaning", response_model=CleaningOut, responses=NOT_MODIFIED)
 @requires(AccessScope.VIEWER)
 async def get_cleaning(
     service: ServiceDep,
@@ -278,7 +277,7 @@ async def get_cleaning(
     return await answer.send(id, cleaning_document(service))
 
 
-@router.get("/{id}/file", response_class=Response, responses={200: _FILE, **_NOT_MODIFIED})
+@router.get("/{id}/file", response_class=Response, responses={200: _FILE, **NOT_MODIFIED})
 @requires(AccessScope.VIEWER)
 def get_file(service: ServiceDep, request: Request, id: DrawingId) -> Response:
     """Download the uploaded file of a drawing."""

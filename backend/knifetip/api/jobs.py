@@ -16,6 +16,7 @@ from knifetip.api.job_models import job_events, job_out, jobs_out
 from knifetip.api.parameters import DataFormat, IdempotencyKey, JobId
 from knifetip.api.principal import PrincipalDep
 from knifetip.api.queue import Client
+from knifetip.api.revisions import NOT_MODIFIED, IfNoneMatch, content_etag, is_known
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.jobs import JobEvent, JobOut, JobsQuery
 from knifetip.api.schemas.order_details import details_filter
@@ -67,11 +68,21 @@ def list_jobs(
     return jobs_out(service.store, rows)
 
 
-@router.get("/{id}")
+@router.get("/{id}", response_model=JobOut, responses=NOT_MODIFIED)
 @requires(AccessScope.VIEWER)
-def get_job(service: ServiceDep, id: JobId) -> JobOut:
-    """Get a job with its state and its progress."""
-    return job_out(service.store, service.store.jobs.get(id))
+def get_job(
+    service: ServiceDep, response: Response, id: JobId, known: IfNoneMatch = None
+) -> JobOut | Response:
+    """Get a job with its state and its progress.
+
+    The status is 304 if ``If-None-Match`` contains the ETag of the job.
+    """
+    job = job_out(service.store, service.store.jobs.get(id))
+    headers = {"ETag": content_etag(job), "Cache-Control": "no-cache"}
+    if is_known(headers["ETag"], known):
+        return Response(status_code=304, headers=headers)
+    response.headers.update(headers)
+    return job
 
 
 @router.get("/{id}/events")

@@ -240,6 +240,8 @@ export interface paths {
          * Get Job
          * @description Get a job with its state and its progress.
          *
+         *     The status is 304 if ``If-None-Match`` contains the ETag of the job.
+         *
          *     Needs the scope `viewer`.
          */
         get: operations["get_job"];
@@ -18632,7 +18634,10 @@ export interface operations {
     get_job: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string | null;
+            };
             path: {
                 /** @description Id of the job */
                 id: string;
@@ -18793,6 +18798,13 @@ export interface operations {
                      */
                     "application/json": components["schemas"]["JobOut"];
                 };
+            };
+            /** @description Not modified */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Bad Request: `request.no-host` */
             400: {

@@ -4112,7 +4112,7 @@ export const TEXTS = {
     "hint": ""
   },
   "run.nothing-sent": {
-    "text": "No program line was sent.",
+    "text": "No program line was executed.",
     "hint": ""
   },
   "segment.not-finite": {

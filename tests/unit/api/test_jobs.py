@@ -111,6 +111,21 @@ def test_a_job_is_released_and_cancelled(client: httpx.Client) -> None:
     assert again.json()["type"] == "urn:knifetip:problem:wrong-state"
 
 
+def test_a_job_that_has_not_changed_is_answered_with_304(client: httpx.Client) -> None:
+    job = order_job(client, upload_drawing(client, square())["id"])
+    wait_for_state(client, job["id"], "ready")
+    url = f"/api/jobs/{job['id']}"
+    first = client.get(url)
+    known = {"If-None-Match": first.headers["ETag"]}
+    same = client.get(url, headers=known)
+    assert (same.status_code, same.content) == (304, b"")
+    assert same.headers["ETag"] == first.headers["ETag"]
+    client.patch(url, json={"priority": 3}).raise_for_status()
+    changed = client.get(url, headers=known)
+    assert (changed.status_code, changed.json()["priority"]) == (200, 3)
+    assert changed.headers["ETag"] != first.headers["ETag"]
+
+
 def test_jobs_are_listed_by_state_and_page_by_page(
     client: httpx.Client, ready: dict[str, Any]
 ) -> None:

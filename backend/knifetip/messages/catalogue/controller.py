@@ -391,6 +391,6 @@ MESSAGES: Final[Entries] = {
         rest="count",
     ),
     "run.nothing-sent": entry(
-        "No program line was sent.",
+        "No program line was executed.",
     ),
 }
