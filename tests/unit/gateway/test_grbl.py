@@ -294,6 +294,30 @@ async def test_check_mode_names_the_first_wrong_line_and_leaves_no_fault(
         assert (await controller.status()).state is State.IDLE
 
 
+@pytest.mark.parametrize(
+    "end", [f"[MSG:Disabled]\nok\n{BANNER}", f"[\n{BANNER}", BANNER], ids=["ok", "cut", "banner"]
+)
+async def test_the_banner_ends_the_check_also_if_the_reset_has_cleared_the_answer(
+    monkeypatch: pytest.MonkeyPatch, end: str
+) -> None:
+    wire = Wire()
+    real = wire.write
+
+    async def write(data: bytes) -> None:
+        await real(data)
+        if data == b"$C\n":
+            wire.answers["$C"] = end
+
+    monkeypatch.setattr(wire, "write", write)
+    async with opened(wire) as controller:
+        await controller.check([b"G21", b"M30"])
+        await controller.send(b"G21", 1)
+        await controller.drain()
+        assert controller.fault is None
+        assert controller.acknowledged == 1
+        assert wire.lines == ["$I", "$C", "G21", "M30", "$C", "G21"]
+
+
 async def test_outputs_are_not_switched_by_the_check(monkeypatch: pytest.MonkeyPatch) -> None:
     wire = Wire()
     real = wire.write

@@ -235,6 +235,22 @@ class GrblConnection(Exchange):
         self._receiver.was_reset = True
         self._watchdog.restart()
 
+    async def reset_by(self, command: bytes, code: str) -> None:
+        """Send a command that resets the controller; return when its welcome banner has arrived.
+
+        The answer to the command is not awaited: a reset may clear it before it is sent.
+
+        Parameters
+        ----------
+        command
+            The command without newline.
+        code
+            Message code of the ``ControllerSilent`` that is raised if no banner arrives.
+        """
+        await self.await_banner(lambda: self.send_line(PendingLine(command)), code)
+        self._discard_lines()
+        self._watchdog.restart()
+
     async def await_banner(self, cause: Callable[[], Awaitable[object]], code: str) -> None:
         """Call ``cause``, which resets the controller; return when its banner has arrived.
 

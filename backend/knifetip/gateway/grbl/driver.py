@@ -232,9 +232,7 @@ class Grbl(GrblOperations):
                     await self.send(line, number)
             await self.drain()
             # The controller resets itself when it leaves check mode.
-            await connection.await_banner(
-                lambda: connection.command(b"$C"), "controller.check-end-not-confirmed"
-            )
+            await connection.reset_by(b"$C", "controller.check-end-not-confirmed")
         finally:
             connection.checking = False
         if connection.refusals:
