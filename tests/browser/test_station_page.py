@@ -252,8 +252,8 @@ def box_of(target: Locator) -> FloatRect:
     return box
 
 
-#: Targets of a finger that are smaller than a size, as their texts. Measured in one call, because
-#: the page may replace a target between two calls.
+#: Returns the buttons and links that are smaller than a size. One call measures all of them: the
+#: page may replace a button between two calls.
 SMALL_TARGETS = """size => [...document.querySelectorAll("button, a, [data-testid=check]")]
     .filter(target => target.checkVisibility({ visibilityProperty: true }))
     .map(target => ({ text: target.innerText, ...target.getBoundingClientRect().toJSON() }))

@@ -41,8 +41,8 @@ StationNumber = Annotated[int, Path(description="Number of the station in the ma
 OperationId = Annotated[str, Path(description="Id of the operation")]
 BoardName = Annotated[str, Path(description="Name of the board in the library")]
 ProfileName = Annotated[str, Path(description="Name of the classification profile")]
-#: Schema of the name of a new entry of the library: stated, while the route refuses other names
-#: with a message of its own.
+#: Pattern of the name of a new entry, for the OpenAPI description only: the routes check names
+#: themselves, so that their errors contain a hint.
 NAME_SCHEMA: Final[dict[str, JsonValue]] = {"pattern": f"^{NAME_PATTERN}$"}
 NewProfileName = Annotated[
     str, Path(description="Name of the classification profile", json_schema_extra=NAME_SCHEMA)

@@ -236,7 +236,7 @@ def topics_of(session: Session) -> frozenset[str]:
 
 
 def insert_into(session: Session, table: type[Base]) -> postgresql.Insert | sqlite.Insert:
-    """Return an insert that can state what happens to a row that exists already."""
+    """Return an INSERT statement that supports ON CONFLICT, for the database of a session."""
     if session.get_bind().dialect.name == "sqlite":
         return sqlite.insert(table)
     return postgresql.insert(table)

@@ -107,19 +107,15 @@ class ToolStore:
         The parameters are those of ``record_change``.
         """
         (use,) = (use for use in self.uses_in(session, machine) if use.station == station)
-        session.add(
-            ToolEvent(
-                machine=machine.name,
-                station=station,
-                kind="changed",
-                at=self._db.clock(),
-                who=signature(actor)[:200],
-                length=use.used,
-                unfinished=_present_lengths(session, machine.name).get(station, 0.0),
-                worked_before=worked_lengths(session, machine.name).get(station, 0.0),
-            )
+        changed = ToolEvent(
+            machine=machine.name,
+            station=station,
+            kind="changed",
+            length=use.used,
+            unfinished=_present_lengths(session, machine.name).get(station, 0.0),
+            worked_before=worked_lengths(session, machine.name).get(station, 0.0),
         )
-        session.flush()
+        self._append(session, changed, actor)
         return use
 
     def set_life(self, machine: Machine, station: int, life: float, actor: Actor) -> list[ToolUse]:
@@ -137,17 +133,15 @@ class ToolStore:
             The person.
         """
         with self._db.writing() as session:
-            session.add(
-                ToolEvent(
-                    machine=machine.name,
-                    station=station,
-                    kind="life",
-                    at=self._db.clock(),
-                    who=signature(actor)[:200],
-                    length=life,
-                )
-            )
+            changed = ToolEvent(machine=machine.name, station=station, kind="life", length=life)
+            self._append(session, changed, actor)
         return self.uses(machine)
+
+    def _append(self, session: Session, event: ToolEvent, actor: Actor) -> None:
+        """Store an event with the present time and the person who caused it."""
+        event.at, event.who = self._db.clock(), signature(actor)[:200]
+        session.add(event)
+        session.flush()
 
     def events(self, machine: str, limit: int = 200) -> list[ToolEvent]:
         """Return the last changes of the tools of a machine and of their lives, newest first."""

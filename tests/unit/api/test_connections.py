@@ -243,7 +243,7 @@ def test_refused_requests_to_routes_of_gateways_are_counted(
                 + HEAD
                 + b"\r\n"
             )
-            # A connection whose request was not received yet is idle, and closed for another one.
+            # Until its request is received, a connection is idle and may be closed for another.
             assert judged.acquire(timeout=60.0)
         with connect(client) as further:
             answer = until_closed(further)

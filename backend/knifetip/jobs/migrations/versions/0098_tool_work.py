@@ -1,4 +1,4 @@
-"""The worked lengths of stations as running sums."""
+"""Running sums of the lengths that the stations of machines have worked."""
 
 import sqlalchemy as sa
 from alembic import op
@@ -23,7 +23,9 @@ def upgrade() -> None:
         f" SELECT machine_run.machine, run_length.station, sum(run_length.length) FROM {LENGTHS}"
         " WHERE machine_run.ended > 0 GROUP BY machine_run.machine, run_length.station"
     )
-    op.add_column("tool_event", sa.Column("worked_before", sa.Double(), nullable=False, server_default="0"))
+    op.add_column(
+        "tool_event", sa.Column("worked_before", sa.Double(), nullable=False, server_default="0")
+    )
     op.execute(
         "UPDATE tool_event SET worked_before = COALESCE((SELECT sum(run_length.length)"
         f" FROM {LENGTHS} WHERE machine_run.machine = tool_event.machine"
