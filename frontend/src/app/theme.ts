@@ -77,7 +77,13 @@ export const theme = createTheme({
     Button: { defaultProps: { fw: 600 } },
     // A menu that is longer than the space beside its button scrolls inside the window.
     Menu: {
-      defaultProps: { middlewares: { flip: true, shift: true, size: { padding: 8 } } },
+      defaultProps: {
+        middlewares: {
+          flip: { fallbackStrategy: "bestFit" },
+          shift: true,
+          size: { padding: 8 },
+        },
+      },
       styles: { dropdown: { overflowY: "auto" } },
     },
     Modal: {

@@ -62,6 +62,15 @@ def test_entries_have_places_pictures_and_estimates(client: httpx.Client, three:
     assert "nan" not in picture.text
 
 
+@pytest.mark.parametrize("value", [0, 1, "yes", "false"])
+def test_a_hold_is_a_boolean_and_nothing_that_resembles_one(
+    client: httpx.Client, three: list[str], value: object
+) -> None:
+    answer = client.patch(f"/api/jobs/{three[0]}", json={"on_hold": value})
+    assert answer.status_code == 422
+    assert "on_hold" in answer.json()["text"]
+
+
 def test_a_job_on_hold_has_no_start_time_and_delays_no_other(
     client: httpx.Client, three: list[str]
 ) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pydantic import BaseModel, Field, model_validator
+from pydantic import BaseModel, Field, StrictBool, model_validator
 
 from knifetip.api.schemas.common import Name, Strict
 from knifetip.api.schemas.jobs import JobOut
@@ -84,7 +84,7 @@ class WaitingChangeIn(OrderDetailsPatch):
         "The page uses -10 (low), 0 (normal), 10 (high) and 20 (urgent)",
     )
     copies: int | None = Field(default=None, ge=1, le=1000, description="Number of sheets to make")
-    on_hold: bool | None = Field(
+    on_hold: StrictBool | None = Field(
         default=None, description="Whether the machine is to take other jobs first"
     )
     by: str = _BY

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, Field, model_validator
+from pydantic import BaseModel, Field, StrictBool, model_validator
 
 from knifetip.api.schemas.common import Strict
 from knifetip.fields import LISTED, field_error
@@ -31,22 +31,22 @@ class RestIn(Strict):
         description="Make only the tracks of the station with this number, all of them or those "
         "from the given place on; null for all stations",
     )
-    whole: bool = Field(
+    whole: StrictBool = Field(
         default=False,
         description="Make the whole program again, on a new sheet; excludes the fields above",
     )
-    remaining: bool = Field(
+    remaining: StrictBool = Field(
         default=False,
         description="Make the copies that remain of a batch which was stopped (`remaining_copies` "
         "of the job), on new sheets; excludes all other fields but `release`. Also for a job that "
         "made the rest of a sheet of the batch",
     )
-    made: bool = Field(
+    made: StrictBool = Field(
         default=False,
         description="Whether the operator has found all tracks complete that are left out. If "
         "false, tracks that the machine has not reported as executed must not be left out",
     )
-    uncut: bool = Field(
+    uncut: StrictBool = Field(
         default=False,
         description="Whether the operator has found that the tracks which are made again have not "
         "cut through the board, for example with a blunt knife. If false, a program that works on "
@@ -55,7 +55,7 @@ class RestIn(Strict):
     copies: int = Field(
         default=1, ge=1, le=1000, description="Number of sheets to make; 1 unless `whole` is set"
     )
-    release: bool = Field(
+    release: StrictBool = Field(
         default=False, description="Whether to queue the job as soon as its program is accepted"
     )
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, Self
 
-from pydantic import BaseModel, Field, model_validator
+from pydantic import BaseModel, Field, StrictBool, model_validator
 
 from knifetip.api.schemas.common import Count, Name, Strict
 from knifetip.api.schemas.messages import MessageIn, MessageOut
@@ -175,7 +175,7 @@ class OperationIn(Strict):
     output: Annotated[int, Field(ge=0, le=255)] | None = Field(
         default=None, description="Number of the output to switch; required for `switch`"
     )
-    on: bool | None = Field(
+    on: StrictBool | None = Field(
         default=None,
         description="Whether to switch it on; required for `switch` and `spindle`",
     )
@@ -284,7 +284,7 @@ class AskedOut(BaseModel):
     feed: float | None = Field(default=None, description="Speed of a jog (per minute)")
     axes: str | None = Field(default=None, description="Letters of the axes to set to zero")
     output: int | None = Field(default=None, description="Number of the output to switch")
-    on: bool | None = Field(default=None, description="Whether to switch the output on")
+    on: StrictBool | None = Field(default=None, description="Whether to switch the output on")
     station: int | None = Field(default=None, description="Number of the station")
     share: float | None = Field(default=None, description="Share of the feeds, for dry runs")
     point: tuple[float, float] | None = Field(default=None, description="Point of a tool check")
