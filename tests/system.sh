@@ -1,5 +1,6 @@
 #!/bin/sh
-# Install what only tests need and pip cannot bring: Chromium, LinuxCNC, gcc and PostgreSQL, if we may.
+# Install what only tests need and pip cannot bring: Chromium, LinuxCNC, gcc, PostgreSQL
+# and nginx, if we may.
 set -u
 missing=""
 command -v chromium >/dev/null 2>&1 || missing="$missing chromium"
@@ -7,6 +8,7 @@ command -v rs274 >/dev/null 2>&1 || missing="$missing linuxcnc-uspace"
 command -v gcc >/dev/null 2>&1 || missing="$missing gcc libc6-dev"
 command -v initdb >/dev/null 2>&1 || ls /usr/lib/postgresql/*/bin/initdb >/dev/null 2>&1 ||
     missing="$missing postgresql"
+[ -x /usr/sbin/nginx ] || command -v nginx >/dev/null 2>&1 || missing="$missing nginx-light"
 [ -n "$missing" ] || exit 0
 if [ "$(id -u)" != 0 ] || ! command -v apt-get >/dev/null 2>&1; then
     echo "without$missing: their tests will skip"

@@ -16,6 +16,7 @@ from typing import Final
 
 import httpx
 
+from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.store import Store
 from knifetip.library import load
 from knifetip.library.definition import Definition, Shelf
@@ -70,6 +71,9 @@ class Shop:
         text = load.library_text(Shelf.MACHINES, MACHINE)
         for machine in self.machines[1:]:
             store.library.save(Definition(Shelf.MACHINES, machine, text=text), machine)
+        (self.folder / "gateway_key").write_text(
+            store.keys.add("gateways", [AccessScope.GATEWAY])[1]
+        )
         store.close()
         for table in self.tables:
             table.open()
@@ -101,7 +105,8 @@ class Shop:
         index = int(number)
         database = ["--database", self.database, "--name", name]
         inside: list[str] = []
-        key = ["--key-file", str(self.folder / "key")]
+        secret = "gateway_key" if kind == "gateway" else "key"
+        key = ["--key-file", str(self.folder / secret)]
         if kind == "server":
             address = ["--host", "0.0.0.0", "--port", str(self.ports[name])]
             parts = ["--no-simulator", "--no-compiles", "--no-samples"]

@@ -149,14 +149,12 @@ def _add_routes(shelf: Shelf) -> None:
         responses=TOML_RESPONSE,
     )
     @requires(AccessScope.VIEWER, AccessScope.GATEWAY)
-    def export(
-        service: ServiceDep, request: Request, name: EntryName, version: Version = None
-    ) -> Response:
+    def export(service: ServiceDep, name: EntryName, version: Version = None) -> Response:
         """Download a definition as TOML, as it was sent."""
         definition = service.store.library.definition(shelf, name, version)
         media = f"{TOML}; charset=utf-8"
         content = definition.toml.encode()
-        return bytes_response(request, content, str(definition.version), media, f"{name}.toml")
+        return bytes_response(content, str(definition.version), media, f"{name}.toml")
 
     @router.get(f"{path}/versions", name=f"list_{word}_versions")
     @requires(AccessScope.VIEWER)

@@ -10,6 +10,7 @@ from fastapi.openapi.utils import get_openapi
 from fastapi.responses import JSONResponse
 
 from knifetip.api.api_version import is_versioned, versioned_paths
+from knifetip.api.conditional import describe_conditions
 from knifetip.api.documented_errors import document_errors
 from knifetip.api.examples import Examples, name_in
 from knifetip.api.principal import PrincipalKind, principal_of
@@ -88,6 +89,7 @@ def describe(app: FastAPI, operations: Sequence[ScopedOperation]) -> dict[str, A
     _mark_binary(described)
     document_errors(described)
     _add_examples(described)
+    describe_conditions(described)
     describe_scopes(described, operations)
     return described
 

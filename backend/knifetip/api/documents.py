@@ -21,7 +21,7 @@ from sqlalchemy.exc import SQLAlchemyError
 
 from knifetip.api.compression import accepts_gzip, unpack
 from knifetip.api.queue import Client
-from knifetip.api.revisions import IfNoneMatch, is_known
+from knifetip.api.revisions import is_known
 from knifetip.api.service import Service
 from knifetip.jobs.tables import Drawing, Job
 
@@ -137,7 +137,6 @@ class Answer:
 
     documents: Documents
     request: Request
-    known: str | None  #: header If-None-Match
 
     async def send(self, id: str, document: Document[Row]) -> Response:
         """Return the response with a document; its status is 304 if the client has the document.
@@ -160,7 +159,8 @@ class Answer:
         is_large = document.is_large(row)
         packed = is_large and accepts_gzip(self.request.headers)
         version = document.version(row)
-        if is_known(f'"{version}"', self.known):
+        # Before the document is made.
+        if is_known(f'"{version}"', self.request.headers.get("If-None-Match")):
             return Response(status_code=304, headers=_headers(version, weak=packed))
         if document.calculates or is_large:
             client = Client.of(self.request).name
@@ -171,8 +171,8 @@ class Answer:
 
 
 # A coroutine: FastAPI would run a plain function on a thread of the shared pool.
-async def _answer(request: Request, known: IfNoneMatch = None) -> Answer:
-    return Answer(request.app.state.documents, request, known)
+async def _answer(request: Request) -> Answer:
+    return Answer(request.app.state.documents, request)
 
 
 AnswerDep = Annotated[Answer, Depends(_answer)]

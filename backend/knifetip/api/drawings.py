@@ -8,6 +8,7 @@ from fastapi import File, Form, Query, Request, Response, UploadFile
 from fastapi.concurrency import run_in_threadpool
 from pydantic.json_schema import SkipJsonSchema
 
+from knifetip.api.conditional import NOT_MODIFIED
 from knifetip.api.documents import AnswerDep
 from knifetip.api.drawing_documents import (
     cleaning_document,
@@ -28,7 +29,7 @@ from knifetip.api.drawing_requests import (
 from knifetip.api.overrides import merge_overrides
 from knifetip.api.parameters import DataFormat, DrawingId, IdempotencyKey
 from knifetip.api.queue import queued
-from knifetip.api.revisions import NOT_MODIFIED, IfMatch
+from knifetip.api.revisions import IfMatch
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.drawings import (
     CleaningOut,
@@ -125,7 +126,7 @@ def upload_drawing(
     return add_drawing(service, response, upload, key)
 
 
-@router.get("")
+@router.get("", responses=NOT_MODIFIED)
 @requires(AccessScope.VIEWER)
 def list_drawings(
     service: ServiceDep,
@@ -207,14 +208,13 @@ def delete_drawing(service: ServiceDep, id: DrawingId) -> None:
 async def get_edges(
     service: ServiceDep,
     answer: AnswerDep,
-    request: Request,
     id: DrawingId,
     format: DataFormat = "json",
 ) -> Response:
     """List the edges of a drawing, as JSON or as binary arrays (``format=columns``)."""
     if format == "columns":
         row = await run_in_threadpool(service.store.drawings.get_with, id, "edges")
-        return bytes_response(request, row.edges, str(row.version), "application/octet-stream")
+        return bytes_response(row.edges, str(row.version), "application/octet-stream")
     return await answer.send(id, edges_document(service))
 
 
@@ -279,8 +279,8 @@ async def get_cleaning(
 
 @router.get("/{id}/file", response_class=Response, responses={200: _FILE, **NOT_MODIFIED})
 @requires(AccessScope.VIEWER)
-def get_file(service: ServiceDep, request: Request, id: DrawingId) -> Response:
+def get_file(service: ServiceDep, id: DrawingId) -> Response:
     """Download the uploaded file of a drawing."""
     row = service.store.drawings.get(id)
     content = service.store.drawings.column(id, "content")
-    return bytes_response(request, content, row.sha256, format_of(content).media_type, row.name)
+    return bytes_response(content, row.sha256, format_of(content).media_type, row.name)

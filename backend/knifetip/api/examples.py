@@ -46,6 +46,7 @@ _BODIES: Final[Mapping[str, Any]] = {
     "JobPatch": {"external_id": "PO-4711", "priority": 10},
     "ConfirmIn": {"board": "e-flute", "by": "Ada", "stations": [1, 2]},
     "UserIn": {"name": "ada", "password": "four words are long", "role": "operator"},
+    "MoveIn": {"next": _ID, "by": "Ada"},
     "KeyIn": {"title": "ERP", "scopes": ["designer"]},
 }  # fmt: skip
 

@@ -15,6 +15,7 @@ from typing import Any
 from fastapi import Request, Response
 from fastapi.responses import PlainTextResponse
 
+from knifetip.api.conditional import NOT_MODIFIED
 from knifetip.api.job_models import job_out
 from knifetip.api.parameters import JobId
 from knifetip.api.principal import permission_of
@@ -131,15 +132,15 @@ def _claim_next(service: ServiceDep, claimant: ClaimIn) -> Job | None:
         return None
 
 
-@router.get("/program/{id}", response_class=PlainTextResponse)
+@router.get("/program/{id}", response_class=PlainTextResponse, responses=NOT_MODIFIED)
 @requires(AccessScope.GATEWAY)
-async def get_gateway_program(service: ServiceDep, request: Request, id: JobId) -> Response:
+async def get_gateway_program(service: ServiceDep, id: JobId) -> Response:
     """Download the program of a job that a gateway has claimed."""
     job = await service.threads.claims(service.store.jobs.get, id)
     if job.state not in ON_TABLE and not job.confirmation:
         raise WrongState("job.not-running", job=id, state=job.state)
     text = await service.threads.claims(service.store.jobs.column, id, "program")
-    return bytes_response(request, text, job.program_sha256, "text/plain; charset=utf-8")
+    return bytes_response(text, job.program_sha256, "text/plain; charset=utf-8")
 
 
 @router.post("/heartbeat")

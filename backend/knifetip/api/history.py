@@ -7,6 +7,7 @@ from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
 from fastapi import Query, Request, Response
 
+from knifetip.api.conditional import NOT_MODIFIED
 from knifetip.api.job_models import jobs_out
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.history import HistoryQuery, StatisticsOut, StatisticsQuery
@@ -23,7 +24,7 @@ router = ScopedRouter(tags=["history"])
 _END = 1e11  # later than all times
 
 
-@router.get("/history")
+@router.get("/history", responses=NOT_MODIFIED)
 @requires(AccessScope.VIEWER)
 def list_history(
     service: ServiceDep,

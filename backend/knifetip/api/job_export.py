@@ -10,9 +10,10 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final
 
-from fastapi import Request, Response
+from fastapi import Response
 from pydantic import TypeAdapter
 
+from knifetip.api.conditional import NOT_MODIFIED
 from knifetip.api.drawing_requests import summary_out
 from knifetip.api.job_models import job_events, job_out
 from knifetip.api.parameters import JobId
@@ -140,12 +141,10 @@ def _write(file: Path, content: bytes) -> None:
         raise
 
 
-@router.get("/{id}/export", response_class=Response, responses={200: _ZIP})
+@router.get("/{id}/export", response_class=Response, responses={200: _ZIP, **NOT_MODIFIED})
 @requires(AccessScope.VIEWER)
-def export_job(service: ServiceDep, request: Request, id: JobId) -> Response:
+def export_job(service: ServiceDep, id: JobId) -> Response:
     """Download a zip file with the job: JSON, events, drawing, program and verdict."""
     content = job_archive(service.store, id)
     row = service.store.jobs.get(id)
-    return bytes_response(
-        request, content, f"{row.epoch}-{row.updated}", "application/zip", f"{id}.zip"
-    )
+    return bytes_response(content, f"{row.epoch}-{row.updated}", "application/zip", f"{id}.zip")

@@ -8,6 +8,7 @@ from fastapi import Query, Request, Response
 from fastapi.concurrency import run_in_threadpool
 from fastapi.responses import PlainTextResponse
 
+from knifetip.api.conditional import NOT_MODIFIED
 from knifetip.api.documents import AnswerDep
 from knifetip.api.exceptions import find_same_exceptions
 from knifetip.api.job_creation import create_job
@@ -16,7 +17,6 @@ from knifetip.api.job_models import job_events, job_out, jobs_out
 from knifetip.api.parameters import DataFormat, IdempotencyKey, JobId
 from knifetip.api.principal import PrincipalDep
 from knifetip.api.queue import Client
-from knifetip.api.revisions import NOT_MODIFIED, IfNoneMatch, content_etag, is_known
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.jobs import JobEvent, JobOut, JobsQuery
 from knifetip.api.schemas.order_details import details_filter
@@ -49,7 +49,7 @@ async def order_job(
     return await create_job(service, principal, Client.of(request), response, order, key)
 
 
-@router.get("")
+@router.get("", responses=NOT_MODIFIED)
 @requires(AccessScope.VIEWER)
 def list_jobs(
     service: ServiceDep,
@@ -68,48 +68,37 @@ def list_jobs(
     return jobs_out(service.store, rows)
 
 
-@router.get("/{id}", response_model=JobOut, responses=NOT_MODIFIED)
+@router.get("/{id}", responses=NOT_MODIFIED)
 @requires(AccessScope.VIEWER)
-def get_job(
-    service: ServiceDep, response: Response, id: JobId, known: IfNoneMatch = None
-) -> JobOut | Response:
-    """Get a job with its state and its progress.
-
-    The status is 304 if ``If-None-Match`` contains the ETag of the job.
-    """
-    job = job_out(service.store, service.store.jobs.get(id))
-    headers = {"ETag": content_etag(job), "Cache-Control": "no-cache"}
-    if is_known(headers["ETag"], known):
-        return Response(status_code=304, headers=headers)
-    response.headers.update(headers)
-    return job
+def get_job(service: ServiceDep, id: JobId) -> JobOut:
+    """Get a job with its state and its progress."""
+    return job_out(service.store, service.store.jobs.get(id))
 
 
-@router.get("/{id}/events")
+@router.get("/{id}/events", responses=NOT_MODIFIED)
 @requires(AccessScope.VIEWER)
 def get_job_events(service: ServiceDep, id: JobId) -> list[JobEvent]:
     """List the state changes of a job with their times, causes and descriptions."""
     return job_events(service.store, id)
 
 
-@router.get("/{id}/program", response_class=PlainTextResponse)
+@router.get("/{id}/program", response_class=PlainTextResponse, responses=NOT_MODIFIED)
 @requires(AccessScope.VIEWER, AccessScope.GATEWAY)
-def get_program(service: ServiceDep, request: Request, id: JobId) -> Response:
+def get_program(service: ServiceDep, id: JobId) -> Response:
     """Download the program of a job, byte for byte as it is sent to the machine."""
     row = service.store.jobs.get(id)
     text = service.store.jobs.column(id, "program")
     stem = row.drawing_name.rpartition(".")[0] or row.drawing_name
     language = language_of(service.store.library, row)
     name = f"{stem}-{row.machine}{language.suffix if language else '.nc'}"
-    return bytes_response(request, text, row.program_sha256, "text/plain; charset=utf-8", name)
+    return bytes_response(text, row.program_sha256, "text/plain; charset=utf-8", name)
 
 
-@router.get("/{id}/verdict", response_model=VerdictOut, responses={200: BINARY})
+@router.get("/{id}/verdict", response_model=VerdictOut, responses={200: BINARY, **NOT_MODIFIED})
 @requires(AccessScope.VIEWER)
 async def get_verdict(
     service: ServiceDep,
     answer: AnswerDep,
-    request: Request,
     id: JobId,
     format: DataFormat = "json",
 ) -> Response:
@@ -117,13 +106,13 @@ async def get_verdict(
     if format == "columns":
         row = await run_in_threadpool(service.store.jobs.get_with, id, "verdict")
         block = row.verdict or b""
-        return bytes_response(request, block, verdict_version(row), "application/octet-stream")
+        return bytes_response(block, verdict_version(row), "application/octet-stream")
     return await answer.send(id, verdict_document(service))
 
 
-@router.get("/{id}/toolpath", response_class=Response, responses={200: BINARY})
+@router.get("/{id}/toolpath", response_class=Response, responses={200: BINARY, **NOT_MODIFIED})
 @requires(AccessScope.VIEWER)
-def get_toolpath(service: ServiceDep, request: Request, id: JobId) -> Response:
+def get_toolpath(service: ServiceDep, id: JobId) -> Response:
     """Get the tool path of a job as binary arrays; each of its n moves of the head is one row.
 
     The arrays are ``pose`` (n + 1 positions, at the start and after each move: X and Y of the
@@ -135,7 +124,7 @@ def get_toolpath(service: ServiceDep, request: Request, id: JobId) -> Response:
     """
     row = service.store.jobs.get(id)
     block = service.store.jobs.column(id, "toolpath")
-    return bytes_response(request, block, row.program_sha256, "application/octet-stream")
+    return bytes_response(block, row.program_sha256, "application/octet-stream")
 
 
 @router.get("/{id}/earlier-exceptions")

@@ -1,8 +1,9 @@
 """Refuse query parameters and body fields that a route does not have.
 
 The names that a route has are those in the OpenAPI description, so they cannot differ from what is
-documented.  ``refuse_unknown`` is a dependency of every route.  Unknown fields of JSON bodies are
-refused by the models (``schemas.common.Strict``); this module names the nearest known field.
+documented.  ``refuse_unknown`` is a dependency of every route; it also refuses empty times and
+choices in forms.  Unknown fields of JSON bodies are
+refused by the models (``schemas.common.JsonBody``); this module names the nearest known field.
 """
 
 from __future__ import annotations
@@ -24,7 +25,8 @@ class OperationFields:
 
     query: tuple[str, ...]
     bodies: tuple[Mapping[str, Any], ...]  #: schemas of the body, one for each media type
-    form: tuple[str, ...] | None  #: parts of a multipart form; None if the body is no form
+    #: Schemas of the parts of a multipart form by name; None if the body is no form.
+    form: Mapping[str, Mapping[str, Any]] | None
 
     def has_query(self, name: str) -> bool:
         """Return whether a query parameter is known; ``metadata.KEY`` stands for any key."""
@@ -32,6 +34,14 @@ class OperationFields:
             return True
         prefix, dot, key = name.partition(".")
         return bool(dot and key) and f"{prefix}.KEY" in self.query
+
+    def needs_text(self, name: str) -> bool:
+        """Return whether a part of the form cannot be empty, because it is a time or a choice.
+
+        FastAPI reads such a part as one that is missing.
+        """
+        part = (self.form or {}).get(name, {})
+        return "format" in part or "enum" in part
 
     @property
     def has_body(self) -> bool:
@@ -83,7 +93,7 @@ def _operation(operation: Mapping[str, Any], schemas: Mapping[str, Any]) -> Oper
     return OperationFields(
         tuple(one["name"] for one in operation.get("parameters", []) if one["in"] == "query"),
         tuple(bodies),
-        None if form is None else tuple(_resolved(form["schema"], schemas).get("properties", {})),
+        None if form is None else _resolved(form["schema"], schemas).get("properties", {}),
     )
 
 
@@ -114,16 +124,22 @@ async def refuse_unknown(request: Request) -> None:
     if operation is None:
         return
     unknown = [("query", name) for name in request.query_params if not operation.has_query(name)]
+    empty: list[tuple[str, str]] = []
     if operation.form is not None and _media(request) == _FORM:
         # FastAPI has parsed the form; this returns the same one.
         form = await request.form()
         unknown += [("body", name) for name in form if name not in operation.form]
+        empty = [("body", name) for name in form if form[name] == "" and operation.needs_text(name)]
     elif not operation.has_body:
         unknown += [("body", name) for name in await _json_fields(request)]
-    if unknown:
+    if unknown or empty:
         await request.close()  # the files of the form
         raise RequestValidationError(
             [{"type": "extra_forbidden", "loc": place, "input": None} for place in unknown]
+            + [
+                {"type": "string_too_short", "loc": place, "input": "", "ctx": {"min_length": 1}}
+                for place in empty
+            ]
         )
 
 

@@ -6,6 +6,7 @@ from dataclasses import asdict
 
 from fastapi import Response
 
+from knifetip.api.conditional import NOT_MODIFIED
 from knifetip.api.parameters import BoardName
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.library import BoardOut, CalibrationIn, CalibrationOut, FormatOut
@@ -31,7 +32,7 @@ def list_formats() -> list[FormatOut]:
     ]
 
 
-@router.get("/boards")
+@router.get("/boards", responses=NOT_MODIFIED)
 @requires(AccessScope.VIEWER)
 def list_boards(service: ServiceDep) -> list[BoardOut]:
     """List the boards: those of users and those of knifetip's library."""

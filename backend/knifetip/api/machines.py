@@ -6,6 +6,7 @@ from typing import Any
 
 from fastapi import Response
 
+from knifetip.api.conditional import NOT_MODIFIED
 from knifetip.api.parameters import MachineName, OperationId
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.machines import MachineOut
@@ -27,7 +28,7 @@ router = ScopedRouter(prefix="/machines", tags=["machines"])
 FRAME_SHARE = 0.1
 
 
-@router.get("")
+@router.get("", responses=NOT_MODIFIED)
 @requires(AccessScope.VIEWER)
 def list_machines(service: ServiceDep) -> list[MachineOut]:
     """List the machines with their current jobs: those of users and those of the library."""

@@ -35,7 +35,8 @@ class Principal:
 
 ANONYMOUS: Final = Principal(PrincipalKind.NONE, "anonymous")
 LOCAL: Final = Principal(PrincipalKind.LOCAL, "local", scopes=ALL_SCOPES)
-SERVER_KEY: Final = Principal(PrincipalKind.SERVER_KEY, "server key", scopes=ALL_SCOPES)
+#: People have it in their browsers, so it does not open the routes of gateways.
+SERVER_KEY: Final = Principal(PrincipalKind.SERVER_KEY, "server key", scopes=frozenset(ROLES))
 #: The gateway that runs in the process of the server.
 EMBEDDED_GATEWAY: Final = Principal(
     PrincipalKind.KEY, "embedded gateway", scopes=frozenset({AccessScope.GATEWAY})

@@ -10,7 +10,9 @@ from typing import Any
 
 from fastapi import Request, Response
 from pydantic import ValidationError
+from starlette.convertors import StringConvertor, register_url_convertor
 
+from knifetip.api.conditional import NOT_MODIFIED
 from knifetip.api.parameters import DrawingId, NewProfileName, ProfileName
 from knifetip.api.queue import queued
 from knifetip.api.routing import ScopedRouter, requires
@@ -34,6 +36,15 @@ from knifetip.library.definition import check_texts
 
 router = ScopedRouter(tags=["profiles"])
 
+
+class _NameConvertor(StringConvertor):
+    """Part of a URL that is the name of a profile, not that of its file ``NAME.toml``."""
+
+    regex = r"[^/]+(?<!\.toml)"
+
+
+register_url_convertor("profile", _NameConvertor())
+
 _FORMS: dict[str, Any] = {
     "requestBody": {
         "required": True,
@@ -45,7 +56,7 @@ _FORMS: dict[str, Any] = {
 }
 
 
-@router.get("/profiles")
+@router.get("/profiles", responses=NOT_MODIFIED)
 @requires(AccessScope.VIEWER)
 def list_profiles(service: ServiceDep) -> list[ProfileOut]:
     """List the classification profiles: first those of customers, then those of the library."""
@@ -57,7 +68,7 @@ def list_profiles(service: ServiceDep) -> list[ProfileOut]:
 
 @router.get("/profiles/{name}.toml", response_class=Response, responses=TOML_RESPONSE)
 @requires(AccessScope.VIEWER)
-def export_profile(service: ServiceDep, request: Request, name: ProfileName) -> Response:
+def export_profile(service: ServiceDep, name: ProfileName) -> Response:
     """Download a profile as TOML."""
     row = service.store.profiles.get(name)
     text = (
@@ -66,10 +77,10 @@ def export_profile(service: ServiceDep, request: Request, name: ProfileName) -> 
         else row.text
     )
     tag = str(row.version if row is not None else 0)
-    return bytes_response(request, text.encode(), tag, f"{TOML}; charset=utf-8", f"{name}.toml")
+    return bytes_response(text.encode(), tag, f"{TOML}; charset=utf-8", f"{name}.toml")
 
 
-@router.get("/profiles/{name}")
+@router.get("/profiles/{name:profile}")
 @requires(AccessScope.VIEWER)
 def get_profile(service: ServiceDep, response: Response, name: ProfileName) -> ProfileOut:
     """Get a classification profile; the first rule that matches an edge is used."""
@@ -82,7 +93,7 @@ def get_profile(service: ServiceDep, response: Response, name: ProfileName) -> P
 
 
 @router.put(
-    "/profiles/{name}",
+    "/profiles/{name:profile}",
     openapi_extra=_FORMS,
     responses={201: {"model": ProfileOut, "description": "The profile is new"}},
 )
@@ -118,7 +129,7 @@ def keep_profile(
     return _stored_out(row)
 
 
-@router.delete("/profiles/{name}", status_code=204)
+@router.delete("/profiles/{name:profile}", status_code=204)
 @requires(AccessScope.DESIGNER)
 def delete_profile(service: ServiceDep, name: ProfileName, match: VersionMatch = None) -> None:
     """Delete a customer's profile; drawings and jobs keep the rules with which they were made."""

@@ -1,11 +1,13 @@
-"""Readiness of a server: a real write, free disk space, workers and tables (ADR 84)."""
+"""Readiness of a server: a real write, free disk space, contents, workers and tables (ADR 84)."""
 
 from __future__ import annotations
 
 import asyncio
+import logging
 import time
-from collections.abc import Callable
+from collections.abc import Awaitable, Callable
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Final
 
 import sqlalchemy.exc
@@ -19,9 +21,59 @@ from knifetip.jobs.write_probe import is_disk_full, write_probe
 
 #: Seconds for which the result of a check is cached; many probes may send requests every second.
 _KEEP: Final = 3.0
-#: Time limit for an answer of the database (s).
+#: The same for contents outside the database: each check writes, and a bucket charges for it.
+_KEEP_CONTENTS: Final = 30.0
+#: Time limit for an answer of the database, and for one of the folder or bucket (s).
 _PATIENCE: Final = 10.0
 _SILENT: Final = 120.0  # seconds without a sweep after which the compile service is stuck
+
+_Results = dict[str, str]
+_log = logging.getLogger("knifetip.api")
+
+
+class _Check:
+    """A check whose result is kept for some seconds, and which never runs twice at once.
+
+    Parameters
+    ----------
+    run
+        Runs the check; returns "ok" or the fault of each component.
+    component
+        Component that has the fault if the check does not end in time.
+    keep
+        Returns the seconds for which a result is kept.
+    clock
+        Seconds of a clock that does not jump.
+    """
+
+    def __init__(
+        self,
+        run: Callable[[], Awaitable[_Results]],
+        component: str,
+        keep: Callable[[], float],
+        clock: Callable[[], float],
+    ) -> None:
+        self._run = run
+        self._component = component
+        self._keep = keep
+        self._clock = clock
+        self._lock = asyncio.Lock()
+        self._checked = float("-inf")
+        self._results: _Results = {}
+        self._running: asyncio.Future[_Results] | None = None
+
+    async def results(self) -> _Results:
+        """Return the results, which may be some seconds old."""
+        async with self._lock:
+            if self._clock() - self._checked >= self._keep():
+                # A check that hangs, because the database or a disk does, occupies a thread: there
+                # is never a second one.
+                if self._running is None or self._running.done():
+                    self._running = asyncio.ensure_future(self._run())
+                done, _ = await asyncio.wait((self._running,), timeout=_PATIENCE)
+                self._results = self._running.result() if done else {self._component: "no answer"}
+                self._checked = self._clock()
+            return self._results
 
 
 @dataclass(slots=True)
@@ -33,30 +85,37 @@ class Readiness:
     compiling: CompileService
     threads: GatewayThreads
     clock: Callable[[], float] = time.monotonic
-    _lock: asyncio.Lock = field(default_factory=asyncio.Lock)
-    _checked: float = float("-inf")
-    _checks: dict[str, str] = field(default_factory=dict)
-    _running: asyncio.Future[dict[str, str]] | None = None
+    _fast: _Check = field(init=False)
+    _contents: _Check = field(init=False)
 
-    async def checks(self) -> dict[str, str]:
+    def __post_init__(self) -> None:
+        # In the threads of heartbeats, which wait for the database too.
+        run = partial(self.threads.reports, self._check)
+        self._fast = _Check(run, "database", lambda: _KEEP, self.clock)
+        # In a thread of its own: a bucket may be silent for minutes, but heartbeats do not need it.
+        outside = partial(asyncio.to_thread, self._check_contents)
+        self._contents = _Check(outside, "contents", lambda: _KEEP_CONTENTS, self.clock)
+
+    async def checks(self) -> _Results:
         """Return "ok" or the fault of each component."""
-        async with self._lock:
-            if self.clock() - self._checked >= _KEEP:
-                # A check that hangs, because the database or a disk does, occupies one of the
-                # threads of heartbeats: there is never a second one.
-                if self._running is None or self._running.done():
-                    self._running = asyncio.ensure_future(self.threads.reports(self._check))
-                done, _ = await asyncio.wait((self._running,), timeout=_PATIENCE)
-                self._checks = self._running.result() if done else {"database": "no answer"}
-                self._checked = self.clock()
-            return self._checks | {"workers": self._workers()}
+        fast, contents = await asyncio.gather(self._fast.results(), self._contents.results())
+        return fast | contents | {"workers": self._workers()}
 
-    def _check(self) -> dict[str, str]:
+    def _check(self) -> _Results:
         return {
             "database": self._database(),
             "schema": self._schema(),
             "disk": self.storage.fault(),
         }
+
+    def _check_contents(self) -> _Results:
+        try:
+            self.store.contents.probe()
+        except (StoreError, OSError) as reason:
+            # The address of a bucket is not for strangers, who may call /readyz.
+            _log.warning("readiness: %s", reason)
+            return {"contents": "not usable"}
+        return {"contents": OK}
 
     def _database(self) -> str:
         try:

@@ -1,19 +1,16 @@
-"""ETag, If-Match and If-None-Match of drawings and jobs (RFC 9110, section 13).
+"""ETag, If-Match and If-None-Match of drawings (RFC 9110, section 13).
 
 The ETag of a drawing is its revision.  If the profile of the drawing has been changed or deleted
 since the classification, the ETag also contains that state, because it changes the response
-although the drawing has not changed.  The ETag of a job is a hash of the response, which also
-contains what other rows determine, such as what the job waits for.
+although the drawing has not changed.
 """
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Iterator
-from typing import Annotated, Any, Final
+from typing import Annotated
 
 from fastapi import Header
-from pydantic import BaseModel
 
 from knifetip.errors import StaleRevision
 from knifetip.jobs.tables import Drawing
@@ -27,21 +24,6 @@ IfMatch = Annotated[
         "newest. Without it the change applies to the newest.",
     ),
 ]
-IfNoneMatch = Annotated[
-    str | None,
-    Header(
-        alias="If-None-Match",
-        max_length=1000,
-        description="ETag of the client's copy; 304 if it is current",
-    ),
-]
-
-NOT_MODIFIED: Final[dict[int | str, dict[str, Any]]] = {304: {"description": "Not modified"}}
-
-
-def content_etag(answer: BaseModel) -> str:
-    """Return the ETag of an answer: a hash of all that it contains."""
-    return f'"{hashlib.sha256(answer.model_dump_json().encode()).hexdigest()[:32]}"'
 
 
 def etag(revision: int, profile_state: str = "current") -> str:

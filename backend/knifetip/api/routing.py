@@ -19,6 +19,7 @@ from fastapi.routing import APIRoute, iter_route_contexts
 from starlette.routing import BaseRoute, compile_path
 from starlette.types import Message, Receive, Scope, Send
 
+from knifetip.api.conditional import NOT_MODIFIED, conditional
 from knifetip.api.principal import Principal, PrincipalKind, demand, missing_scope, principal_of
 from knifetip.jobs.accounts.acting import DONE, FAILED, REFUSED, Acting, acting_as
 from knifetip.jobs.accounts.scopes import AccessScope
@@ -77,6 +78,8 @@ class ScopedRoute(APIRoute):
         needed = needed_scopes(self.endpoint)
         if scope["method"] in _SAFE:
             demand(principal, *needed)
+            if NOT_MODIFIED.keys() <= self.responses.keys():
+                send = conditional(scope, send)
             await super().handle(scope, receive, send)
             return
         acting = _acting(self, scope, principal)
@@ -183,8 +186,10 @@ def scoped_operations(routes: Iterable[BaseRoute]) -> Iterator[ScopedOperation]:
         needed = needed_scopes(route.endpoint)
         if not isinstance(route, ScopedRoute):
             raise TypeError(f"the route {context.path} is not in a ScopedRouter")
+        # Without the convertors of parameters, which the description does not have either.
+        path = compile_path(context.path or "")[1]
         for method in sorted(context.methods or ()):
-            yield ScopedOperation(method, context.path or "", route.name.strip("_"), needed)
+            yield ScopedOperation(method, path, route.name.strip("_"), needed)
 
 
 def methods_at(routes: Iterable[BaseRoute], path: str) -> list[str]:

@@ -7,18 +7,23 @@ from typing import Annotated, Any, Final
 
 from fastapi import Depends, Header, Request
 
+from knifetip.api.conditional import NOT_MODIFIED
 from knifetip.errors import RequestError
 
 TOML: Final = "application/toml"
-#: OpenAPI schema of a response that is TOML text.
+#: Descriptions of the answers of a route that sends TOML.
 TOML_RESPONSE: Final[dict[int | str, dict[str, Any]]] = {
-    200: {"content": {TOML: {"schema": {"type": "string"}}}}
+    200: {"content": {TOML: {"schema": {"type": "string"}}}},
+    **NOT_MODIFIED,
 }
+_VERSION: Final = r'(?:W/)?"?(\d{1,9})"?'
 VersionMatch = Annotated[
     str | None,
     Header(
         alias="If-Match",
         max_length=40,
+        # For the description only: the error of the routes contains a hint.
+        json_schema_extra={"pattern": rf"^(\*|{_VERSION})$"},
         description="ETag of the version on which the change is based; * for any version",
     ),
 ]
@@ -45,7 +50,7 @@ def version_of(match: str | None) -> tuple[int | None, bool]:
         return None, False
     if match.strip() == "*":
         return None, True
-    version = re.fullmatch(r'\s*(?:W/)?"?(\d{1,9})"?\s*', match)
+    version = re.fullmatch(rf"\s*{_VERSION}\s*", match)
     if version is None:
         raise RequestError("library.bad-if-match", match=match)
     return int(version[1]), False

@@ -15,7 +15,7 @@ from knifetip.api.drawing_requests import Upload, drawing_name, store_upload
 from knifetip.api.job_creation import create_job
 from knifetip.api.principal import Principal, demand
 from knifetip.api.queue import Client
-from knifetip.api.schemas.common import Strict
+from knifetip.api.schemas.common import Parameters
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.schemas.order_details import details_columns
 from knifetip.api.schemas.orders import JobIn
@@ -26,7 +26,7 @@ from knifetip.errors import RequestError
 from knifetip.jobs.accounts.scopes import AccessScope
 
 
-class XjdfDefaults(Strict):
+class XjdfDefaults(Parameters):
     """Defaults for an XJDF document; values of the document take precedence."""
 
     machine: str = Field(

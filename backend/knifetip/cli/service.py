@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import os
 import signal
 import threading
 from collections.abc import Coroutine
@@ -49,6 +50,9 @@ Speed = Annotated[
 
 #: Exit code of a process that SIGTERM has ended.
 _TERMINATED = 143
+
+#: How often a worker is looked after, and the time without a sweep after which it is stuck (s).
+_LOOK, _STUCK = 10.0, 300.0
 
 #: All clients together may have so many times as many connections and listeners as one.
 _CLIENTS = 8
@@ -341,7 +345,14 @@ def worker(
     with tracing.exporting("knifetip-worker"):
         service.start()
         print_stderr(f"compile worker for {storage.shown}")
-        stop_requested.wait()
+        while not stop_requested.wait(_LOOK):
+            silent = service.seconds_since_sweep or 0.0
+            if silent > _STUCK:
+                print_stderr(
+                    f"ERROR: this worker is stuck: no sweep for {silent:.0f} s. It ends with an "
+                    "error, so that systemd or the container engine starts it again."
+                )
+                os._exit(1)  # its threads would not end
         service.stop()
     scraped.close()
     store.close()

@@ -240,8 +240,6 @@ export interface paths {
          * Get Job
          * @description Get a job with its state and its progress.
          *
-         *     The status is 304 if ``If-None-Match`` contains the ETag of the job.
-         *
          *     Needs the scope `viewer`.
          */
         get: operations["get_job"];
@@ -2359,8 +2357,8 @@ export interface paths {
          * Ready
          * @description Report whether the server can process requests; the HTTP status is 503 if it cannot.
          *
-         *     The server writes to its database, and checks the free space of its disk.  The results are
-         *     cached for some seconds.
+         *     The server writes to its database and to its folder or bucket for contents, and checks the free
+         *     space of its disk.  The results are cached for some seconds.
          *
          *     Needs no key.
          */
@@ -4234,7 +4232,7 @@ export interface components {
             version: string;
             /**
              * Checks
-             * @description `ok` or the fault, by component: `database` (a write), `schema` (its tables), `disk` (free space) and `workers` (the processes that read and compile); empty if nothing was checked
+             * @description `ok` or the fault, by component: `database` (a write), `schema` (its tables), `disk` (free space), `contents` (the folder or bucket) and `workers` (the processes that read and compile); empty if nothing was checked
              * @default {}
              */
             checks: {
@@ -15790,7 +15788,10 @@ export interface operations {
                 /** @description Value of the metadata with the key KEY, such as `metadata.line=3`; may be given for several keys, and all must match */
                 "metadata.KEY"?: string | null;
             };
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string;
+            };
             path?: never;
             cookie?: never;
         };
@@ -15799,6 +15800,8 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -15824,6 +15827,13 @@ export interface operations {
                      */
                     "application/json": components["schemas"]["DrawingSummary"][];
                 };
+            };
+            /** @description Not modified */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Bad Request: `request.no-host` */
             400: {
@@ -16223,7 +16233,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description ETag of the client's copy; 304 if it is current */
-                "If-None-Match"?: string | null;
+                "If-None-Match"?: string;
             };
             path: {
                 /** @description Id of the drawing */
@@ -16236,6 +16246,8 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -16983,7 +16995,7 @@ export interface operations {
             };
             header?: {
                 /** @description ETag of the client's copy; 304 if it is current */
-                "If-None-Match"?: string | null;
+                "If-None-Match"?: string;
             };
             path: {
                 /** @description Id of the drawing */
@@ -16996,6 +17008,8 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -17474,7 +17488,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description ETag of the client's copy; 304 if it is current */
-                "If-None-Match"?: string | null;
+                "If-None-Match"?: string;
             };
             path: {
                 /** @description Id of the drawing */
@@ -17487,6 +17501,8 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -17601,7 +17617,7 @@ export interface operations {
             };
             header?: {
                 /** @description ETag of the client's copy; 304 if it is current */
-                "If-None-Match"?: string | null;
+                "If-None-Match"?: string;
             };
             path: {
                 /** @description Id of the drawing */
@@ -17614,6 +17630,8 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -17755,7 +17773,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description ETag of the client's copy; 304 if it is current */
-                "If-None-Match"?: string | null;
+                "If-None-Match"?: string;
             };
             path: {
                 /** @description Id of the drawing */
@@ -17768,6 +17786,8 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -17917,7 +17937,10 @@ export interface operations {
     get_file: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string;
+            };
             path: {
                 /** @description Id of the drawing */
                 id: string;
@@ -17929,6 +17952,8 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -18071,7 +18096,10 @@ export interface operations {
                 /** @description Name of the machine; empty for all machines */
                 machine?: string;
             };
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string;
+            };
             path?: never;
             cookie?: never;
         };
@@ -18080,6 +18108,8 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -18231,6 +18261,13 @@ export interface operations {
                      */
                     "application/json": components["schemas"]["JobOut"][];
                 };
+            };
+            /** @description Not modified */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Bad Request: `request.no-host` */
             400: {
@@ -18636,7 +18673,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description ETag of the client's copy; 304 if it is current */
-                "If-None-Match"?: string | null;
+                "If-None-Match"?: string;
             };
             path: {
                 /** @description Id of the job */
@@ -18649,6 +18686,8 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -19199,7 +19238,10 @@ export interface operations {
     get_job_events: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string;
+            };
             path: {
                 /** @description Id of the job */
                 id: string;
@@ -19211,6 +19253,8 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -19236,6 +19280,13 @@ export interface operations {
                      */
                     "application/json": components["schemas"]["JobEvent"][];
                 };
+            };
+            /** @description Not modified */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Bad Request: `request.no-host` */
             400: {
@@ -19332,7 +19383,10 @@ export interface operations {
     get_program: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string;
+            };
             path: {
                 /** @description Id of the job */
                 id: string;
@@ -19344,6 +19398,8 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -19354,6 +19410,13 @@ export interface operations {
                      */
                     "text/plain": string;
                 };
+            };
+            /** @description Not modified */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Bad Request: `request.no-host` */
             400: {
@@ -19464,7 +19527,7 @@ export interface operations {
             };
             header?: {
                 /** @description ETag of the client's copy; 304 if it is current */
-                "If-None-Match"?: string | null;
+                "If-None-Match"?: string;
             };
             path: {
                 /** @description Id of the job */
@@ -19477,6 +19540,8 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -19599,6 +19664,13 @@ export interface operations {
                     "application/octet-stream": string;
                 };
             };
+            /** @description Not modified */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
             /** @description Bad Request: `request.no-host` */
             400: {
                 headers: {
@@ -19703,7 +19775,10 @@ export interface operations {
     get_toolpath: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string;
+            };
             path: {
                 /** @description Id of the job */
                 id: string;
@@ -19715,11 +19790,20 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
                     "application/octet-stream": string;
                 };
+            };
+            /** @description Not modified */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Bad Request: `request.no-host` */
             400: {
@@ -24084,7 +24168,12 @@ export interface operations {
         };
         requestBody: {
             content: {
-                /** @example {} */
+                /**
+                 * @example {
+                 *       "next": "5p256sc8xs7q",
+                 *       "by": "Ada"
+                 *     }
+                 */
                 "application/json": components["schemas"]["MoveIn"];
             };
         };
@@ -25158,7 +25247,10 @@ export interface operations {
                 /** @description Maximum number of jobs in the list */
                 limit?: number;
             };
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string;
+            };
             path?: never;
             cookie?: never;
         };
@@ -25167,6 +25259,8 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -25318,6 +25412,13 @@ export interface operations {
                      */
                     "application/json": components["schemas"]["JobOut"][];
                 };
+            };
+            /** @description Not modified */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Bad Request: `request.no-host` */
             400: {
@@ -25640,7 +25741,10 @@ export interface operations {
     list_machines: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string;
+            };
             path?: never;
             cookie?: never;
         };
@@ -25649,6 +25753,8 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -25725,6 +25831,13 @@ export interface operations {
                      */
                     "application/json": components["schemas"]["MachineOut"][];
                 };
+            };
+            /** @description Not modified */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Bad Request: `request.no-host` */
             400: {
@@ -27562,7 +27675,10 @@ export interface operations {
     list_boards: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string;
+            };
             path?: never;
             cookie?: never;
         };
@@ -27571,6 +27687,8 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -27603,6 +27721,13 @@ export interface operations {
                      */
                     "application/json": components["schemas"]["BoardOut"][];
                 };
+            };
+            /** @description Not modified */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Bad Request: `request.no-host` */
             400: {
@@ -28852,7 +28977,10 @@ export interface operations {
                 /** @description Number of the version; the newest if it is missing */
                 version?: number | null;
             };
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string;
+            };
             path: {
                 /**
                  * @description Name of the machine, board or tool
@@ -28867,6 +28995,8 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -28945,6 +29075,13 @@ export interface operations {
                      */
                     "application/toml": string;
                 };
+            };
+            /** @description Not modified */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Bad Request: `request.no-host` */
             400: {
@@ -29304,7 +29441,10 @@ export interface operations {
                 /** @description Number of the version; the newest if it is missing */
                 version?: number | null;
             };
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string;
+            };
             path: {
                 /**
                  * @description Name of the machine, board or tool
@@ -29319,6 +29459,8 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -29338,6 +29480,13 @@ export interface operations {
                      */
                     "application/toml": string;
                 };
+            };
+            /** @description Not modified */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Bad Request: `request.no-host` */
             400: {
@@ -29697,7 +29846,10 @@ export interface operations {
                 /** @description Number of the version; the newest if it is missing */
                 version?: number | null;
             };
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string;
+            };
             path: {
                 /**
                  * @description Name of the machine, board or tool
@@ -29712,6 +29864,8 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -29728,6 +29882,13 @@ export interface operations {
                      */
                     "application/toml": string;
                 };
+            };
+            /** @description Not modified */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Bad Request: `request.no-host` */
             400: {
@@ -30302,7 +30463,10 @@ export interface operations {
     list_profiles: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string;
+            };
             path?: never;
             cookie?: never;
         };
@@ -30311,6 +30475,8 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -30359,6 +30525,13 @@ export interface operations {
                      */
                     "application/json": components["schemas"]["ProfileOut"][];
                 };
+            };
+            /** @description Not modified */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Bad Request: `request.no-host` */
             400: {
@@ -30455,7 +30628,10 @@ export interface operations {
     export_profile: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string;
+            };
             path: {
                 /**
                  * @description Name of the classification profile
@@ -30470,6 +30646,8 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -30590,6 +30768,13 @@ export interface operations {
                      */
                     "application/toml": string;
                 };
+            };
+            /** @description Not modified */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Bad Request: `request.no-host` */
             400: {
@@ -34346,7 +34531,10 @@ export interface operations {
     get_gateway_program: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string;
+            };
             path: {
                 /** @description Id of the job */
                 id: string;
@@ -34358,6 +34546,8 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
@@ -34368,6 +34558,13 @@ export interface operations {
                      */
                     "text/plain": string;
                 };
+            };
+            /** @description Not modified */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Bad Request: `request.no-host` */
             400: {
@@ -36657,7 +36854,10 @@ export interface operations {
     export_job: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description ETag of the client's copy; 304 if it is current */
+                "If-None-Match"?: string;
+            };
             path: {
                 /** @description Id of the job */
                 id: string;
@@ -36669,11 +36869,20 @@ export interface operations {
             /** @description Successful Response */
             200: {
                 headers: {
+                    /** @description Identifies this state of the answer, for `If-None-Match` */
+                    ETag?: string;
                     [name: string]: unknown;
                 };
                 content: {
                     "application/zip": string;
                 };
+            };
+            /** @description Not modified */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description Bad Request: `request.no-host` */
             400: {

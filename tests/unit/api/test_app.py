@@ -415,7 +415,7 @@ def test_openapi_describes_every_property_and_every_parameter(client: httpx.Clie
 
 def test_health_and_readiness(client: httpx.Client) -> None:
     assert client.get("/healthz").json()["status"] == "ok"
-    checks = {"database": "ok", "schema": "ok", "disk": "ok", "workers": "ok"}
+    checks = {"database": "ok", "schema": "ok", "contents": "ok", "disk": "ok", "workers": "ok"}
     assert client.get("/readyz").json()["checks"] == checks
 
 

@@ -75,3 +75,33 @@ def test_message_codes_are_no_enumeration(client: httpx.Client) -> None:
     assert schema["type"] == "string"
     assert "enum" not in schema
     assert "drawing.unknown" in schema["x-known-values"]
+
+
+def test_an_answer_that_has_not_changed_is_sent_once(client: httpx.Client) -> None:
+    upload_drawing(client, square())
+    conditional = 0
+    for path, item in described(client)["paths"].items():
+        operation = item.get("get", {"responses": {}})
+        if "304" not in operation["responses"] or "{" in path:
+            continue
+        conditional += 1
+        assert "ETag" in operation["responses"]["200"]["headers"]
+        first = client.get(path)
+        assert first.status_code == 200, path
+        known = {"If-None-Match": f'"other", W/{first.headers["ETag"]}'}
+        same = client.get(path, headers=known)
+        assert (same.status_code, same.content) == (304, b""), path
+        assert same.headers["ETag"] == first.headers["ETag"]
+        assert "Content-Type" not in same.headers
+        assert client.get(path, headers={"If-None-Match": '"other"'}).content == first.content
+    assert conditional >= 6
+
+
+def test_a_list_with_a_new_entry_is_sent_again(client: httpx.Client) -> None:
+    known = {"If-None-Match": client.get("/api/v1/drawings").headers["ETag"]}
+    assert client.get("/api/v1/drawings", headers=known).status_code == 304
+    drawing = upload_drawing(client, square(side=61.0))["id"]
+    changed = client.get("/api/v1/drawings", headers=known)
+    assert changed.status_code == 200
+    assert changed.json()[0]["id"] == drawing
+    assert changed.headers["ETag"] != known["If-None-Match"]

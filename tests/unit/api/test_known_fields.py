@@ -82,3 +82,14 @@ def test_an_upload_is_described_as_binary(client: httpx.Client) -> None:
     file = schemas["Body_upload_drawing"]["properties"]["file"]
     assert (file["type"], file["format"]) == ("string", "binary")
     assert "contentMediaType" not in file
+
+
+@pytest.mark.parametrize("name", ["due", "unit"])
+def test_a_time_or_a_choice_in_a_form_is_missing_or_has_a_value(
+    client: httpx.Client, name: str
+) -> None:
+    files = {"file": ("a.dxf", square())}
+    answer = client.post("/api/v1/drawings", files=files, data={name: ""})
+    assert faults(answer) == [{"code": "field.too-short", "path": f"body.{name}", "least": 1}]
+    texts = {"profile": "", "notes": "", "customer": "", "external_id": "", "metadata": ""}
+    assert client.post("/api/v1/drawings", files=files, data=texts).status_code == 201

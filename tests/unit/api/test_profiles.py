@@ -111,9 +111,10 @@ def test_an_invalid_version_is_refused(client: httpx.Client, match: str) -> None
     [
         *dict.fromkeys(["..", "a%2F..%2Fb", "%2e%2e%2fsecret"], 404).items(),  # other addresses
         *dict.fromkeys([
-            "ACME", "a.toml.toml", "a b", "-a", "_a", "x" * 65, "größe", "a%00b", "%F0%9F%98%80",
-            "c:\\x", "con.", "default.toml",
+            "ACME", "a.toml.txt", "a b", "-a", "_a", "x" * 65, "größe", "a%00b", "%F0%9F%98%80",
+            "c:\\x", "con.",
         ], 422).items(),
+        *dict.fromkeys(["a.toml.toml", "default.toml"], 405).items(),  # files, which are only read
     ],
 )  # fmt: skip
 def test_a_name_is_a_name_and_never_a_path(client: httpx.Client, name: str, status: int) -> None:
@@ -378,3 +379,10 @@ def test_a_given_unit_can_be_removed(client: httpx.Client) -> None:
     assert body["unit_finding"]["stated"] == "mm"
     assert {one["unit"] for one in body["unit_finding"]["evidence"]} >= {"mm"}
     assert json.dumps(body, allow_nan=False)
+
+
+@pytest.mark.parametrize("method", ["PUT", "DELETE"])
+def test_the_file_of_a_profile_is_only_read(client: httpx.Client, method: str) -> None:
+    answer = client.request(method, "/api/profiles/default.toml", content=OURS, headers=TOML)
+    assert answer.status_code == 405
+    assert answer.headers["Allow"] == "GET"

@@ -19,7 +19,9 @@ import sqlalchemy as sa
 from knifetip.api import readiness as readiness_module
 from knifetip.api import storage as storage_module
 from knifetip.api.service import Settings
+from knifetip.errors import StoreError
 from knifetip.jobs.compile_service import CompileService
+from knifetip.jobs.content_store import ContentStore
 from knifetip.jobs.database import Database
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import WriteProbe
@@ -51,6 +53,7 @@ def small_disk(tmp_path: Path) -> Iterator[Path]:
 @pytest.fixture(autouse=True)
 def _no_kept_results(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(readiness_module, "_KEEP", 0.0)
+    monkeypatch.setattr(readiness_module, "_KEEP_CONTENTS", 0.0)
 
 
 def fill(folder: Path, leave: int = 0) -> Path:
@@ -188,6 +191,47 @@ def test_a_folder_that_cannot_be_written_is_not_ready(
 
     monkeypatch.setattr("tempfile.TemporaryFile", refuse)
     assert storage.fault() == "not writable: Read-only file system"
+
+
+def test_a_store_that_cannot_be_used_is_not_ready(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    settings = Settings(database=f"sqlite:///{tmp_path}/shop.sqlite", name="test")
+    with run_server(settings) as client:
+        assert client.get("/readyz").json()["checks"]["contents"] == "ok"
+
+        def lose(_contents: ContentStore) -> None:
+            raise StoreError("content.unavailable", url="s3://secret", reason="connection refused")
+
+        monkeypatch.setattr(ContentStore, "probe", lose)
+        ready = client.get("/readyz")
+        assert ready.status_code == 503
+        assert ready.json()["checks"]["contents"] == "not usable"
+        assert ready.json()["checks"]["database"] == "ok"
+        assert "secret" not in ready.text
+
+
+def test_a_silent_store_does_not_hide_the_state_of_the_database(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    settings = Settings(database=f"sqlite:///{tmp_path}/shop.sqlite", name="test")
+    with run_server(settings) as client:
+        began: list[int] = []
+        answers = threading.Event()
+
+        def hang(_contents: ContentStore) -> None:
+            began.append(1)
+            assert answers.wait(60.0)
+
+        monkeypatch.setattr(ContentStore, "probe", hang)
+        monkeypatch.setattr(readiness_module, "_PATIENCE", 2.0)
+        try:
+            for _ in range(2):
+                checks = client.get("/readyz").json()["checks"]
+                assert (checks["database"], checks["contents"]) == ("ok", "no answer")
+            assert len(began) == 1
+        finally:
+            answers.set()
 
 
 def test_compile_threads_that_stopped_are_not_ready(

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field
 
-from knifetip.api.schemas.common import PageQuery, Strict
+from knifetip.api.schemas.common import JsonBody, PageQuery, Parameters
 from knifetip.api.schemas.times import Moment, MomentIn
 from knifetip.jobs.accounts.scopes import AccessScope
 
@@ -26,7 +26,7 @@ _NEW_PASSWORD = Field(
 _ROLE = Field(description="What the user may do; each role contains those before it")
 
 
-class SignIn(Strict):
+class SignIn(JsonBody):
     """Name and password of a user."""
 
     name: Annotated[str, _NAME]
@@ -52,7 +52,7 @@ class MeOut(BaseModel):
     )
 
 
-class PasswordIn(Strict):
+class PasswordIn(JsonBody):
     """The present and the new password of the user who sends the request."""
 
     current: Annotated[str, _PASSWORD]
@@ -74,7 +74,7 @@ class UserOut(BaseModel):
     signed_in: Moment | None = Field(description="Time of the last sign-in; null for none")
 
 
-class UserIn(Strict):
+class UserIn(JsonBody):
     """A new user."""
 
     name: Annotated[str, _NAME]
@@ -82,7 +82,7 @@ class UserIn(Strict):
     role: UserRole = _ROLE
 
 
-class UserChangeIn(Strict):
+class UserChangeIn(JsonBody):
     """Changes of a user; they end the sessions of the user."""
 
     role: UserRole | None = Field(default=None, description="New role; null for no change")
@@ -105,11 +105,12 @@ class KeyOut(BaseModel):
     revoked: Moment | None = Field(description="Time of its revocation; null if valid")
 
 
-class KeyIn(Strict):
+class KeyIn(JsonBody):
     """A new API key."""
 
     title: str = Field(min_length=1, max_length=100, description="What uses the key")
-    scopes: list[AccessScope] = Field(
+    # Not strict: JSON has texts, not members of an enumeration.
+    scopes: list[Annotated[AccessScope, Field(strict=False)]] = Field(
         min_length=1,
         max_length=10,
         description="What the key permits; each role contains the lesser ones. Programs at a "
@@ -146,7 +147,7 @@ class AuditOut(BaseModel):
     peer: str = Field(description="Address of the sender")
 
 
-class AuditQuery(PageQuery, Strict):
+class AuditQuery(PageQuery, Parameters):
     """Conditions on entries of the audit log, and the page of the list."""
 
     principal: str = Field(default="", max_length=200, description="Name of the sender")

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
 from knifetip.api.schemas.messages import MessageOut
 from knifetip.fields import LISTED
@@ -16,7 +16,17 @@ LineTypeWord = Annotated[
     LISTED,
 ]
 Name = Annotated[str, Field(min_length=1, max_length=200)]
-Count = Annotated[int, Field(ge=0, le=2**31 - 1)]
+
+
+def _whole(value: Any) -> Any:
+    return int(value) if isinstance(value, float) and value.is_integer() else value
+
+
+#: An integer of a JSON body; like in JSON Schema, 5.0 is one.
+Integer = Annotated[int, BeforeValidator(_whole)]
+Count = Annotated[Integer, Field(ge=0, le=2**31 - 1)]
+#: X, Y, Z (mm) and C (degrees).  JSON has no tuples, so a list is accepted.
+Pose = Annotated[tuple[float, float, float, float], Field(strict=False)]
 
 
 class PageQuery(BaseModel):
@@ -30,10 +40,16 @@ class PageQuery(BaseModel):
     limit: int = Field(default=100, ge=1, le=500, description="Maximum number of items in the list")
 
 
-class Strict(BaseModel):
-    """Base class of request models; unknown fields are refused."""
+class Parameters(BaseModel):
+    """Base class of query parameters; unknown ones are refused."""
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+
+
+class JsonBody(Parameters):
+    """Base class of JSON bodies; types are not converted, and unknown fields are refused."""
+
+    model_config = ConfigDict(strict=True)
 
 
 class QuestionOut(MessageOut):
@@ -118,6 +134,6 @@ class Health(BaseModel):
     checks: dict[str, str] = Field(
         default={},
         description="`ok` or the fault, by component: `database` (a write), `schema` (its tables), "
-        "`disk` (free space) and `workers` (the processes that read and compile); empty if nothing "
-        "was checked",
+        "`disk` (free space), `contents` (the folder or bucket) and `workers` (the processes that "
+        "read and compile); empty if nothing was checked",
     )

@@ -6,7 +6,14 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field
 
-from knifetip.api.schemas.common import LineTypeWord, Name, PageQuery, QuestionOut, Strict
+from knifetip.api.schemas.common import (
+    Integer,
+    JsonBody,
+    LineTypeWord,
+    Name,
+    PageQuery,
+    QuestionOut,
+)
 from knifetip.api.schemas.messages import MessageOut
 from knifetip.api.schemas.order_details import DetailsQuery, OrderDetailsOut, OrderDetailsPatch
 from knifetip.api.schemas.times import Moment
@@ -379,7 +386,7 @@ class EdgesOut(BaseModel):
     edges: list[EdgeOut] = Field(description="Edges of the drawing, in the order of their rows")
 
 
-class Override(Strict):
+class Override(JsonBody):
     """Sets the line type of edges, which are selected by row, by handle, or by layer and colour.
 
     If ``type`` is null, earlier overrides of the selected edges are removed.
@@ -388,7 +395,7 @@ class Override(Strict):
     type: LineTypeWord | None = Field(
         description="Line type to set; null removes earlier overrides of the selected edges"
     )
-    edges: list[int] | None = Field(
+    edges: list[Integer] | None = Field(
         default=None,
         max_length=200_000,
         description="Rows of the edges to select, counted from 0; null to select by `handles` or "
@@ -402,13 +409,13 @@ class Override(Strict):
     layer: str | None = Field(
         default=None, description="Name of the layer whose edges to select; null for any layer"
     )
-    colour: int | None = Field(
+    colour: Integer | None = Field(
         default=None,
         description="AutoCAD colour index of the edges to select, 1 … 255; null for any colour",
     )
 
 
-class EdgesPatch(Strict):
+class EdgesPatch(JsonBody):
     """Changes of the line types of edges."""
 
     overrides: list[Override] = Field(

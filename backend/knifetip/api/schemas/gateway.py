@@ -6,12 +6,12 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field
 
-from knifetip.api.schemas.common import Count, Name, Strict
+from knifetip.api.schemas.common import Count, JsonBody, Name, Pose
 from knifetip.api.schemas.messages import MessageIn
 from knifetip.fields import LISTED
 
 
-class ClaimIn(Strict):
+class ClaimIn(JsonBody):
     """Request of a gateway for the next job of its machine."""
 
     gateway: Name = Field(
@@ -54,7 +54,7 @@ class Claim(BaseModel):
     )
 
 
-class HeartbeatIn(Strict):
+class HeartbeatIn(JsonBody):
     """Report of a gateway on the progress of its job."""
 
     job: Name = Field(description="Id of the job, from the claim")
@@ -66,7 +66,7 @@ class HeartbeatIn(Strict):
         default=False,
         description="Nothing has been sent to the machine; the gateway waits for `start`",
     )
-    position: tuple[float, float, float, float] | None = Field(
+    position: Pose | None = Field(
         default=None,
         description="Position on the sheet: X, Y of the head axis, Z of the tip (mm), C "
         "(degrees); null if it is not known",
@@ -95,7 +95,7 @@ class HeartbeatOut(BaseModel):
     lease: float = Field(description="Duration of the lease from now on (s)")
 
 
-class FinishIn(Strict):
+class FinishIn(JsonBody):
     """Report of a gateway that a job has ended."""
 
     job: Name = Field(description="Id of the job, from the claim")
@@ -118,7 +118,7 @@ class FinishIn(Strict):
         default=None,
         description="Copies completed since this claim; null for the number in the last heartbeat",
     )
-    position: tuple[float, float, float, float] | None = Field(
+    position: Pose | None = Field(
         default=None,
         description="Position on the sheet at which the machine stopped: X, Y of the head axis, Z "
         "of the tip before it was lifted (mm), C (degrees); null for that of the last heartbeat",

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from knifetip.api.schemas.common import Strict
+from knifetip.api.schemas.common import JsonBody, Parameters
 from knifetip.api.schemas.messages import MessageOut
 from knifetip.api.schemas.order_details import DetailsQuery
 from knifetip.api.schemas.times import Moment, MomentIn, OptionalMoment
@@ -15,7 +15,7 @@ from knifetip.fields import LISTED
 By = Annotated[str, Field(max_length=100)]
 
 
-class PeriodQuery(Strict):
+class PeriodQuery(Parameters):
     """Query parameters that select a machine and a period."""
 
     machine: str = Field(
@@ -109,13 +109,13 @@ class ToolUseOut(BaseModel):
     message: MessageOut | None = Field(description="Text of the warning; null if there is none")
 
 
-class ToolChangeIn(Strict):
+class ToolChangeIn(JsonBody):
     """A person has put a new tool into a station."""
 
     by: By = Field(default="", description="Name of the person; empty if it is not known")
 
 
-class ToolLifeIn(Strict):
+class ToolLifeIn(JsonBody):
     """The life of the tool in a station."""
 
     life: float = Field(

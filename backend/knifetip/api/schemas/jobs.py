@@ -6,13 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field, computed_field
 
-from knifetip.api.schemas.common import (
-    Count,
-    Name,
-    PageQuery,
-    QuestionOut,
-    Strict,
-)
+from knifetip.api.schemas.common import Count, Integer, JsonBody, Name, PageQuery, QuestionOut
 from knifetip.api.schemas.messages import MessageOut
 from knifetip.api.schemas.order_details import DetailsQuery, OrderDetailsOut
 from knifetip.api.schemas.orders import Corners, Lift, Sheet
@@ -55,7 +49,7 @@ class JobsQuery(DetailsQuery, PageQuery):
     )
 
 
-class ConfirmIn(Strict):
+class ConfirmIn(JsonBody):
     """Confirmation of a job by the operator; all fields are optional."""
 
     board: Name | None = Field(
@@ -63,12 +57,12 @@ class ConfirmIn(Strict):
         description="Name of the board on the table; the request is refused if it is not the "
         "board of the job. Null for no check",
     )
-    stations: Annotated[list[int], Field(max_length=100)] | None = Field(
+    stations: Annotated[list[Integer], Field(max_length=100)] | None = Field(
         default=None,
         description="Numbers of the stations whose tools the operator has checked; the request is "
         "refused if the program uses another one. Null for no check",
     )
-    changed: Annotated[list[int], Field(max_length=100)] = Field(
+    changed: Annotated[list[Integer], Field(max_length=100)] = Field(
         default=[],
         description="Numbers of the stations into which the operator has put new tools; each "
         "change is recorded, and the used length of the tool is 0 again",
@@ -86,7 +80,7 @@ class ConfirmIn(Strict):
     )
 
 
-class ResumeIn(Strict):
+class ResumeIn(JsonBody):
     """Request to resume a held job."""
 
     phase: Count | None = Field(

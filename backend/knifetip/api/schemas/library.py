@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field
 
-from knifetip.api.schemas.common import Name, Strict
+from knifetip.api.schemas.common import JsonBody, Name
 from knifetip.fields import LISTED
 
 
@@ -62,7 +62,7 @@ class BoardOut(BaseModel):
     )
 
 
-class MeasuredPoint(Strict):
+class MeasuredPoint(JsonBody):
     """One measured point of the contour of a test cut."""
 
     azimuth: float = Field(
@@ -75,7 +75,7 @@ class MeasuredPoint(Strict):
     dy: float = Field(ge=-100.0, le=100.0, description="Measured minus drawn position in Y (mm)")
 
 
-class CalibrationIn(Strict):
+class CalibrationIn(JsonBody):
     """Points that were measured on a contour that a cutter has cut in a board."""
 
     machine: Name = Field(

@@ -19,7 +19,7 @@ from pydantic import (
     ValidationError,
 )
 
-from knifetip.api.schemas.common import Strict
+from knifetip.api.schemas.common import JsonBody
 from knifetip.api.schemas.times import Moment, MomentIn
 from knifetip.fields import field_error
 from knifetip.jobs.order_details import DetailsFilter
@@ -60,7 +60,7 @@ Metadata: TypeAlias = Annotated[
 ]
 
 
-class OrderDetailsIn(Strict):
+class OrderDetailsIn(JsonBody):
     """Details of an order in a request; they are returned and found, and change no program."""
 
     external_id: ExternalId = ""
@@ -72,7 +72,7 @@ class OrderDetailsIn(Strict):
     metadata: Metadata = Field(default={})
 
 
-class OrderDetailsPatch(Strict):
+class OrderDetailsPatch(JsonBody):
     """New details of an order; fields that are missing stay as they are."""
 
     external_id: ExternalId | None = Field(default=None, description="Null removes the number")

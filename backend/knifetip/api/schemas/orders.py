@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from knifetip.api.schemas.common import Name, Strict
+from knifetip.api.schemas.common import Integer, JsonBody, Name
 from knifetip.api.schemas.drawings import Override
 from knifetip.api.schemas.order_details import OrderDetailsIn
 from knifetip.fields import LISTED, field_error
@@ -19,7 +19,7 @@ Lift = Annotated[Literal["clearance", "least"], LISTED]
 SheetSize = Annotated[float, Field(gt=0.0, le=10_000.0)]
 
 
-class CornerAt(Strict):
+class CornerAt(JsonBody):
     """Corner type of one corner, which is selected by its position."""
 
     x: float = Field(
@@ -37,7 +37,7 @@ class CornerAt(Strict):
     )
 
 
-class Corners(Strict):
+class Corners(JsonBody):
     """Types of the outer corners of a job.
 
     At an outer corner the cutter or laser stays on the waste side of the contour and so moves
@@ -62,12 +62,13 @@ class Corners(Strict):
     )
     at: list[CornerAt] = Field(
         default=[],
+        strict=False,  # the corners of a stored job are in a tuple
         max_length=1000,
         description="Corners with a type of their own; empty if there are none",
     )
 
 
-class Sheet(Strict):
+class Sheet(JsonBody):
     """A sheet that was cut to size before the job.
 
     No board lies outside it, so tools turn without a lift beside it.  The sheet is a rectangle if
@@ -97,16 +98,16 @@ class Sheet(Strict):
         return self
 
 
-class ShortfallIn(Strict):
+class ShortfallIn(JsonBody):
     """A shortfall of a verdict, selected by its edge and its code."""
 
-    edge: Annotated[int, Field(ge=0, le=2**31 - 1)] = Field(
+    edge: Annotated[Integer, Field(ge=0, le=2**31 - 1)] = Field(
         description="Row of the edge in the drawing, counted from 0, as in the finding"
     )
     code: str = Field(max_length=100, description="Code of the finding's message")
 
 
-class ExceptionsIn(Strict):
+class ExceptionsIn(JsonBody):
     """Shortfalls of a verdict that a user accepts."""
 
     findings: list[ShortfallIn] = Field(
@@ -130,8 +131,8 @@ class JobChoices(OrderDetailsIn):
         default=None,
         description="Name of the classification profile; null for the profile of the drawing",
     )
-    copies: int = Field(default=1, ge=1, le=1000, description="Number of sheets to make")
-    priority: int = Field(
+    copies: Integer = Field(default=1, ge=1, le=1000, description="Number of sheets to make")
+    priority: Integer = Field(
         default=0,
         ge=-100,
         le=100,
@@ -174,7 +175,7 @@ class JobIn(JobChoices):
     """A new job: a drawing, a machine and a board."""
 
     drawing: Name = Field(description="Id of the drawing")
-    revision: Annotated[int, Field(ge=1, le=2**31 - 1)] | None = Field(
+    revision: Annotated[Integer, Field(ge=1, le=2**31 - 1)] | None = Field(
         default=None,
         description="Expected revision of the drawing; the status is 412 if the drawing has "
         "another one. Null for the newest revision",

@@ -8,7 +8,7 @@ from typing import Final
 from pydantic import BaseModel, ConfigDict, Field
 from pydantic.config import JsonDict
 
-from knifetip.api.schemas.common import Name, QuestionOut, Strict
+from knifetip.api.schemas.common import JsonBody, Name, QuestionOut
 from knifetip.api.schemas.drawings import DrawingSummary, Unit
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.schemas.messages import MessageOut
@@ -16,7 +16,7 @@ from knifetip.api.schemas.orders import JobChoices
 from knifetip.errors import RequestError
 
 
-class FileIn(Strict):
+class FileIn(JsonBody):
     """A drawing file within JSON."""
 
     name: Name = Field(description="File name, such as tray.dxf")
@@ -65,7 +65,7 @@ class OrderIn(JobChoices):
     )
 
 
-class OrdersIn(Strict):
+class OrdersIn(JsonBody):
     """Several orders, each of which is executed or refused independently."""
 
     orders: list[OrderIn] = Field(min_length=1, max_length=100, description="The orders")

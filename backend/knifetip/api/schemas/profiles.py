@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import BaseModel, Field, StrictInt, StrictStr
+from pydantic import BaseModel, Field
 
-from knifetip.api.schemas.common import Count, LineTypeWord, Name, Strict
+from knifetip.api.schemas.common import Count, Integer, JsonBody, LineTypeWord, Name
 from knifetip.api.schemas.messages import MessageOut
 from knifetip.api.schemas.times import OptionalMoment
 
 Patterns = Annotated[list[str], Field(max_length=500)]
 Colours = Annotated[
-    list[StrictInt | StrictStr], Field(max_length=500, description='AutoCAD indices, or "#rrggbb"')
+    list[Integer | str], Field(max_length=500, description='AutoCAD indices, or "#rrggbb"')
 ]
 
 
-class RuleIn(Strict):
+class RuleIn(JsonBody):
     """A rule of a profile in a request: conditions on an edge, and a line type.
 
     Edges that meet all conditions get the line type.  Conditions on names are lists of shell
@@ -46,7 +46,7 @@ class RuleIn(Strict):
     )
 
 
-class ProfileIn(Strict):
+class ProfileIn(JsonBody):
     """A classification profile of a customer, as a request contains it."""
 
     title: Name = Field(description="Name of the profile for display")

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from pydantic import BaseModel, Field, StrictBool, model_validator
+from typing import Final
 
-from knifetip.api.schemas.common import Name, Strict
+from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic.config import JsonDict
+
+from knifetip.api.schemas.common import Integer, JsonBody, Name
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.schemas.order_details import OrderDetailsPatch
 from knifetip.fields import field_error
@@ -45,8 +48,17 @@ class QueueOut(BaseModel):
     )
 
 
-class MoveIn(Strict):
+#: At least one neighbour; generators of clients disregard it, unlike ``anyOf``.
+_NEIGHBOUR: Final[JsonDict] = {
+    "if": {"required": ["previous"], "properties": {"previous": {"type": "string"}}},
+    "else": {"required": ["next"], "properties": {"next": {"type": "string"}}},
+}
+
+
+class MoveIn(JsonBody):
     """A new place of a waiting job, given by its neighbours; at least one is required."""
+
+    model_config = ConfigDict(json_schema_extra=_NEIGHBOUR)
 
     previous: str | None = Field(
         default=None,
@@ -76,21 +88,23 @@ class WaitingChangeIn(OrderDetailsPatch):
     Priority, copies and hold stay as they are if they are null.
     """
 
-    priority: int | None = Field(
+    priority: Integer | None = Field(
         default=None,
         ge=-100,
         le=100,
         description="Priority in the queue of the machine; jobs with a higher number come first. "
         "The page uses -10 (low), 0 (normal), 10 (high) and 20 (urgent)",
     )
-    copies: int | None = Field(default=None, ge=1, le=1000, description="Number of sheets to make")
-    on_hold: StrictBool | None = Field(
+    copies: Integer | None = Field(
+        default=None, ge=1, le=1000, description="Number of sheets to make"
+    )
+    on_hold: bool | None = Field(
         default=None, description="Whether the machine is to take other jobs first"
     )
     by: str = _BY
 
 
-class TransferIn(Strict):
+class TransferIn(JsonBody):
     """Another machine for a waiting job."""
 
     machine: Name = Field(description="Name of the machine, as in `GET /api/machines`")

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, Field, StrictBool, model_validator
+from pydantic import BaseModel, Field, model_validator
 
-from knifetip.api.schemas.common import Strict
+from knifetip.api.schemas.common import Integer, JsonBody
 from knifetip.fields import LISTED, field_error
 
-_Number = Annotated[int, Field(ge=1, le=2**31 - 1)]
+_Number = Annotated[Integer, Field(ge=1, le=2**31 - 1)]
 
 
-class RestIn(Strict):
+class RestIn(JsonBody):
     """The part of a program that a new job makes.
 
     Without a track, a line or a station, the new job makes all tracks that the machine has not
@@ -26,36 +26,36 @@ class RestIn(Strict):
         default=None,
         description="Program line; the new job begins with the track in which this line is",
     )
-    station: Annotated[int, Field(ge=0, le=255)] | None = Field(
+    station: Annotated[Integer, Field(ge=0, le=255)] | None = Field(
         default=None,
         description="Make only the tracks of the station with this number, all of them or those "
         "from the given place on; null for all stations",
     )
-    whole: StrictBool = Field(
+    whole: bool = Field(
         default=False,
         description="Make the whole program again, on a new sheet; excludes the fields above",
     )
-    remaining: StrictBool = Field(
+    remaining: bool = Field(
         default=False,
         description="Make the copies that remain of a batch which was stopped (`remaining_copies` "
         "of the job), on new sheets; excludes all other fields but `release`. Also for a job that "
         "made the rest of a sheet of the batch",
     )
-    made: StrictBool = Field(
+    made: bool = Field(
         default=False,
         description="Whether the operator has found all tracks complete that are left out. If "
         "false, tracks that the machine has not reported as executed must not be left out",
     )
-    uncut: StrictBool = Field(
+    uncut: bool = Field(
         default=False,
         description="Whether the operator has found that the tracks which are made again have not "
         "cut through the board, for example with a blunt knife. If false, a program that works on "
         "a piece which their executed lines have cut out is refused",
     )
-    copies: int = Field(
+    copies: Integer = Field(
         default=1, ge=1, le=1000, description="Number of sheets to make; 1 unless `whole` is set"
     )
-    release: StrictBool = Field(
+    release: bool = Field(
         default=False, description="Whether to queue the job as soon as its program is accepted"
     )
 

@@ -4,16 +4,15 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, Self
 
-from pydantic import BaseModel, Field, StrictBool, model_validator
+from pydantic import BaseModel, Field, model_validator
 
-from knifetip.api.schemas.common import Count, Name, Strict
+from knifetip.api.schemas.common import Count, Integer, JsonBody, Name, Pose
 from knifetip.api.schemas.messages import MessageIn, MessageOut
 from knifetip.fields import LISTED, field_error
 from knifetip.gateway.dry_program import LEAST_SHARE
 from knifetip.gateway.operations import EXPIRY
 from knifetip.gateway.tool_check import LARGEST_SHIFT
 
-Pose = tuple[float, float, float, float]
 Coordinate = Annotated[float, Field(ge=-1e5, le=1e5)]
 Shift = Annotated[float, Field(ge=-LARGEST_SHIFT, le=LARGEST_SHIFT)]
 OperationWord = Annotated[
@@ -78,12 +77,12 @@ class _Activity(BaseModel):
         description="Position on the sheet: X, Y of the head axis, Z of the tip (mm), C (degrees); "
         "null if it is not known",
     )
-    station: int | None = Field(
+    station: Integer | None = Field(
         description="Number of the station whose path is shown; null for none"
     )
 
 
-class ActivityIn(_Activity):
+class ActivityIn(_Activity, JsonBody):
     """A run above the board, as the gateway reports it."""
 
     message: MessageIn | None = Field(
@@ -136,7 +135,7 @@ class StationOut(BaseModel):
     )
 
 
-class OperationIn(Strict):
+class OperationIn(JsonBody):
     """An operation that a person at the machine asks for."""
 
     operation: OperationWord = Field(
@@ -172,23 +171,23 @@ class OperationIn(Strict):
         pattern="^[XYZC]{1,4}$",
         description="Letters of the axes to set to zero, such as XY; required for `zero`",
     )
-    output: Annotated[int, Field(ge=0, le=255)] | None = Field(
+    output: Annotated[Integer, Field(ge=0, le=255)] | None = Field(
         default=None, description="Number of the output to switch; required for `switch`"
     )
-    on: StrictBool | None = Field(
+    on: bool | None = Field(
         default=None,
         description="Whether to switch it on; required for `switch` and `spindle`",
     )
-    station: Annotated[int, Field(ge=1, le=255)] | None = Field(
+    station: Annotated[Integer, Field(ge=1, le=255)] | None = Field(
         default=None,
         description="Number of the station; required for `spindle` and `tool_check`",
     )
-    point: tuple[Coordinate, Coordinate] | None = Field(
+    point: Annotated[tuple[Coordinate, Coordinate], Field(strict=False)] | None = Field(
         default=None,
         description="Point on the table: X, Y in the coordinates of programs (mm); required for "
         "`tool_check`",
     )
-    shift: tuple[Shift, Shift, Shift, Shift] | None = Field(
+    shift: Annotated[tuple[Shift, Shift, Shift, Shift], Field(strict=False)] | None = Field(
         default=None,
         description="Trial correction of the datum of the station: X, Y, Z (mm) and C (degrees), "
         "for `tool_check`; null for none",
@@ -224,7 +223,7 @@ class OperationOut(BaseModel):
     )
 
 
-class ResultIn(Strict):
+class ResultIn(JsonBody):
     """Result of an operation that a gateway has received."""
 
     id: Name = Field(description="Id of the operation")
@@ -235,7 +234,7 @@ class ResultIn(Strict):
     message: MessageIn | None = Field(default=None, description="Reason; null for none")
 
 
-class StationIn(Strict):
+class StationIn(JsonBody):
     """Report of a gateway on its machine."""
 
     gateway: Name = Field(description="Name of the gateway")
@@ -252,7 +251,7 @@ class StationIn(Strict):
     operations: Annotated[list[Name], Field(max_length=32)] = Field(
         default=[], description="Operations that the controller can do"
     )
-    spindle: int | None = Field(
+    spindle: Integer | None = Field(
         default=None,
         description="Number of the station whose spindle was switched on by hand; null for none",
     )
@@ -284,7 +283,7 @@ class AskedOut(BaseModel):
     feed: float | None = Field(default=None, description="Speed of a jog (per minute)")
     axes: str | None = Field(default=None, description="Letters of the axes to set to zero")
     output: int | None = Field(default=None, description="Number of the output to switch")
-    on: StrictBool | None = Field(default=None, description="Whether to switch the output on")
+    on: bool | None = Field(default=None, description="Whether to switch the output on")
     station: int | None = Field(default=None, description="Number of the station")
     share: float | None = Field(default=None, description="Share of the feeds, for dry runs")
     point: tuple[float, float] | None = Field(default=None, description="Point of a tool check")

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field
 
-from knifetip.api.schemas.common import PageQuery, Strict
+from knifetip.api.schemas.common import JsonBody, PageQuery
 from knifetip.api.schemas.times import Moment
 from knifetip.fields import LISTED
 
@@ -24,7 +24,7 @@ Description = Annotated[str, Field(max_length=200)]
 EventTypes = Annotated[list[EventType], Field(max_length=30)]
 
 
-class WebhookIn(Strict):
+class WebhookIn(JsonBody):
     """A new endpoint to which events are sent."""
 
     url: Url = Field(
@@ -37,7 +37,7 @@ class WebhookIn(Strict):
     )
 
 
-class WebhookPatch(Strict):
+class WebhookPatch(JsonBody):
     """Changes of an endpoint; a field that is null stays as it is."""
 
     url: Url | None = Field(default=None, description="New URL; null for no change")
@@ -54,7 +54,7 @@ class WebhookPatch(Strict):
     )
 
 
-class RotationIn(Strict):
+class RotationIn(JsonBody):
     """How a new secret replaces the present one."""
 
     overlap_hours: float = Field(
