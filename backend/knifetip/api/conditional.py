@@ -22,7 +22,7 @@ _KNOWN: Final = {
     "in": "header",
     "required": False,
     "description": "ETag of the client's copy; 304 if it is current",
-    "schema": {"type": "string", "maxLength": 1000},
+    "schema": {"type": "string"},
 }
 _TAG: Final = {
     "description": "Identifies this state of the answer, for `If-None-Match`",

@@ -76,6 +76,22 @@ def test_a_number_without_fraction_is_an_integer_and_an_integer_a_number(
     assert not types_refused(models()[name], field, _SAME[kind]), (name, field)
 
 
+@pytest.mark.parametrize(
+    ("name", "field"), [entry[:2] for entry in FIELDS if entry[2] == "integer"]
+)
+def test_the_limits_of_integers_are_described(name: str, field: str) -> None:
+    model = models()[name]
+    schema = model.model_json_schema(mode="validation")["properties"][field]
+    (number,) = (one for one in schema.get("anyOf", [schema]) if one.get("type") == "integer")
+    for limit, beyond in (("minimum", -(10**12)), ("maximum", 10**12)):
+        try:
+            model.model_validate({field: beyond})
+            kinds = set()
+        except ValidationError as reason:
+            kinds = {fault["type"] for fault in reason.errors() if fault["loc"][:1] == (field,)}
+        assert (limit in number) == bool(kinds), (name, field, limit, kinds)
+
+
 def test_all_bodies_of_the_api_are_strict() -> None:
     described = create_app().openapi()
     bodies = {

@@ -22,9 +22,12 @@ def _whole(value: Any) -> Any:
     return int(value) if isinstance(value, float) and value.is_integer() else value
 
 
-#: An integer of a JSON body; like in JSON Schema, 5.0 is one.
-Integer = Annotated[int, BeforeValidator(_whole)]
-Count = Annotated[Integer, Field(ge=0, le=2**31 - 1)]
+#: Last annotation of an integer in a JSON body: like in JSON Schema, 5.0 is one.  Limits come
+#: before it, or pydantic would not describe them.
+WHOLE = BeforeValidator(_whole)
+Count = Annotated[int, Field(ge=0, le=2**31 - 1), WHOLE]
+Copies = Annotated[int, Field(ge=1, le=1000), WHOLE]
+Priority = Annotated[int, Field(ge=-100, le=100), WHOLE]
 #: X, Y, Z (mm) and C (degrees).  JSON has no tuples, so a list is accepted.
 Pose = Annotated[tuple[float, float, float, float], Field(strict=False)]
 

@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, Field
 
 from knifetip.api.schemas.common import (
-    Integer,
+    WHOLE,
     JsonBody,
     LineTypeWord,
     Name,
@@ -395,7 +395,7 @@ class Override(JsonBody):
     type: LineTypeWord | None = Field(
         description="Line type to set; null removes earlier overrides of the selected edges"
     )
-    edges: list[Integer] | None = Field(
+    edges: list[int] | None = Field(
         default=None,
         max_length=200_000,
         description="Rows of the edges to select, counted from 0; null to select by `handles` or "
@@ -409,7 +409,7 @@ class Override(JsonBody):
     layer: str | None = Field(
         default=None, description="Name of the layer whose edges to select; null for any layer"
     )
-    colour: Integer | None = Field(
+    colour: Annotated[int, WHOLE] | None = Field(
         default=None,
         description="AutoCAD colour index of the edges to select, 1 … 255; null for any colour",
     )

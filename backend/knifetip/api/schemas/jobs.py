@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field, computed_field
 
-from knifetip.api.schemas.common import Count, Integer, JsonBody, Name, PageQuery, QuestionOut
+from knifetip.api.schemas.common import WHOLE, Count, JsonBody, Name, PageQuery, QuestionOut
 from knifetip.api.schemas.messages import MessageOut
 from knifetip.api.schemas.order_details import DetailsQuery, OrderDetailsOut
 from knifetip.api.schemas.orders import Corners, Lift, Sheet
@@ -57,12 +57,12 @@ class ConfirmIn(JsonBody):
         description="Name of the board on the table; the request is refused if it is not the "
         "board of the job. Null for no check",
     )
-    stations: Annotated[list[Integer], Field(max_length=100)] | None = Field(
+    stations: Annotated[list[Annotated[int, WHOLE]], Field(max_length=100)] | None = Field(
         default=None,
         description="Numbers of the stations whose tools the operator has checked; the request is "
         "refused if the program uses another one. Null for no check",
     )
-    changed: Annotated[list[Integer], Field(max_length=100)] = Field(
+    changed: Annotated[list[Annotated[int, WHOLE]], Field(max_length=100)] = Field(
         default=[],
         description="Numbers of the stations into which the operator has put new tools; each "
         "change is recorded, and the used length of the tool is 0 again",

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from knifetip.api.schemas.common import Integer, JsonBody, Name
+from knifetip.api.schemas.common import WHOLE, Copies, Count, JsonBody, Name, Priority
 from knifetip.api.schemas.drawings import Override
 from knifetip.api.schemas.order_details import OrderDetailsIn
 from knifetip.fields import LISTED, field_error
@@ -101,7 +101,7 @@ class Sheet(JsonBody):
 class ShortfallIn(JsonBody):
     """A shortfall of a verdict, selected by its edge and its code."""
 
-    edge: Annotated[Integer, Field(ge=0, le=2**31 - 1)] = Field(
+    edge: Count = Field(
         description="Row of the edge in the drawing, counted from 0, as in the finding"
     )
     code: str = Field(max_length=100, description="Code of the finding's message")
@@ -131,11 +131,9 @@ class JobChoices(OrderDetailsIn):
         default=None,
         description="Name of the classification profile; null for the profile of the drawing",
     )
-    copies: Integer = Field(default=1, ge=1, le=1000, description="Number of sheets to make")
-    priority: Integer = Field(
+    copies: Copies = Field(default=1, description="Number of sheets to make")
+    priority: Priority = Field(
         default=0,
-        ge=-100,
-        le=100,
         description="Priority in the queue of the machine; jobs with a higher number come first",
     )
     overrides: list[Override] = Field(
@@ -175,7 +173,7 @@ class JobIn(JobChoices):
     """A new job: a drawing, a machine and a board."""
 
     drawing: Name = Field(description="Id of the drawing")
-    revision: Annotated[Integer, Field(ge=1, le=2**31 - 1)] | None = Field(
+    revision: Annotated[int, Field(ge=1, le=2**31 - 1), WHOLE] | None = Field(
         default=None,
         description="Expected revision of the drawing; the status is 412 if the drawing has "
         "another one. Null for the newest revision",

@@ -6,13 +6,14 @@ from typing import Annotated
 
 from pydantic import BaseModel, Field
 
-from knifetip.api.schemas.common import Count, Integer, JsonBody, LineTypeWord, Name
+from knifetip.api.schemas.common import WHOLE, Count, JsonBody, LineTypeWord, Name
 from knifetip.api.schemas.messages import MessageOut
 from knifetip.api.schemas.times import OptionalMoment
 
 Patterns = Annotated[list[str], Field(max_length=500)]
 Colours = Annotated[
-    list[Integer | str], Field(max_length=500, description='AutoCAD indices, or "#rrggbb"')
+    list[Annotated[int, WHOLE] | str],
+    Field(max_length=500, description='AutoCAD indices, or "#rrggbb"'),
 ]
 
 

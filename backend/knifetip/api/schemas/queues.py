@@ -7,7 +7,7 @@ from typing import Final
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 from pydantic.config import JsonDict
 
-from knifetip.api.schemas.common import Integer, JsonBody, Name
+from knifetip.api.schemas.common import Copies, JsonBody, Name, Priority
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.schemas.order_details import OrderDetailsPatch
 from knifetip.fields import field_error
@@ -88,16 +88,12 @@ class WaitingChangeIn(OrderDetailsPatch):
     Priority, copies and hold stay as they are if they are null.
     """
 
-    priority: Integer | None = Field(
+    priority: Priority | None = Field(
         default=None,
-        ge=-100,
-        le=100,
         description="Priority in the queue of the machine; jobs with a higher number come first. "
         "The page uses -10 (low), 0 (normal), 10 (high) and 20 (urgent)",
     )
-    copies: Integer | None = Field(
-        default=None, ge=1, le=1000, description="Number of sheets to make"
-    )
+    copies: Copies | None = Field(default=None, description="Number of sheets to make")
     on_hold: bool | None = Field(
         default=None, description="Whether the machine is to take other jobs first"
     )

@@ -6,10 +6,10 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field, model_validator
 
-from knifetip.api.schemas.common import Integer, JsonBody
+from knifetip.api.schemas.common import WHOLE, Copies, JsonBody
 from knifetip.fields import LISTED, field_error
 
-_Number = Annotated[Integer, Field(ge=1, le=2**31 - 1)]
+_Number = Annotated[int, Field(ge=1, le=2**31 - 1), WHOLE]
 
 
 class RestIn(JsonBody):
@@ -26,7 +26,7 @@ class RestIn(JsonBody):
         default=None,
         description="Program line; the new job begins with the track in which this line is",
     )
-    station: Annotated[Integer, Field(ge=0, le=255)] | None = Field(
+    station: Annotated[int, Field(ge=0, le=255), WHOLE] | None = Field(
         default=None,
         description="Make only the tracks of the station with this number, all of them or those "
         "from the given place on; null for all stations",
@@ -52,8 +52,8 @@ class RestIn(JsonBody):
         "cut through the board, for example with a blunt knife. If false, a program that works on "
         "a piece which their executed lines have cut out is refused",
     )
-    copies: Integer = Field(
-        default=1, ge=1, le=1000, description="Number of sheets to make; 1 unless `whole` is set"
+    copies: Copies = Field(
+        default=1, description="Number of sheets to make; 1 unless `whole` is set"
     )
     release: bool = Field(
         default=False, description="Whether to queue the job as soon as its program is accepted"

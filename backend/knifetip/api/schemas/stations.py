@@ -6,7 +6,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import BaseModel, Field, model_validator
 
-from knifetip.api.schemas.common import Count, Integer, JsonBody, Name, Pose
+from knifetip.api.schemas.common import WHOLE, Count, JsonBody, Name, Pose
 from knifetip.api.schemas.messages import MessageIn, MessageOut
 from knifetip.fields import LISTED, field_error
 from knifetip.gateway.dry_program import LEAST_SHARE
@@ -77,7 +77,7 @@ class _Activity(BaseModel):
         description="Position on the sheet: X, Y of the head axis, Z of the tip (mm), C (degrees); "
         "null if it is not known",
     )
-    station: Integer | None = Field(
+    station: Annotated[int, WHOLE] | None = Field(
         description="Number of the station whose path is shown; null for none"
     )
 
@@ -171,14 +171,14 @@ class OperationIn(JsonBody):
         pattern="^[XYZC]{1,4}$",
         description="Letters of the axes to set to zero, such as XY; required for `zero`",
     )
-    output: Annotated[Integer, Field(ge=0, le=255)] | None = Field(
+    output: Annotated[int, Field(ge=0, le=255), WHOLE] | None = Field(
         default=None, description="Number of the output to switch; required for `switch`"
     )
     on: bool | None = Field(
         default=None,
         description="Whether to switch it on; required for `switch` and `spindle`",
     )
-    station: Annotated[Integer, Field(ge=1, le=255)] | None = Field(
+    station: Annotated[int, Field(ge=1, le=255), WHOLE] | None = Field(
         default=None,
         description="Number of the station; required for `spindle` and `tool_check`",
     )
@@ -251,7 +251,7 @@ class StationIn(JsonBody):
     operations: Annotated[list[Name], Field(max_length=32)] = Field(
         default=[], description="Operations that the controller can do"
     )
-    spindle: Integer | None = Field(
+    spindle: Annotated[int, WHOLE] | None = Field(
         default=None,
         description="Number of the station whose spindle was switched on by hand; null for none",
     )
