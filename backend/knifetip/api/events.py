@@ -23,6 +23,7 @@ from typing import Annotated
 import sqlalchemy.exc
 from fastapi import Header, Query, Request
 from fastapi.sse import EventSourceResponse, ServerSentEvent
+from pydantic.json_schema import SkipJsonSchema
 
 from knifetip.api.drawing_requests import summary_out
 from knifetip.api.event_gaps import EventGaps
@@ -313,7 +314,7 @@ def _message(kind: str, data: str, number: int | None = None) -> ServerSentEvent
 async def get_events(
     request: Request,
     last: Annotated[
-        str | None,
+        str | SkipJsonSchema[None],  # a header is never null
         Header(
             alias="Last-Event-ID",
             description="Id of the last received event; later changes are sent again",

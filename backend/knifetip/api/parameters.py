@@ -6,6 +6,7 @@ from typing import Annotated, Final, Literal
 
 from fastapi import Depends, Header, Path, Query, Request
 from pydantic import JsonValue
+from pydantic.json_schema import SkipJsonSchema
 
 from knifetip.api.service import fingerprint
 from knifetip.fields import LISTED
@@ -13,7 +14,7 @@ from knifetip.jobs.request_key import RequestKey
 from knifetip.library.definition import NAME_PATTERN
 
 IdempotencyKey = Annotated[
-    str | None,
+    str | SkipJsonSchema[None],  # a header is never null
     Header(
         alias="Idempotency-Key",
         min_length=1,

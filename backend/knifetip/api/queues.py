@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from fastapi import Header, Response
+from pydantic.json_schema import SkipJsonSchema
 
 from knifetip.api.job_models import job_out, jobs_out
 from knifetip.api.parameters import JobId, MachineName
@@ -30,7 +31,7 @@ from knifetip.messages import Message
 router = ScopedRouter(tags=["queues"])
 
 IfMatch = Annotated[
-    str | None,
+    str | SkipJsonSchema[None],  # a header is never null
     Header(
         alias="If-Match",
         max_length=200,

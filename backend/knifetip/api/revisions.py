@@ -11,12 +11,13 @@ from collections.abc import Iterator
 from typing import Annotated
 
 from fastapi import Header
+from pydantic.json_schema import SkipJsonSchema
 
 from knifetip.errors import StaleRevision
 from knifetip.jobs.tables import Drawing
 
 IfMatch = Annotated[
-    str | None,
+    str | SkipJsonSchema[None],  # a header is never null
     Header(
         alias="If-Match",
         max_length=200,

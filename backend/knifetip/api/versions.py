@@ -6,6 +6,7 @@ import re
 from typing import Annotated, Any, Final
 
 from fastapi import Depends, Header, Request
+from pydantic.json_schema import SkipJsonSchema
 
 from knifetip.api.conditional import NOT_MODIFIED
 from knifetip.errors import RequestError
@@ -18,7 +19,7 @@ TOML_RESPONSE: Final[dict[int | str, dict[str, Any]]] = {
 }
 _VERSION: Final = r'(?:W/)?"?(\d{1,9})"?'
 VersionMatch = Annotated[
-    str | None,
+    str | SkipJsonSchema[None],  # a header is never null
     Header(
         alias="If-Match",
         max_length=40,

@@ -7034,7 +7034,7 @@ export interface components {
         UserIn: {
             /**
              * Name
-             * @description Name of the user
+             * @description Name of the user; capital letters become small ones
              */
             name: string;
             /**
@@ -15923,7 +15923,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
-                "Idempotency-Key"?: string | null;
+                "Idempotency-Key"?: string;
             };
             path?: never;
             cookie?: never;
@@ -16663,7 +16663,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description ETag of the revision on which the change is based; 412 if it is not the newest. Without it the change applies to the newest. */
-                "If-Match"?: string | null;
+                "If-Match"?: string;
             };
             path: {
                 /** @description Id of the drawing */
@@ -17152,7 +17152,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description ETag of the revision on which the change is based; 412 if it is not the newest. Without it the change applies to the newest. */
-                "If-Match"?: string | null;
+                "If-Match"?: string;
             };
             path: {
                 /** @description Id of the drawing */
@@ -18357,7 +18357,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
-                "Idempotency-Key"?: string | null;
+                "Idempotency-Key"?: string;
             };
             path?: never;
             cookie?: never;
@@ -20050,7 +20050,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
-                "Idempotency-Key"?: string | null;
+                "Idempotency-Key"?: string;
             };
             path: {
                 /** @description Id of the job */
@@ -20362,7 +20362,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
-                "Idempotency-Key"?: string | null;
+                "Idempotency-Key"?: string;
             };
             path: {
                 /** @description Id of the job */
@@ -20658,7 +20658,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
-                "Idempotency-Key"?: string | null;
+                "Idempotency-Key"?: string;
             };
             path: {
                 /** @description Id of the job */
@@ -20954,7 +20954,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
-                "Idempotency-Key"?: string | null;
+                "Idempotency-Key"?: string;
             };
             path: {
                 /** @description Id of the job */
@@ -21264,7 +21264,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
-                "Idempotency-Key"?: string | null;
+                "Idempotency-Key"?: string;
             };
             path: {
                 /** @description Id of the job */
@@ -21560,7 +21560,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
-                "Idempotency-Key"?: string | null;
+                "Idempotency-Key"?: string;
             };
             path: {
                 /** @description Id of the job */
@@ -21861,7 +21861,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
-                "Idempotency-Key"?: string | null;
+                "Idempotency-Key"?: string;
             };
             path: {
                 /** @description Id of the job */
@@ -22157,7 +22157,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
-                "Idempotency-Key"?: string | null;
+                "Idempotency-Key"?: string;
             };
             path: {
                 /** @description Id of the job */
@@ -22453,7 +22453,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
-                "Idempotency-Key"?: string | null;
+                "Idempotency-Key"?: string;
             };
             path: {
                 /** @description Id of the job */
@@ -22749,7 +22749,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
-                "Idempotency-Key"?: string | null;
+                "Idempotency-Key"?: string;
             };
             path: {
                 /** @description Id of the job */
@@ -23045,7 +23045,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
-                "Idempotency-Key"?: string | null;
+                "Idempotency-Key"?: string;
             };
             path?: never;
             cookie?: never;
@@ -23392,7 +23392,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
-                "Idempotency-Key"?: string | null;
+                "Idempotency-Key"?: string;
             };
             path?: never;
             cookie?: never;
@@ -24158,7 +24158,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description ETag of the queue for which the place was chosen; 412 if the order has changed. Without it only the neighbours are compared */
-                "If-Match"?: string | null;
+                "If-Match"?: string;
             };
             path: {
                 /** @description Id of the job */
@@ -24919,7 +24919,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
-                "Idempotency-Key"?: string | null;
+                "Idempotency-Key"?: string;
             };
             path: {
                 /** @description Id of the job */
@@ -25639,7 +25639,7 @@ export interface operations {
             };
             header?: {
                 /** @description Id of the last received event; later changes are sent again */
-                "Last-Event-ID"?: string | null;
+                "Last-Event-ID"?: string;
             };
             path?: never;
             cookie?: never;
@@ -26126,7 +26126,7 @@ export interface operations {
             };
             header?: {
                 /** @description ETag of the version on which the change is based; * for any version */
-                "If-Match"?: string | null;
+                "If-Match"?: string;
             };
             path: {
                 /**
@@ -26310,7 +26310,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description ETag of the version on which the change is based; * for any version */
-                "If-Match"?: string | null;
+                "If-Match"?: string;
             };
             path: {
                 /**
@@ -27972,7 +27972,7 @@ export interface operations {
             };
             header?: {
                 /** @description ETag of the version on which the change is based; * for any version */
-                "If-Match"?: string | null;
+                "If-Match"?: string;
             };
             path: {
                 /**
@@ -28156,7 +28156,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description ETag of the version on which the change is based; * for any version */
-                "If-Match"?: string | null;
+                "If-Match"?: string;
             };
             path: {
                 /**
@@ -30119,7 +30119,7 @@ export interface operations {
             };
             header?: {
                 /** @description ETag of the version on which the change is based; * for any version */
-                "If-Match"?: string | null;
+                "If-Match"?: string;
             };
             path: {
                 /**
@@ -30303,7 +30303,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description ETag of the version on which the change is based; * for any version */
-                "If-Match"?: string | null;
+                "If-Match"?: string;
             };
             path: {
                 /**
@@ -31030,7 +31030,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description ETag of the version on which the change is based; * for any version */
-                "If-Match"?: string | null;
+                "If-Match"?: string;
             };
             path: {
                 /**
@@ -31300,7 +31300,7 @@ export interface operations {
             query?: never;
             header?: {
                 /** @description ETag of the version on which the change is based; * for any version */
-                "If-Match"?: string | null;
+                "If-Match"?: string;
             };
             path: {
                 /**
@@ -33592,7 +33592,7 @@ export interface operations {
             };
             header?: {
                 /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
-                "Idempotency-Key"?: string | null;
+                "Idempotency-Key"?: string;
             };
             path?: never;
             cookie?: never;
@@ -33931,7 +33931,7 @@ export interface operations {
             };
             header?: {
                 /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
-                "Idempotency-Key"?: string | null;
+                "Idempotency-Key"?: string;
             };
             path?: never;
             cookie?: never;

@@ -12,6 +12,13 @@ from knifetip.jobs.accounts.scopes import AccessScope
 
 UserRole = Literal["viewer", "designer", "operator", "admin"]
 _NAME = Field(min_length=1, max_length=64, description="Name of the user")
+#: The store refuses other names with a message of its own.
+_NEW_NAME = Field(
+    min_length=1,
+    max_length=64,
+    description="Name of the user; capital letters become small ones",
+    json_schema_extra={"pattern": "^[A-Za-z0-9][A-Za-z0-9._@+-]{0,63}$"},
+)
 _PASSWORD = Field(
     min_length=1, max_length=1000, description="Password of at least ten characters", repr=False
 )
@@ -77,7 +84,7 @@ class UserOut(BaseModel):
 class UserIn(JsonBody):
     """A new user."""
 
-    name: Annotated[str, _NAME]
+    name: Annotated[str, _NEW_NAME]
     password: Annotated[str, _NEW_PASSWORD]
     role: UserRole = _ROLE
 
