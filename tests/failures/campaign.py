@@ -89,7 +89,8 @@ class Campaign:
             Time in which all jobs must end afterwards (s).
         """
         with self._shop.client(SERVERS[0]) as client:
-            drawings = upload_drawings(client, len(faults) + 2 * len(self._shop.tables))
+            # More than the shop can make meanwhile: a shop without work could not be harmed.
+            drawings = upload_drawings(client, 3 * len(faults) + 2 * len(self._shop.tables))
         began = time.monotonic()
         operator = Operator(self._shop, drawings)
         operator.start()
