@@ -26,7 +26,7 @@ from knifetip.dxf.samples import samples
 from knifetip.gateway.simulator import Server, serve
 from knifetip.gateway.table import Table
 from knifetip.library import load
-from tests.browser.accessibility import record_view
+from tests.browser.accessibility import assert_accessible, record_view
 
 pytestmark = [
     pytest.mark.browser,
@@ -478,6 +478,8 @@ def test_a_tool_is_checked_above_a_point_and_its_offset_corrected_by_touch(
     for text in ("V-cutter:", "tilt 45°", "has worked 0 m", "X \u221260.00"):
         expect(facts).to_contain_text(text)
     tap_operation(page, "tool-check-move")
+    expect(page.get_by_test_id("dry-run-progress")).to_be_visible()
+    assert_accessible(page)
     table = workshop.table.table
     # Corner of the drawing at 20, 20; 2 mm above 2 mm of board.
     wait_until(

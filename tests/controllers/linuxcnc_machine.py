@@ -182,6 +182,18 @@ class Machine:
         wait_until(lambda: len(self.samples(mark)) >= milliseconds)
         return bool((np.ptp(self.samples(mark)[:, :_JOINTS], axis=0) == 0.0).all())
 
+    def comes_to_rest(self, seconds: float = 2.0) -> bool:
+        """Return whether the joints are still within a time.
+
+        The sampler writes late on a busy computer: the first samples may be those of a motion that
+        has ended.
+        """
+        end = time.monotonic() + seconds
+        while not self.is_still():
+            if time.monotonic() > end:
+                return False
+        return True
+
     def mark(self) -> int:
         """Return the present end of the samples, for ``samples``."""
         return (self.directory / "samples.txt").stat().st_size

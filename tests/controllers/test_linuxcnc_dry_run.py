@@ -57,13 +57,6 @@ def never_late() -> bool:
     return False
 
 
-async def wait_until_still(machine: Machine) -> None:
-    """Wait until no joint moves: a held LinuxCNC decelerates for a moment."""
-    async with asyncio.timeout(3.0):
-        while not await asyncio.to_thread(machine.is_still):
-            pass
-
-
 async def until(run: DryRun, *states: ActivityState) -> None:
     while run.activity.state not in states:
         await asyncio.sleep(0.02)
@@ -84,7 +77,7 @@ async def test_a_dry_run_follows_the_program_above_the_board_and_is_held_and_res
         await asyncio.sleep(0.01)
     await run.hold()
     await until(run, ActivityState.HELD)
-    await wait_until_still(machine)
+    assert await asyncio.to_thread(machine.comes_to_rest)
     await run.resume()
     await running
     await controller.close()
@@ -108,7 +101,7 @@ async def test_a_dry_run_is_stopped_at_rest_and_a_frame_goes_round(machine: Mach
     await run.stop()
     await running
     assert run.activity.state is ActivityState.STOPPED
-    await wait_until_still(machine)
+    assert await asyncio.to_thread(machine.comes_to_rest)
     station = TABLE.stations[0]
     box = (100.0, 100.0, 220.0, 180.0)
     frame = DryRun(

@@ -136,7 +136,7 @@ async def test_a_hold_stops_and_a_step_and_resume_continue(machine: Machine) -> 
         await run_until_milling(updates, machine)
         await controller.hold()
         await wait_until_still(controller, State.HOLD)
-        assert await asyncio.to_thread(machine.is_still)
+        assert await asyncio.to_thread(machine.comes_to_rest)
         before = machine.position()
         assert machine.lowered() == [ROUTER]
         machine.override_feed(100)
@@ -233,7 +233,7 @@ async def test_an_emergency_stop_ends_the_job_and_unlock_raises_the_station(
     assert_safe(machine)
     await controller.close()
     # HAL has raised the station at once, and unlock has not lowered it again.
-    assert machine.is_still()
+    assert machine.comes_to_rest()
     valve = machine.samples(mark)[:, VALVE[ROUTER]]
     assert valve[0] == 1.0
     assert valve[-1] == 0.0

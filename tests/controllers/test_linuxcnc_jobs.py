@@ -178,7 +178,7 @@ class Shop:
         assert self.machine.lowered() == []
         assert not self.machine.spins()
         assert self.machine.position()[2] >= TABLE.travel_z - 1e-3
-        assert self.machine.is_still()
+        assert self.machine.comes_to_rest()
 
 
 @pytest.fixture(scope="module")
@@ -291,7 +291,7 @@ def test_a_job_is_held_resumed_and_done(shop: Shop) -> None:
     shop.wait_until_milling()
     shop.post(f"jobs/{job}/hold")
     shop.wait_for(job, "held")
-    assert shop.machine.is_still()
+    assert shop.machine.comes_to_rest()
     assert shop.machine.lowered() == [ROUTER]
     shop.machine.override_feed(100)
     shop.post(f"jobs/{job}/resume")

@@ -27,7 +27,7 @@ async def test_joints_are_programmed_plus_datum_and_the_knife_stays_on_its_line(
         mark = machine.mark()
         await controller.run(add_creases(add_cuts(ToolpathBuilder())).program())
         await controller.close()
-        assert machine.is_still()
+        assert machine.comes_to_rest()
         seen = machine.samples(mark)[:, :4]
     # The wheel ends at (160, 73.9, 20) with heading 90; its datum is X +60, Z -1.5.
     np.testing.assert_allclose(seen[-1], [220.0, 73.9, 18.5, 90.0], atol=1e-4)

@@ -93,11 +93,10 @@ def test_one_trace_follows_an_order_through_three_processes(
 ) -> None:
     database = ("--database", postgresql_or_sqlite)
     with ExitStack() as running, run_trace_receiver() as traces:
-        environment = {**traces.environment, "KNIFETIP_KEY": KEY}
-
         started: list[Process] = []
 
-        def start(*words: object) -> Process:
+        def start(*words: object, key: str = KEY) -> Process:
+            environment = {**traces.environment, "KNIFETIP_KEY": key}
             started.append(running.enter_context(process(tmp_path, environment, *words)))
             return started[-1]
 
@@ -108,10 +107,6 @@ def test_one_trace_follows_an_order_through_three_processes(
         url = server.wait_for("knifetip is at ")
         start("worker", *database, "--name", "worker")
         controller = table.wait_for("listening on ")
-        start(
-            *("gateway", "--server", url, "--controller", controller),
-            *("--journal", tmp_path / "journal"),
-        )
         client = running.enter_context(
             httpx.Client(
                 base_url=url,
@@ -119,6 +114,12 @@ def test_one_trace_follows_an_order_through_three_processes(
                 timeout=60.0,
                 trust_env=False,
             )
+        )
+        new_key = {"title": "SECRET table", "scopes": ["gateway"]}
+        start(
+            *("gateway", "--server", url, "--controller", controller),
+            *("--journal", tmp_path / "journal"),
+            key=client.post("/api/keys", json=new_key).raise_for_status().json()["secret"],
         )
         drawing = upload_drawing(client, square())
         client.headers["traceparent"] = f"00-{TRACE}-{CALLER}-01"

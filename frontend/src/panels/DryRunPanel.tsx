@@ -94,7 +94,7 @@ export function DryRunPanel({ job, machine, station, reached }: Props) {
 function RunAboveBoard({ run, machine }: { run: Activity; machine: Machine }) {
   const shown = machine.stations.find(({ number }) => number === run.station);
   return (
-    <section aria-label={RUN_TITLES[run.kind]} data-testid="dry-run-progress">
+    <section aria-label={`Progress: ${RUN_TITLES[run.kind]}`} data-testid="dry-run-progress">
       <div className={css.figures}>
         <div>
           <b>{Math.round(run.progress * 100)}</b> %
