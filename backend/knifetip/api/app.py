@@ -258,8 +258,8 @@ async def _health() -> Health:
 async def _ready(request: Request, service: ServiceDep, response: Response) -> Health:
     """Report whether the server can process requests; the HTTP status is 503 if it cannot.
 
-    The server writes to its database and to its folder or bucket for contents, and checks the free
-    space of its disk.  The results are cached for some seconds.
+    The server writes a test row to its database and, with --store, a test object to its folder or
+    bucket, and checks the free disk space.  The results are cached for some seconds.
     """
     readiness: Readiness = request.app.state.readiness
     checks = await readiness.checks()

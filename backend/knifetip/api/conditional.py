@@ -15,7 +15,9 @@ from starlette.types import Message, Scope, Send
 
 from knifetip.api.revisions import is_known
 
-NOT_MODIFIED: Final[dict[int | str, dict[str, Any]]] = {304: {"description": "Not modified"}}
+NOT_MODIFIED: Final[dict[int | str, dict[str, Any]]] = {
+    304: {"description": "The client's copy is current; the response has no body"}
+}
 
 _KNOWN: Final = {
     "name": "If-None-Match",

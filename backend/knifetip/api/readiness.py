@@ -41,7 +41,7 @@ class _Check:
     component
         Component that has the fault if the check does not end in time.
     keep
-        Returns the seconds for which a result is kept.
+        Time for which a result is kept (s).
     clock
         Seconds of a clock that does not jump.
     """
@@ -50,7 +50,7 @@ class _Check:
         self,
         run: Callable[[], Awaitable[_Results]],
         component: str,
-        keep: Callable[[], float],
+        keep: float,
         clock: Callable[[], float],
     ) -> None:
         self._run = run
@@ -65,7 +65,7 @@ class _Check:
     async def results(self) -> _Results:
         """Return the results, which may be some seconds old."""
         async with self._lock:
-            if self._clock() - self._checked >= self._keep():
+            if self._clock() - self._checked >= self._keep:
                 # A check that hangs, because the database or a disk does, occupies a thread: there
                 # is never a second one.
                 if self._running is None or self._running.done():
@@ -89,12 +89,12 @@ class Readiness:
     _contents: _Check = field(init=False)
 
     def __post_init__(self) -> None:
-        # In the threads of heartbeats, which wait for the database too.
+        # Runs in the threads of heartbeats, which also wait for the database.
         run = partial(self.threads.reports, self._check)
-        self._fast = _Check(run, "database", lambda: _KEEP, self.clock)
-        # In a thread of its own: a bucket may be silent for minutes, but heartbeats do not need it.
+        self._fast = _Check(run, "database", _KEEP, self.clock)
+        # Runs in another thread: a bucket that is silent for minutes must not stop heartbeats.
         outside = partial(asyncio.to_thread, self._check_contents)
-        self._contents = _Check(outside, "contents", lambda: _KEEP_CONTENTS, self.clock)
+        self._contents = _Check(outside, "contents", _KEEP_CONTENTS, self.clock)
 
     async def checks(self) -> _Results:
         """Return "ok" or the fault of each component."""

@@ -19,7 +19,7 @@ from fastapi.routing import APIRoute, iter_route_contexts
 from starlette.routing import BaseRoute, compile_path
 from starlette.types import Message, Receive, Scope, Send
 
-from knifetip.api.conditional import NOT_MODIFIED, conditional
+from knifetip.api.conditional import conditional
 from knifetip.api.principal import Principal, PrincipalKind, demand, missing_scope, principal_of
 from knifetip.jobs.accounts.acting import DONE, FAILED, REFUSED, Acting, acting_as
 from knifetip.jobs.accounts.scopes import AccessScope
@@ -78,7 +78,7 @@ class ScopedRoute(APIRoute):
         needed = needed_scopes(self.endpoint)
         if scope["method"] in _SAFE:
             demand(principal, *needed)
-            if NOT_MODIFIED.keys() <= self.responses.keys():
+            if 304 in self.responses:
                 send = conditional(scope, send)
             await super().handle(scope, receive, send)
             return

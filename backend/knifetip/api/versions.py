@@ -12,7 +12,7 @@ from knifetip.api.conditional import NOT_MODIFIED
 from knifetip.errors import RequestError
 
 TOML: Final = "application/toml"
-#: Descriptions of the answers of a route that sends TOML.
+#: OpenAPI responses of a route that sends TOML.
 TOML_RESPONSE: Final[dict[int | str, dict[str, Any]]] = {
     200: {"content": {TOML: {"schema": {"type": "string"}}}},
     **NOT_MODIFIED,

@@ -2357,8 +2357,8 @@ export interface paths {
          * Ready
          * @description Report whether the server can process requests; the HTTP status is 503 if it cannot.
          *
-         *     The server writes to its database and to its folder or bucket for contents, and checks the free
-         *     space of its disk.  The results are cached for some seconds.
+         *     The server writes a test row to its database and, with --store, a test object to its folder or
+         *     bucket, and checks the free disk space.  The results are cached for some seconds.
          *
          *     Needs no key.
          */
@@ -15828,7 +15828,7 @@ export interface operations {
                     "application/json": components["schemas"]["DrawingSummary"][];
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -16412,7 +16412,7 @@ export interface operations {
                     "application/json": components["schemas"]["DrawingOut"];
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -17048,7 +17048,7 @@ export interface operations {
                     "application/octet-stream": string;
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -17510,7 +17510,7 @@ export interface operations {
                     "image/svg+xml": string;
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -17669,7 +17669,7 @@ export interface operations {
                     "application/json": components["schemas"]["ImportReportOut"];
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -17835,7 +17835,7 @@ export interface operations {
                     "application/json": components["schemas"]["CleaningOut"];
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -17962,7 +17962,7 @@ export interface operations {
                     "text/plain": string;
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -18262,7 +18262,7 @@ export interface operations {
                     "application/json": components["schemas"]["JobOut"][];
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -18838,7 +18838,7 @@ export interface operations {
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -19281,7 +19281,7 @@ export interface operations {
                     "application/json": components["schemas"]["JobEvent"][];
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -19411,7 +19411,7 @@ export interface operations {
                     "text/plain": string;
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -19664,7 +19664,7 @@ export interface operations {
                     "application/octet-stream": string;
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -19798,7 +19798,7 @@ export interface operations {
                     "application/octet-stream": string;
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -25413,7 +25413,7 @@ export interface operations {
                     "application/json": components["schemas"]["JobOut"][];
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -25832,7 +25832,7 @@ export interface operations {
                     "application/json": components["schemas"]["MachineOut"][];
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -27722,7 +27722,7 @@ export interface operations {
                     "application/json": components["schemas"]["BoardOut"][];
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -29076,7 +29076,7 @@ export interface operations {
                     "application/toml": string;
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -29481,7 +29481,7 @@ export interface operations {
                     "application/toml": string;
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -29883,7 +29883,7 @@ export interface operations {
                     "application/toml": string;
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -30526,7 +30526,7 @@ export interface operations {
                     "application/json": components["schemas"]["ProfileOut"][];
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -30769,7 +30769,7 @@ export interface operations {
                     "application/toml": string;
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -34559,7 +34559,7 @@ export interface operations {
                     "text/plain": string;
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;
@@ -36877,7 +36877,7 @@ export interface operations {
                     "application/zip": string;
                 };
             };
-            /** @description Not modified */
+            /** @description The client's copy is current; the response has no body */
             304: {
                 headers: {
                     [name: string]: unknown;

@@ -9,7 +9,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Iterator
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import httpx
@@ -158,24 +158,33 @@ def test_a_database_that_cannot_be_written_is_not_ready(
         assert ready.json()["status"] == "failing"
 
 
+@contextmanager
+def hanging(monkeypatch: pytest.MonkeyPatch, owner: object, name: str) -> Iterator[list[int]]:
+    """Replace a check by one that does not end before the block; yield an entry for each call."""
+    began: list[int] = []
+    end = threading.Event()
+
+    def hang(_owner: object) -> None:
+        began.append(1)
+        assert end.wait(60.0)
+
+    monkeypatch.setattr(owner, name, hang)
+    try:
+        yield began
+    finally:
+        end.set()
+
+
 def test_a_check_that_hangs_occupies_one_thread_only(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     settings = Settings(database=f"sqlite:///{tmp_path}/shop.sqlite", name="test")
     with run_server(settings) as client:
-        began: list[int] = []
-        answers = threading.Event()
-
-        def hang(_database: Database) -> None:
-            began.append(1)
-            assert answers.wait(60.0)
-
         monkeypatch.setattr(readiness_module, "_PATIENCE", 0.01)
-        monkeypatch.setattr(readiness_module, "write_probe", hang)
-        for _ in range(3):
-            assert client.get("/readyz").json()["checks"]["database"] == "no answer"
-        assert len(began) == 1
-        answers.set()
+        with hanging(monkeypatch, readiness_module, "write_probe") as began:
+            for _ in range(3):
+                assert client.get("/readyz").json()["checks"]["database"] == "no answer"
+            assert len(began) == 1
         monkeypatch.setattr(readiness_module, "_PATIENCE", 60.0)
         assert client.get("/readyz").status_code == 200
 
@@ -216,24 +225,14 @@ def test_a_silent_store_does_not_hide_the_state_of_the_database(
 ) -> None:
     settings = Settings(database=f"sqlite:///{tmp_path}/shop.sqlite", name="test")
     with run_server(settings) as client:
-        began: list[int] = []
-        answers = threading.Event()
-
-        def hang(_contents: ContentStore) -> None:
-            began.append(1)
-            assert answers.wait(60.0)
-
-        monkeypatch.setattr(ContentStore, "probe", hang)
         monkeypatch.setattr(readiness_module, "_PATIENCE", 1.0)
-        try:
+        with hanging(monkeypatch, ContentStore, "probe") as began:
             found = [client.get("/readyz").json()["checks"] for _ in range(2)]
             while found[-1]["database"] != "ok":  # on a busy computer
                 assert len(found) < 30
                 found.append(client.get("/readyz").json()["checks"])
             assert {checks["contents"] for checks in found} == {"no answer"}
             assert len(began) == 1
-        finally:
-            answers.set()
 
 
 def test_compile_threads_that_stopped_are_not_ready(
