@@ -26,6 +26,7 @@ from knifetip.api.access_rules import (
     is_probe,
     same_key,
 )
+from knifetip.api.client_limits import Clients, refuse_excess
 from knifetip.api.principal import Principal
 from knifetip.api.problems import problem
 from knifetip.errors import SignInRefused, SignInSlowDown
@@ -124,8 +125,10 @@ class Access:
         rules: AccessRules,
         accounts: AccountLookup | None = None,
         provider: ProviderSignIn | None = None,
+        clients: Clients | None = None,
     ) -> None:
         self.app = app
+        self._clients = clients
         self.rules = rules
         self._accounts = accounts or NoAccounts()
         self._provider = provider
@@ -154,6 +157,12 @@ class Access:
             state["principal"] = found
             state["permission"] = partial(self._is_permitted, facts, found)
         answer: Response | None = None
+        if refused is not None and self._clients is not None and not is_probe(facts):
+            # The limiter inside this middleware sees accepted requests only.
+            answer = refuse_excess(self._clients, Request(scope))
+            if answer is not None:
+                await answer(scope, receive, send)
+                return
         title = "" if self._provider is None else self._provider.title
         ways = signin.SignInMethods(proof.closed, bool(self.rules.key), title)
         if any(ways) and (refused is None or refused.status == 401):

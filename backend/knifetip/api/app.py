@@ -209,7 +209,11 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_middleware(DiskSpaceGuard, storage=storage)
     app.add_middleware(ClientLimiter, clients=clients)
     app.add_middleware(
-        Access, rules=chosen.access, accounts=access, provider=_provider(chosen, access)
+        Access,
+        rules=chosen.access,
+        accounts=access,
+        provider=_provider(chosen, access),
+        clients=clients,
     )
     app.add_middleware(SecurityHeaders)
     templates = route_templates(app.routes)

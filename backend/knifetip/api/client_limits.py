@@ -86,6 +86,18 @@ class Clients:
         self.listeners: Counter[str] = Counter()
 
 
+def refuse_excess(clients: Clients, request: Request) -> Response | None:
+    """Count a request that access control refuses; return 429 beyond the rate, None within it.
+
+    Refused requests are counted separately, so that a page of another site cannot use up the rate
+    of the programs on the computer of its visitor.
+    """
+    limits = clients.limits
+    name = f"refused {client_name(request)}"
+    remaining = clients.buckets.take(name) if limits.rate else 0.0
+    return _too_many_requests(limits, remaining) if remaining < 0 else None
+
+
 class ClientLimiter:
     """ASGI middleware that refuses requests of a client beyond its limits with 429.
 

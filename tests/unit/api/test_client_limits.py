@@ -68,6 +68,16 @@ def test_gateways_and_health_checks_are_not_limited(tmp_path: Path) -> None:
         assert {client.get("/healthz").status_code for _ in range(20)} == {200}
 
 
+def test_refused_requests_are_limited_and_do_not_use_up_the_rate_of_others(tmp_path: Path) -> None:
+    with run_server(settings(tmp_path, ClientLimits(rate=1, burst=3))) as client:
+        foreign = {"Origin": "https://evil.example"}
+        statuses = [client.post("/api/jobs", headers=foreign).status_code for _ in range(8)]
+        assert statuses[:3] == [403] * 3
+        assert statuses.count(429) >= 3
+        assert client.get("/api/jobs").status_code == 200
+        assert client.get("/healthz").status_code == 200
+
+
 def test_requests_to_routes_of_gateways_are_limited_for_others(tmp_path: Path) -> None:
     with run_server(settings(tmp_path, ClientLimits(rate=1, burst=3))) as client:
         secret = client.service.store.keys.add("screen", [AccessScope.VIEWER])[1]
